@@ -8,7 +8,7 @@ from pathlib import Path
 from app.commands.composed import Composed, measure, taken
 from app.commands.options import one_of, parser_of, write_out
 from app.lessons.checking import Report
-from app.lessons.course import Course, contained, ideas
+from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
 from app.strangers import printable
 
@@ -17,7 +17,7 @@ def lesson(arguments: Sequence[str]) -> int:
     """Check or list lessons and talks; return 1 if something is wrong with one of them."""
     _, (what, *names) = parser_of("lesson").read(arguments)
     one_of("lesson", what, ("check", "list"))
-    files = [Path(name) for name in names] or list(contained())
+    files = [file_of(name) for name in names] or list(contained())
     if what == "list":
         write_out(map(_line, files))
         return 0

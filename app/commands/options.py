@@ -376,18 +376,23 @@ def _measure() -> Parser:
 
 def _lesson() -> Parser:
     text = (
-        "check: try every state, answer key and sample of lessons and talks (default: those that "
-        "come with the program); list: list them"
+        "check: try every state, answer key and sample of lessons and talks, and measure their "
+        "pictures (default: those that come with the program); list: list them. FILE may also be "
+        "a name such as L5 or 001"
     )
     return Parser("lesson", "check|list [FILE...]", text)
 
 
 def _talk() -> Parser:
-    parser = Parser("talk", "FILE", "a talk, or a lesson")
+    parser = Parser(
+        "talk",
+        "FILE",
+        "a talk or a lesson, or the name of one that comes with the program, such as 001 or L5",
+    )
     parser.add_argument(
         "--check", action="store_true",
-        help="draw every step without a display, run lesson check, and report each mistake with "
-             "file and line",
+        help="draw every step without a display, run lesson check, measure the pictures, and "
+             "report each mistake with file and line",
     )  # fmt: skip
     parser.add_argument(
         "--handout", metavar="OUT.pdf",

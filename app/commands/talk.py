@@ -11,7 +11,7 @@ from app.commands.composed import SLIDE_PX, Composed, Measure, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
-from app.lessons.course import Course
+from app.lessons.course import Course, file_of
 from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal
 
@@ -37,11 +37,11 @@ def talk(arguments: Sequence[str]) -> int:
     draw = measure()
     status = 0
     if found.check:
-        wrong, sums = _tried(Path(name), draw)
+        wrong, sums = _tried(file_of(name), draw)
         write_out(f"{line}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if found.handout is not None and not status:
-        _print(read(name), found.handout, answers=readers == READERS[0])
+        _print(read(file_of(name)), found.handout, answers=readers == READERS[0])
     return status
 
 

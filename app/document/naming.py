@@ -9,11 +9,16 @@ from __future__ import annotations
 from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.highlight import AXES
+from app.lecture.highlight import AXES, WINDOW
+from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, NDC, VIEW
+from app.model.formula import ARROW
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
+FRAMES = {"frame-o": "O", "frame-w": "W", "frame-e": "E"}
+"""The frames of the object, the world and the eye, which a world picture shows if it names them,
+and their letters."""
 _CUBE = frozenset({"near", "far"})
 """What the cube beside a scene's own picture is named by."""
 
@@ -28,6 +33,22 @@ def named_in(
         return frozenset(names)
     own = frozenset(scene.names)
     return own | _CUBE if pane == "ndc" and scene.leading != "ndc" else own
+
+
+def inks(document: Document, scene: Scene, shown: Illustration | None) -> dict[str, str]:
+    """Return the colours, fields of `Style`, of the letters that the pictures name in one.
+
+    The keys are letters in the document's lettering, as a formula has them: ``z_min``, ``y_p``.
+    """
+    letters = document.view.letters
+    found = {name: in_letters(f"{{{name}_distance}}", letters).strip("−") for name in _CUBE}
+    found |= {axis: in_letters(f"{{axis_{axis}}}", letters) + ARROW for axis in AXES}
+    named = scene.names if document.view.names is None else document.view.names
+    colours = {found[name]: name for name in named if name in found}
+    colours |= {name: scene.inks[name] for name in named if name in scene.inks}
+    for marks in (shown.world, shown.ndc, shown.image) if shown is not None else ():
+        colours |= {text.name: text.colour for text in marks.texts if text.name in named}
+    return {name: colour for name, colour in colours.items() if colour}
 
 
 def seen_from(view: View, scene: Scene) -> str:
@@ -51,17 +72,20 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()
         return stop.union(axes, numbers, (text.name for text in texts))
-    found = planes.union(AXES, ("eye", "target"), (text.name for text in shown.world.texts))
+    found = planes.union(AXES, FRAMES, ("eye", "target"))
+    found |= {text.name for text in shown.world.texts}
+    if planes:
+        found |= WINDOW.keys()
     if view.step is not None:
         found |= frozenset(STEPS) & {"look", "up"}
-    if not projection.placement.is_identity:
+    if not projection.placement.is_identity or FRAMES.keys() & set(view.names or ()):
         found |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):
         found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
         found |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
-        found |= {"height", "width"}
+        found |= {"height", "width", *(("interval",) if planes else ())}
     return found
 
 

@@ -119,7 +119,8 @@ class Store(QObject):
     @property
     def can_undo(self) -> bool:
         """Whether there is an earlier state to go back to; a lesson is left only by closing it."""
-        is_there = bool(self._undo) and (self.origin.is_work or self._undo[-1].origin is self.origin)
+        may_leave = self.origin.is_work
+        is_there = bool(self._undo) and (may_leave or self._undo[-1].origin is self.origin)
         return is_there or self._gesture_moved
 
     @property

@@ -37,6 +37,7 @@ from vtkmodules.vtkRenderingCore import (
 )
 
 from app.drawings.label import Label
+from app.drawings.names import QUIET
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
@@ -298,7 +299,7 @@ class SceneActors:
     """
 
     def __init__(self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()) -> None:
-        self._scene, self._has_grid, self.is_moved = scene, True, False
+        self._scene, self._has_grid, self._is_pale, self.is_moved = scene, True, False, False
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
         self.ground = None if scene.lines is None else unlit_actor(scene.lines)
@@ -326,9 +327,11 @@ class SceneActors:
         pairs = zip((self.surface, self.lines, self.ground), self.spaces, strict=True)
         return [(actor, space) for actor, space in pairs if actor is not None]
 
-    def show_grid(self, shown: bool) -> None:
-        self._has_grid = shown
-        self._share_out()
+    def show_grid(self, shown: bool, pale: bool = False) -> None:
+        """Show the ground's lines, `pale` where arrows on it matter more, or hide them."""
+        if (shown, pale) != (self._has_grid, self._is_pale):
+            self._has_grid, self._is_pale = shown, pale
+            self._share_out()
 
     def show_moved(self, moved: bool) -> None:
         """Let the ground stay behind while the objects move, or join them again."""
@@ -340,7 +343,8 @@ class SceneActors:
         if self.lines is None or self.ground is None:
             return
         kept, left = self._scene.lines, None
-        if self.is_moved or not self._has_grid:
+        self.ground.GetProperty().SetOpacity(1.0 - QUIET if self._is_pale else 1.0)
+        if self.is_moved or self._is_pale or not self._has_grid:
             objects, ground = self._scene.apart
             kept, left = objects.lines, ground.lines if self._has_grid else None
         for actor, mesh in ((self.lines, kept), (self.ground, left)):

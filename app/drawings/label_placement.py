@@ -30,12 +30,20 @@ SQUARE_EM = 1.0 / 3.0
 LEADER_FROM_EM = 1.2
 """Beyond this distance a leader joins a label to its mark."""
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
-_PAST_EM = (0.4, 1.1, 1.8)  # beyond the tip of an arrow
+_PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a border even back
+    [
+        (gap, turn)
+        for turns in ((0.0, 0.5, -0.5, 1.0, -1.0), (1.6, -1.6, 2.2, -2.2))
+        for gap in (0.4, 1.1, 1.8)
+        for turn in turns
+    ]
+)
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _MOVES = 200
+_TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _RIM_EM = 0.45  # of a mark, where its leader begins
 _FAR = 1e9
 """Cells: a box beyond hides no ink, and its place is still a whole number."""
@@ -120,17 +128,14 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
     if length < 1e-9:
         return around(tip, size, em)._replace(leads=False)
     along = np.array(way) / length
-    aside = np.array([-along[1], along[0]])
-    centres, away = [], []
-    for gap in _PAST_EM:
-        for turn in (0.0, 0.5, -0.5, 1.0, -1.0, 1.6, -1.6, 2.2, -2.2):
-            out = math.cos(turn) * along + math.sin(turn) * aside
-            centres.append(np.array(tip) + out * (_reach(out, size) + gap * em))
-            away.append(min(gap, LEADER_FROM_EM) * em)
+    gaps, turns = em * _PAST[:, 0], _PAST[:, 1, None]
+    outs = np.cos(turns) * along + np.sin(turns) * (-along[1], along[0])
+    centres = np.array(tip) + outs * (_reach(outs, size) + gaps)[:, None]
     count = len(centres)
     return Places(
-        np.array(centres), np.zeros(count), np.tile(tip, (count, 1)), np.array(away), leads=False
-    )
+        centres, np.zeros(count), np.tile(tip, (count, 1)),
+        np.minimum(gaps, LEADER_FROM_EM * em), leads=False,
+    )  # fmt: skip
 
 
 def on(spot: Spot) -> Places:
@@ -146,29 +151,21 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
     # Upper edges first, and of them the longest: there is most room.
     mids = ends.mean(axis=1)
     order = np.argsort(-(mids[:, 1] - middle[1] + 0.1 * lengths), kind="stable")
-    centres, turns, anchors = [], [], []
-    for part in (0.5, 0.2, 0.8):
-        for i in order.tolist():
-            if lengths[i] < 1.0:
-                continue
-            direction = ways[i] / lengths[i]
-            turn = math.remainder(math.atan2(direction[1], direction[0]), math.pi)
-            out = np.array([-direction[1], direction[0]])
-            at = ends[i, 0] + part * ways[i]
-            out = out if out @ (at - middle) >= 0.0 else -out
-            if abs(turn) <= _STEEPEST and lengths[i] > size[0]:
-                away = size[1] / 2.0 + 0.35 * em
-            else:
-                turn, away = 0.0, _reach(out, size) + 0.35 * em
-            centres.append(at + away * out)
-            turns.append(turn)
-            anchors.append(at)
-    count = len(centres)
-    places = Places(
-        np.reshape(centres, (count, 2)), np.array(turns, dtype=np.float64),
-        np.reshape(anchors, (count, 2)), np.full(count, 0.35 * em),
-    )  # fmt: skip
-    return joined(places, around(mids[order], size, em))
+    order = order[lengths[order] >= 1.0]
+    ends, ways, lengths, mids = ends[order], ways[order], lengths[order], mids[order]
+    across = ways / lengths[:, None]
+    turns = np.arctan2(across[:, 1], across[:, 0])
+    turns -= math.pi * np.round(turns / math.pi)
+    outs = np.stack([-across[:, 1], across[:, 0]], axis=1)
+    outs[((mids - middle) * outs).sum(axis=1) < 0.0] *= -1.0
+    is_turned = (np.abs(turns) <= _STEEPEST) & (lengths > size[0])
+    away = np.where(is_turned, size[1] / 2.0, _reach(outs, size)) + 0.35 * em
+    anchors = np.concatenate([ends[:, 0] + part * ways for part in (0.5, 0.2, 0.8)])
+    count = len(anchors)
+    centres = anchors + np.tile(away[:, None] * outs, (3, 1))
+    turns = np.tile(np.where(is_turned, turns, 0.0), 3)
+    places = Places(centres, turns, anchors, np.full(count, 0.35 * em))
+    return joined(places, around(mids, size, em))
 
 
 def joined(*places: Places) -> Places:
@@ -179,10 +176,10 @@ def joined(*places: Places) -> Places:
     return Places(centres, turns, anchors, away, any(each.leads for each in places))
 
 
-def _reach(out: Floats, size: tuple[float, float]) -> float:
-    """How far the middle of a box is from its rim in a direction, (2,)."""
-    across, up = np.abs(out).tolist()
-    return float(min(size[0] / 2.0 / max(across, 1e-9), size[1] / 2.0 / max(up, 1e-9)))
+def _reach(outs: Floats, size: tuple[float, float]) -> Floats:
+    """How far the middle of a box is from its rim in directions, (n, 2)."""
+    reach: Floats = (np.array(size) / 2.0 / np.maximum(np.abs(outs), 1e-9)).min(axis=1)
+    return reach
 
 
 def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
@@ -312,12 +309,12 @@ def place(
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
         return stays
-    costs, boxes, crossings = _costs(choices, ground)
-    counts = [len(places.centres) for _, places in choices]
-    chosen = _solve([wish.rank for wish, _ in choices], counts, costs, boxes, ground.em, crossings)
-    for (wish, places), number in zip(choices, chosen, strict=True):
-        if number is not None:
-            stays[wish.key] = _placed(wish, places, number, ground.em)
+    tried, costs, boxes, crossings = _costs(choices, ground)
+    ranks = [wish.rank for wish, _ in choices]
+    chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, ground.em, crossings)
+    for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
+        if which is not None:
+            stays[wish.key] = _placed(wish, places, numbers[which], ground.em)
     return stays
 
 
@@ -354,69 +351,83 @@ def _stay(
 
 def _costs(
     choices: Sequence[tuple[Wish, Places]], ground: Ground
-) -> tuple[Floats, Floats, NDArray[np.bool_]]:
-    """What candidates cost alone, their boxes, and which boxes their leaders would run over."""
-    em, parts, alone, led = ground.em, [], [], []
-    for i, (wish, places) in enumerate(choices):
-        (wide, high), count = wish.size, len(places.centres)
-        cos, sin = np.abs(np.cos(places.turns)), np.abs(np.sin(places.turns))
-        half = np.stack([cos * wide + sin * high, sin * wide + cos * high], axis=1) / 2.0
-        boxes = np.hstack([places.centres - half, places.centres + half])
-        cost = _ORDER * np.minimum(np.arange(count), 24.0) + _INK * _hidden(wish, places, ground)
-        far = places.away > LEADER_FROM_EM * em
-        cost += np.where(far, places.away / em if places.leads else np.inf, 0.0)
-        others = np.concatenate(
-            [np.empty((0, 2)), *(p.anchors[:1] for j, (_, p) in enumerate(choices) if j != i)]
-        )
-        if len(others):
-            at = places.anchors
-            own = np.linalg.norm(np.clip(at, boxes[:, :2], boxes[:, 2:]) - at, axis=1)
-            nearest = np.clip(others[None], boxes[:, None, :2], boxes[:, None, 2:])
-            apart = np.linalg.norm(nearest - others[None], axis=2).min(axis=1)
-            cost += np.where(apart < own, _FOREIGN, 0.0)
-            marks = np.hstack([others - 0.4 * em, others + 0.4 * em])
-            cost[far] += _CROSSES * _crossed(at[far], boxes[far], marks).any(axis=1)
-        parts.append(boxes)
-        led.append(far)
-        alone.append(cost)
-    boxes, costs = np.concatenate(parts), np.concatenate(alone)
-    frame = np.array(ground.limits)
+) -> tuple[list[list[int]], Floats, Floats, NDArray[np.bool_]]:
+    """The candidates to be tried, label by label: their numbers, and for all of them what each
+    costs alone, its box, and which boxes its leader would run over.
+    """
+    em, all_places = ground.em, [places for _, places in choices]
+    counts = np.array([len(places.centres) for places in all_places])
+    first = np.cumsum(counts) - counts
+    of = np.repeat(np.arange(len(counts)), counts)
+    centres, turns, anchors, away, _ = joined(*all_places)
+    size = np.array([wish.size for wish, _ in choices])[of]
+    leads = np.array([places.leads for places in all_places])[of]
+    across, up = np.abs(np.cos(turns))[:, None], np.abs(np.sin(turns))[:, None]
+    half = (across * size + up * size[:, ::-1]) / 2.0
+    boxes, frame = np.hstack([centres - half, centres + half]), np.array(ground.limits)
+    far = away > LEADER_FROM_EM * em
     free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+    free &= leads | ~far
     if ground.taken:
         free &= ~_overlap(boxes, np.array(ground.taken)).any(axis=1)
+    number = np.arange(len(of)) - first[of]
+    costs = _ORDER * np.minimum(number, 24.0) + np.where(far, away / em, 0.0)
     costs[~free] = np.inf
-    leads = np.concatenate(led) & free
-    anchors = np.concatenate([places.anchors for _, places in choices])
-    crossings = np.zeros((len(boxes), len(boxes)), dtype=np.bool_)
-    crossings[leads] = _crossed(anchors[leads], boxes[leads], boxes)
-    return costs, boxes, crossings
+    at = np.flatnonzero(free)
+    costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
+    costs[at] += _astray(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
+    tried = []
+    for start, count in zip(first.tolist(), counts.tolist(), strict=True):
+        free_here = np.flatnonzero(free[start : start + count])
+        best = free_here[np.argsort(costs[start + free_here], kind="stable")[:_TRIED]]
+        tried.append(sorted({*free_here[:_TRIED].tolist(), *best.tolist()}))
+    at = np.array([start + each for start, here in zip(first, tried, strict=True) for each in here])
+    at = at.astype(np.int64)
+    boxes, leads = boxes[at], (leads & far)[at]
+    crossings = np.zeros((len(at), len(at)), dtype=np.bool_)
+    crossings[leads] = _crossed(anchors[at][leads], boxes[leads], boxes)
+    return tried, costs[at], boxes, crossings
 
 
-def _hidden(wish: Wish, places: Places, ground: Ground) -> Floats:
+def _astray(
+    anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
+    em: float,
+) -> Floats:  # fmt: skip
+    """What it costs to be nearer to the mark of another label, or to have a leader across it."""
+    foreign = of[:, None] != np.arange(len(marks))
+    own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
+    away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
+    nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
+    costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
+    rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
+    crossed = _crossed(anchors[far], boxes[far], rims) & foreign[far]
+    costs[far] += _CROSSES * crossed.any(axis=1)
+    return costs
+
+
+def _hidden(centres: Floats, turns: Floats, size: Floats, ground: Ground) -> Floats:
     """Which part of each candidate is ink: in three boxes along it, since it may be turned."""
-    wide, high = wish.size
-    cos, sin = np.cos(places.turns), np.sin(places.turns)
-    along_it = np.stack([cos, sin], axis=1)
-    part_x, part_y = np.abs(cos) * wide / 3.0, np.abs(sin) * wide / 3.0
-    half = np.stack([part_x + np.abs(sin) * high, part_y + np.abs(cos) * high], axis=1) / 2.0
-    parts = [
-        ground.hidden(np.hstack([middle - half, middle + half]))
-        for middle in (places.centres + shift * wide / 3.0 * along_it for shift in (-1.0, 0.0, 1.0))
-    ]
-    hidden: Floats = np.mean(parts, axis=0)
+    along_it = np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    across, up = np.abs(along_it).T[:, :, None]
+    third = size * (1.0 / 3.0, 1.0)
+    half = (across * third + up * third[:, ::-1]) / 2.0
+    middles = centres + np.array([-1.0, 0.0, 1.0])[:, None, None] * third[:, :1] * along_it
+    parts = ground.hidden(np.concatenate([middles - half, middles + half], axis=2).reshape(-1, 4))
+    hidden: Floats = parts.reshape(3, -1).mean(axis=0)
     return hidden
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
     """Whether the leader of each candidate, (n,), runs over each of these boxes, (m, 4)."""
-    starts = anchors[:, None]
-    ways = np.clip(anchors, boxes[:, :2], boxes[:, 2:])[:, None] - starts
-    with np.errstate(divide="ignore", invalid="ignore"):
-        low, high = (marks[:, :2] - starts) / ways, (marks[:, 2:] - starts) / ways
-    first = np.fmax.reduce(np.fmin(low, high), axis=2)
-    last = np.fmin.reduce(np.fmax(low, high), axis=2)
-    found: NDArray[np.bool_] = np.fmax(first, 0.1) < np.fmin(last, 0.95)
-    return found
+    first, last = np.array(0.1), np.array(0.95)
+    for axis in (0, 1):
+        start = anchors[:, axis, None]
+        way = np.clip(start, boxes[:, axis, None], boxes[:, axis + 2, None]) - start
+        with np.errstate(divide="ignore", invalid="ignore"):
+            low, high = (marks[:, axis] - start) / way, (marks[:, axis + 2] - start) / way
+        first = np.fmax(first, np.fmin(low, high))
+        last = np.fmin(last, np.fmax(low, high))
+    return np.asarray(first < last)
 
 
 def _solve(
@@ -433,39 +444,44 @@ def _solve(
     """
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em) | crossings | crossings.T
+    bits = [
+        int.from_bytes(row.tobytes(), "little")
+        for row in np.packbits(clash, axis=1, bitorder="little")
+    ]
     alone: list[float] = costs.tolist()
     unplaced = [_UNPLACED - 10.0 * rank for rank in ranks]
-    free = [
-        [at for at in range(start, start + count) if alone[at] < math.inf]
-        for start, count in zip(first, counts, strict=True)
-    ]
+    free = [list(range(start, start + count)) for start, count in zip(first, counts, strict=True)]
     state: list[int | None] = [None] * len(ranks)
+    placed = 0
+    """The bits of the candidates in `state`."""
 
     def cost_of(label: int, at: int | None) -> float:
         if at is None:
             return unplaced[label]
-        row = clash[at]
-        hits = sum(
-            1 for other, it in enumerate(state) if other != label and it is not None and row[it]
-        )
-        return alone[at] + _OVERLAP * hits
+        return alone[at] + _OVERLAP * (bits[at] & placed).bit_count()
 
     for label in sorted(range(len(ranks)), key=ranks.__getitem__):
-        state[label] = min([*free[label], None], key=lambda at, label=label: cost_of(label, at))  # type: ignore[misc]
-    dice = random.Random(1995)
+        at = min([*free[label], None], key=lambda at, label=label: cost_of(label, at))  # type: ignore[misc]
+        if at is not None:
+            state[label], placed = at, placed | 1 << at
+    total = sum(unplaced[label] if at is None else alone[at] for label, at in enumerate(state))
+    cheapest = sum(
+        min((alone[at] for at in free[i]), default=unplaced[i]) for i in range(len(ranks))
+    )
     movable = [label for label in range(len(ranks)) if len(free[label]) > 1]
-    total = sum(cost_of(label, at) for label, at in enumerate(state))
-    best, least = list(state), total
-    for move in range(_MOVES if len(movable) > 1 else 0):
+    best, least, dice = list(state), total, random.Random(1995)
+    for move in range(_MOVES if len(movable) > 1 and least > cheapest + 1e-9 else 0):
         label = dice.choice(movable)
-        at = dice.choice(free[label][:12])
-        change = cost_of(label, at) - cost_of(label, state[label])
+        at, was = dice.choice(free[label][:_TRIED]), state[label]
+        placed &= ~(0 if was is None else 1 << was)
+        change = cost_of(label, at) - cost_of(label, was)
         heat = 4.0 * (1.0 - move / _MOVES) ** 2 + 1e-3
         if change <= 0.0 or dice.random() < math.exp(-change / heat):
-            state[label] = at
+            state[label] = was = at
             total += change
             if total < least - 1e-9:
                 best, least = list(state), total
+        placed |= 0 if was is None else 1 << was
     return [None if at is None else at - start for at, start in zip(best, first, strict=True)]
 
 

@@ -232,7 +232,8 @@ class OwnView(PaneCamera):
             across, up = np.ptp(x / away) / (2.0 * half), np.ptp(y / away) / (2.0 * half)
             if _is_large(float(across) * size_px[1] / size_px[0], float(up)):
                 break
-        middle = float(self._middle @ out + eye @ out) / 2.0
+        # Ahead of the pane's camera, even if the model's eye is behind it.
+        middle = (float(self._middle @ out) + min(float(eye @ out), float(position @ out))) / 2.0
         return position, position + (middle - float(position @ out)) * out
 
     # -- fixed views

@@ -14,7 +14,7 @@ from app.lessons.blocks.block import Trial
 from app.lessons.course import Course
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
-from app.lessons.text import formulas_in, outline
+from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_STEPS = 7
@@ -26,6 +26,13 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; the limit is {1}")
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
+
+UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
+NO_LINKS = QT_TRANSLATE_NOOP(
+    "Refusal", "has a picture or a link, which a lesson shows as it is typed"
+)
+_CODE = re.compile(r"(`+).+?\1|\\[$\[\]<]", re.DOTALL)
+_LINK = re.compile(r"!?\[[^\]\n]*\]\([^)\n]*\)|<(?:https?:|mailto:)[^>\n]*>|<(?:img|a)\s[^>\n]*>")
 
 
 @dataclass
@@ -75,8 +82,9 @@ def _check(course: Course, trial: Trial) -> None:
         before = len(trial.wrong)
         with trial.kept():
             course.shown(place)
+        is_possible = len(trial.wrong) == before
         _check_texts(step, trial)
-        if len(trial.wrong) == before:  # nothing can be computed from an impossible state
+        if is_possible:  # nothing can be computed from an impossible state
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)
@@ -85,6 +93,7 @@ def _check(course: Course, trial: Trial) -> None:
 def _check_texts(step: Step, trial: Trial) -> None:
     texts = [(step.line, step.title), *(text for block in step.blocks for text in block.texts())]
     for line, text in texts:
+        _check_signs(line, text, trial)
         for tex in formulas_in(text):
             problem = _problem_of_tex(tex)
             if problem:
@@ -96,6 +105,17 @@ def _check_texts(step: Step, trial: Trial) -> None:
     words = len(step.note.text.split()) if step.note is not None else 0
     if step.note is not None and words > MOST_WORDS:
         trial.complain(refused(step.note.line, LONG_NOTE, words, MOST_WORDS))
+
+
+def _check_signs(line: int, text: str, trial: Trial) -> None:
+    """Report a dollar without its partner, and what would be a link in other Markdown."""
+    bare = _CODE.sub(lambda found: "\n" * found[0].count("\n"), text)
+    for number, words in enumerate(MATH.sub("", bare).split("\n"), line):
+        if "$" in words:
+            trial.complain(refused(number, UNCLOSED, value=words.strip()[:60]))
+        link = _LINK.search(words)
+        if link is not None:
+            trial.complain(refused(number, NO_LINKS, value=link[0][:60]))
 
 
 def _problem_of_tex(tex: str) -> str:

@@ -239,6 +239,20 @@ def idea_named(name: str) -> Idea | None:
     return None
 
 
+def file_of(name: str) -> Path:
+    """Return the file of a path, or of a lesson's or a talk's own name: ``talk-001.md``, ``L5``."""
+    path = Path(name)
+    if path.exists() or path.parent != Path():
+        return path
+    stem = path.stem.lower()
+    names = stem, f"talk-{stem}"
+    for own in contained():
+        number = own.stem.partition("-")[0].replace("l0", "l")
+        if own.stem in names or number == stem:
+            return own
+    return path
+
+
 def contained() -> tuple[Path, ...]:
     """Return the files of the lessons and talks that come with the program, in order."""
     return tuple(sorted(path for path in CONTENT.glob("*.md") if path.name != "ideas.md"))

@@ -210,7 +210,7 @@ class Quantities:
         """Return every name available with this scene and lens."""
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
-        readings = [f"reading_{name}" for name in self._all_readings]
+        readings = [f"reading_{name}" for name in self.readings]
         return (*self._given, *_SIMPLE, *probes, *self._matrices, *settings, *readings)
 
     @property
@@ -233,7 +233,8 @@ class Quantities:
         return settings[head][XYZ.index(axis)] if is_part else None
 
     @property
-    def _all_readings(self) -> dict[str, Any]:
+    def readings(self) -> Mapping[str, Any]:
+        """Return the numbers of the scene's readout, by the names that formulas use."""
         if self._readings is None:
             phenomenon = self._scene().phenomenon
             readings: tuple[Reading, ...] = ()
@@ -246,7 +247,7 @@ class Quantities:
         return self._readings
 
     def _reading(self, name: str) -> Any:
-        readings = self._all_readings
+        readings = self.readings
         if name not in readings:
             near = difflib.get_close_matches(name, readings, n=1, cutoff=0.0) or ["none"]
             raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near[0]}")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import logging
 import re
+from collections.abc import Iterator
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from app.model.formula import ARROW
 from app.model.limits import Array
 
 if TYPE_CHECKING:
@@ -29,7 +31,7 @@ _ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
 
 
-_MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
+MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
 
 
 @cache
@@ -49,7 +51,7 @@ def markdown() -> MarkdownIt:
 
 
 def _math(state: StateInline, silent: bool) -> bool:
-    found = _MATH.match(state.src, state.pos)
+    found = MATH.match(state.src, state.pos)
     if found is None:
         return False
     if not silent:
@@ -70,7 +72,8 @@ class Outline(NamedTuple):
     """A formula's outlines in em, from its place on the line, y upwards.
 
     `ascent` and `descent` are its extent above and below the line; `vertices` have shape (n, 2);
-    `codes` are those of `matplotlib.path.Path`.
+    `codes` are those of `matplotlib.path.Path`. `letters` has the names of the italic letters,
+    ``y_p``, ``P'`` or ``u`` with its arrow, each with its range of the vertices, in their order.
     """
 
     width: float
@@ -78,6 +81,7 @@ class Outline(NamedTuple):
     descent: float
     vertices: Array
     codes: Array
+    letters: tuple[tuple[str, int, int], ...] = ()
 
 
 @lru_cache(maxsize=1024)
@@ -105,7 +109,37 @@ def outline(tex: str) -> Outline:
         descent / _EM,
         np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
         np.asarray(codes),
+        tuple(_letters(reader, font, text)),
     )
+
+
+def _letters(reader: Any, font: Any, text: str) -> Iterator[tuple[str, int, int]]:
+    """Yield the letters of a formula with their subscripts, as they follow in its outlines."""
+    shapes, outlines, _ = reader.get_glyphs_mathtext(font, text)
+    glyphs = reader.mathtext_parser.parse(text, reader.DPI, font).glyphs
+    is_short = iter([len(part) < 2 for part in re.findall(r"\\vec\s*(?:\{([a-zA-Z]*)\})?", text)])
+    name, arrow, begin, end, size, line = "", "", 0, 0, 0.0, 0.0
+    for (face, points, code, *_, y), (shape, *_) in zip(glyphs, shapes, strict=True):
+        sign, first = chr(code), end
+        is_low = points < size and y < line and sign.isalnum()
+        if name and is_low:
+            name += sign if "_" in name else f"_{sign}"
+        elif name and sign == "\u2032":
+            name += "'"
+        else:
+            if name:
+                yield name + arrow, begin, end
+            is_italic = sign.isalpha() and face.postscript_name.endswith("Italic")
+            if not (arrow and not name and is_italic):  # an accent comes before its letter
+                begin = first
+            arrow = arrow if is_italic and not name else ""
+            if sign == ARROW and next(is_short, True):  # not over a word
+                arrow = ARROW
+            name = sign if is_italic else ""
+            size, line = points, y
+        end += len(outlines[shape][1])
+    if name:
+        yield name + arrow, begin, end
 
 
 def _refuse(warning: logging.LogRecord) -> bool:
@@ -161,6 +195,14 @@ def plain_of(text: str) -> str:
         if token.nesting < 0 and not token.hidden:
             words.append(" ")
     return " ".join("".join(words).split())
+
+
+_LOWERED = str.maketrans("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
+
+
+def in_line(text: str) -> str:
+    """Return a title without markup for a list or a button: subscripts are signs, if there are."""
+    return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), plain_of(text))
 
 
 def escaped(text: str) -> str:

@@ -22,9 +22,8 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.arithmetic.formats import QUANTISED
 from app.measure.reference import SAMPLE, Truth, sample, truth
-from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.results import IN_SOFTWARE, Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -42,11 +41,41 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
-CHEAP = {
-    **{name: Hardware(name, name) for name in ("float16", "bfloat16", "fixed 16.16")},
-    **{bits: Hardware(bits) for bits in [*QUANTISED][::2]},
+_OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
+_SINGLE = {**_OWN, "settings.vertices": "float32", "settings.numbers": "float32"}
+CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
+    **{
+        f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
+        for bits in (8, 12, 16)
+    },
+    "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
+    **{
+        name: (
+            Hardware(name, name),
+            {**_OWN, "settings.vertices": drawn, "settings.numbers": drawn},
+        )
+        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
+    },
+    **{
+        f"float32, snapped to {name}": (Hardware(snap=name), {**_SINGLE, "settings.snap": drawn})
+        for name, drawn in (("whole px", "whole"), ("1/4 px", "quarter"), ("1/16 px", "sixteenth"))
+    },
+    **{
+        f"float32, reciprocal {name}": (
+            Hardware(reciprocal=name),
+            {**_SINGLE, "settings.reciprocal": drawn},
+        )
+        for name, drawn in (
+            ("table", "table"),
+            ("table, 1 Newton step", "newton1"),
+            ("table, 2 Newton steps", "newton2"),
+        )
+    },
 }
-"""Formats that numpy can only imitate, and vertices of so many bits: judged, but not timed."""
+"""What numpy can only imitate: judged, but not timed.
+
+Each with the settings with which the scene ``cheap-arithmetic`` draws it.
+"""
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -55,7 +84,6 @@ NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
-IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
@@ -258,24 +286,28 @@ def measure(
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
             for name, way in all_ways.items()
         }
-    choices, box = [], np.stack([points_world.min(axis=0), points_world.max(axis=0)])
-    for name, hardware in CHEAP.items():
-        picture = cheap(projection, world, hardware, origin, box)
-        answers = np.column_stack([picture.image, picture.depth])[where]
-        errors, note = _largest(reference, answers)
-        bounds = picture.bounds.max(axis=0).tolist()
-        prediction = Prediction(max(bounds[:2]), bounds[2])
-        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note, {}, size))
+    choices = []
     for name, (errors, note) in found.items():
         precision = _PRECISIONS.get(name)
         expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
         choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
         choices.append(replace(choice, library=name in others))
+    box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
+    for name, (hardware, drawn) in CHEAP.items():
+        picture = cheap(projection, world, hardware, origin, box)
+        answers = np.column_stack([picture.image, picture.depth])[where]
+        errors, note = _largest(reference, answers)
+        bounds = picture.bounds.max(axis=0).tolist()
+        prediction = Prediction(max(bounds[:2]), bounds[2])
+        use = {"scene": "cheap-arithmetic", **drawn}
+        # Snapping and reciprocals save no memory, so they have no place among the formats.
+        size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
+    choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):
@@ -410,17 +442,18 @@ def sweep(
     points_world: Array,
     values: Sequence[float],
     watch: Watch = unwatched,
+    at: Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None = None,
 ) -> Sweep:
-    """Measure the errors of every precision, and of VTK's own camera, over a parameter's range.
+    """Measure something at every value of a parameter, with the scene's points (n, 3).
 
-    `in_view` moves the scene's points (n, 3) into the view volume at every value.
+    `at` returns the answer of each choice; by default `errors`.
 
     Raises
     ------
     Cancelled
         By `watch`; with the values done.
     """
-    found: dict[str, list[_Answer]] = {}
+    found: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -428,7 +461,7 @@ def sweep(
         except Cancelled:
             complete = False
             break
-        for name, answer in _at(parameter, projection, points_world, value).items():
+        for name, answer in (at or errors)(parameter, projection, points_world, value).items():
             found.setdefault(name, []).append(answer)
     curves = {name: _curve(answers) for name, answers in found.items()}
     measured = tuple(values) if complete else tuple(values[:done])
@@ -438,7 +471,7 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[_Answer]) -> Curve:
+def _curve(answers: Sequence[Answer]) -> Curve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
@@ -448,18 +481,21 @@ def _curve(answers: Sequence[_Answer]) -> Curve:
     return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
-_Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
+Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]
 """The largest errors, the prediction, and the reason for a missing number."""
 
 
-def _at(
+def errors(
     parameter: str, projection: Projection, points_world: Array, value: float
-) -> Mapping[str, _Answer]:
-    """Return the answer of each choice at one value."""
+) -> Mapping[str, Answer]:
+    """Return the errors of every precision, and of VTK's own camera, at one value.
+
+    `in_view` moves the points (n, 3) into the view volume.
+    """
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
-        names = (*_PRECISIONS, *([WORLD] if parameter == "distance" else []), "VTK's camera")
+        names = (*_PRECISIONS, "VTK's camera", *([WORLD] if parameter == "distance" else []))
         return dict.fromkeys(names, (None, None, str(error)))
     world = in_view(there, points_world + moved)
     reference = truth(there, world)
@@ -467,14 +503,16 @@ def _at(
     origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
     if parameter == "distance":
         origins[WORLD] = "float32", (0.0, 0.0, 0.0)
-    found: dict[str, _Answer] = {}
+    found: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
         for name, (precision, start) in origins.items():
             traced = trace(there, world, precision, start)
-            errors, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
+            largest, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
             predicted = predict(there, world, start) or {}
-            found[name] = (errors, predicted.get(precision), note)
+            found[name] = (largest, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
+    if WORLD in found:  # last, so that the others have the same colours in every chart
+        found[WORLD] = found.pop(WORLD)
     return found
 
 
@@ -519,7 +557,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     return world
 
 
-def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> _Answer:
+def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answer:
     """Set VTK's own camera as a program would, and note which of the values it changes."""
     lens, camera = projection.lens, vtkCamera()
     camera.SetPosition(*projection.camera.eye)

@@ -182,9 +182,10 @@ def diagrams(
     return _of_sweep(part, overlaid_sweep, other_name, translate)
 
 
-def is_current(choice: Choice, current: Mapping[str, str]) -> bool:
-    """Whether a choice is in use."""
-    return bool(choice.use) and all(current.get(key) == use for key, use in choice.use.items())
+def in_use(trade: Trade, current: Mapping[str, str]) -> Choice | None:
+    """Return the choice that says most of what is in use; None if none does."""
+    found = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
+    return max(found, key=lambda choice: len(choice.use), default=None)
 
 
 def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | None:
@@ -235,7 +236,8 @@ def _of_trade(
     curves.append(Curve(points(frontier), "n", width=1.3))
     placed = [c for c in trade.choices if c.cost in costs and c.error is not None]
     # The most important spots are named first.
-    placed.sort(key=lambda c: (not is_current(c, current), c not in frontier))
+    now = in_use(trade, current)
+    placed.sort(key=lambda c: (c is not now, c not in frontier))
     spots: list[Spot] = []
     named: list[tuple[float, float]] = []
     for choice in placed:
@@ -243,11 +245,10 @@ def _of_trade(
         here = [c for c in placed if _is_near(point(c), (x, y))]
         name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here, translate)
         named.append((x, y))
-        marked = is_current(choice, current)
         spots.append(
             Spot(
                 x, y, name, choice.name, _tip(trade, choice, translate), "n",
-                faded=trade.is_beaten(choice), marked=marked, hollow=choice.library,
+                faded=trade.is_beaten(choice), marked=choice is now, hollow=choice.library,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):

@@ -11,12 +11,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.measure.arithmetic import SWEEPS
-from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.arithmetic import SWEEPS, Answer
+from app.measure.results import BUFFERS, Choice, Trade
 from app.measure.run import Watch, unwatched
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
-from app.model.projection import Projection
+from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.precision.levels import Prediction
 
 PAIRS = 10_000
 """Number of pairs of neighbours at even distances from near to far (N. Reed, 2015)."""
@@ -24,14 +25,6 @@ FARTHEST = 1e4
 """The pairs' largest distance for an infinite far, in units of near."""
 _EDGES = 4
 """Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
-
-SWEPT = {
-    "fixed16": ("fixed16", "opengl"),
-    "fixed24": ("fixed24", "opengl"),
-    "float32": ("float32", "opengl"),
-    "float32, reversed": ("float32", "reversed"),
-}
-"""The buffers of the sweeps of near and far."""
 
 NOT_TOLD = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
@@ -80,49 +73,24 @@ def _trade(choices: Sequence[Choice]) -> Trade:
     return Trade("depth", "B", "world units", tuple(choices), 1)
 
 
-def sweep(
-    parameter: str, projection: Projection, values: Sequence[float], watch: Watch = unwatched
-) -> Sweep:
-    """Measure the gap of each buffer of `SWEPT` over the values of near or far.
+def gaps(
+    parameter: str, projection: Projection, _points_world: Array, value: float
+) -> Mapping[str, Answer]:
+    """Return the gap of each of `BUFFERS` at one value of near or far, for `arithmetic.sweep`.
 
     The surface is the target, or at 2 near or far / 2 if the target would lie outside.
-
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the values done.
     """
-    target = -float(projection.trace(projection.camera.target).view[2])
-    found: dict[str, list[tuple[float | None, float | None, str]]] = {name: [] for name in SWEPT}
-    done = 0
-    for done, value in enumerate(values):
-        try:
-            watch(done / len(values))
-        except Cancelled:
-            raise Cancelled(_sweep(parameter, values[:done], found, complete=False)) from None
-        lens = SWEEPS[parameter].set(projection, value)[0].lens
-        distance = target if target < lens.far else lens.far / 2.0
-        distance = distance if distance > lens.near else 2.0 * lens.near
-        for name, (format_, mapping) in SWEPT.items():
-            buffer = DepthBuffer(format_, mapping, lens)
-            gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
-            told = math.isfinite(gap)
-            found[name].append((gap if told else None, predicted, "" if told else NOT_TOLD))
-    return _sweep(parameter, values, found)
-
-
-def _sweep(
-    parameter: str,
-    values: Sequence[float],
-    found: Mapping[str, Sequence[tuple[float | None, float | None, str]]],
-    complete: bool = True,
-) -> Sweep:
-    nothing = (None,) * len(values)
-    curves = {}
-    for name, answers in found.items():
-        gaps, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
-        curves[name] = Curve(gaps, nothing, predicted, nothing, notes)
-    return Sweep(parameter, "", tuple(values), curves, complete)
+    distance = -float(projection.trace(projection.camera.target).view[2])
+    lens = SWEEPS[parameter].set(projection, value)[0].lens
+    distance = distance if distance < lens.far else lens.far / 2.0
+    distance = distance if distance > lens.near else 2.0 * lens.near
+    found: dict[str, Answer] = {}
+    for name, drawn in BUFFERS.items():
+        buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
+        gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
+        told = Prediction(gap, gap) if math.isfinite(gap) else None
+        found[name] = told, Prediction(predicted, predicted), "" if told else NOT_TOLD
+    return found
 
 
 def _shares(buffer: DepthBuffer) -> dict[str, float]:

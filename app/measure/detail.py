@@ -29,7 +29,7 @@ FINER = 3.0
 
 _RINGS = 160  # of the sphere
 
-TOO_FEW = "a sphere: the scene has too few triangles to leave any out"
+TOO_FEW = "a sphere: the scene has too few triangles"
 NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture")
 
 _BLOCK = 2048

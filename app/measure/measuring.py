@@ -89,10 +89,8 @@ def measure_all(
             results = replace(results, trades=(*results.trades, trade))
         for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
             values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
-            if parameter in GAPS:
-                swept = depth.sweep(parameter, projection, values, part)
-            else:
-                swept = arithmetic.sweep(parameter, projection, scene.sample, values, part)
+            at = depth.gaps if parameter in GAPS else arithmetic.errors
+            swept = arithmetic.sweep(parameter, projection, scene.sample, values, part, at)
             results = replace(results, sweeps=(*results.sweeps, swept))
     except Cancelled as cancelled:
         if isinstance(cancelled.partial, Trade):

@@ -50,6 +50,7 @@ DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
 MEASURED_ONLY = QT_TRANSLATE_NOOP(
     "Measure", "{0} is only measured: the panes are not drawn with it."
 )
+IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 _BUSY = 3.0
 """A 95th percentile of more than this many least times comes from other programs."""
@@ -78,6 +79,15 @@ _JUDGED = QT_TRANSLATE_NOOP(
 )
 JUDGED = _JUDGED.format(64)
 """The definition of the errors of trade 1 and of the sweeps."""
+_SWEPT_FIELDS = {"near": "lens.near", "far": "lens.far", "fov": "lens.fov_y_deg"}
+_DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
+BUFFERS = {
+    "fixed16": {"depth_format": "fixed16", "depth_mapping": "opengl"},
+    "fixed24": {"depth_format": "fixed24", "depth_mapping": "opengl"},
+    "float32": {"depth_format": "float32", "depth_mapping": "opengl"},
+    "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
+}
+"""The depth buffers of the sweeps of near and far, as of `Choice.use`."""
 GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
@@ -87,6 +97,12 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "every stage"),
     QT_TRANSLATE_NOOP("Measure", "exact"),
     QT_TRANSLATE_NOOP("Measure", "{0} bits"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to whole px"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to 1/4 px"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to 1/16 px"),
+    QT_TRANSLATE_NOOP("Measure", "reciprocal table"),
+    QT_TRANSLATE_NOOP("Measure", "{0} Newton step"),
+    QT_TRANSLATE_NOOP("Measure", "{0} Newton steps"),
     QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
     QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
     QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
@@ -102,7 +118,7 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
     QT_TRANSLATE_NOOP("Measure", "the same picture"),
-    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles to leave any out"),
+    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles"),
     QT_TRANSLATE_NOOP("Measure", "p95"),
     QT_TRANSLATE_NOOP("Measure", "bytes"),
     BUSY,
@@ -252,6 +268,18 @@ class Sweep:
     values: tuple[float, ...]
     curves: Mapping[str, Curve]
     complete: bool = True
+
+    def use(self, row: int, column: int) -> dict[str, str]:
+        """Return what draws the panes with a cell of the table, in the form of `Choice.use`.
+
+        A curve's column adds its depth buffer or precision. Empty if the panes cannot draw it.
+        """
+        field = _SWEPT_FIELDS.get(self.parameter)
+        if field is None or row >= len(self.values):
+            return {}
+        drawn = BUFFERS if self.parameter in GAPS else _DRAWN
+        name = list(self.curves)[column - 1] if 0 < column <= len(self.curves) else ""
+        return {field: repr(self.values[row]), **drawn.get(name, {})}
 
 
 @dataclass(frozen=True)

@@ -498,9 +498,9 @@ class _Plain(_Source):
         return super().call(name, inside, outer)
 
     def product(self, left: str, right: str) -> str:
-        return (
-            f"{left}{'' if left[-1].isdigit() and not set('_^') & set(left) else self.space}{right}"
-        )
+        is_number = left[-1].isdigit() and not set("_^") & set(left)
+        between = "" if is_number else self.space
+        return f"{left}{self.times if right[0].isdigit() else between}{right}"
 
 
 class _Stacked(_Plain):
@@ -530,6 +530,7 @@ class _Stacked(_Plain):
 
 
 _IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "operatorname{abs}"}
+_LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
 _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
 
 
@@ -556,6 +557,10 @@ class _Latex(_Stacked):
         if name == "sqrt":
             return rf"\sqrt{{{', '.join(inside)}}}"
         return rf"\{_IN_LATEX.get(name, name)}\left({', '.join(inside)}\right)"
+
+    def product(self, left: str, right: str) -> str:
+        is_word = _LATEX_WORD.match(right) is not None
+        return f"{left}{self.space}{right}" if is_word else super().product(left, right)
 
     def power(self, base: str, exponent: int, outer: int) -> str:
         return _bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)

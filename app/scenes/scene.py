@@ -16,7 +16,7 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -187,6 +187,10 @@ class Scene:
     @property
     def leaves_out(self) -> frozenset[str]:
         return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
+
+    @property
+    def inks(self) -> Mapping[str, str]:
+        return {} if self.phenomenon is None else self.phenomenon.inks
 
     @property
     def names(self) -> tuple[str, ...]:

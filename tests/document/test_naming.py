@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.document.document import Document
-from app.document.naming import nameable, named_in, unknown_names
+from app.document.naming import inks, nameable, named_in, unknown_names
 from app.document.settings import set_values
 from app.document.view import EVERYTHING, MOST_NAMES, PANES
 from app.scenes.scene import BUILT_IN, Scene, load
@@ -58,3 +58,17 @@ def test_a_name_that_no_pane_can_show_is_found() -> None:
     assert unknown_names(free, scene) == ("y_p",)  # measured in the flat view alone
     everything, scene = opened("cube", "view.names=*")
     assert unknown_names(everything, scene) == ()
+
+
+def test_letters_of_formulas_have_the_colours_of_what_is_named() -> None:
+    values = "view.fixed=side", "view.names=y_p,d,w,near,P'", "view.letters=002"
+    document, scene = opened("similar-triangles", *values)
+    assert scene.phenomenon is not None
+    shown = scene.phenomenon.illustration(
+        document.projection, scene.phenomenon.checked({}), scene.subject
+    )
+    expected = {"y_p": "accent", "d": "near", "z_n": "near", "P'": "accent"}
+    assert inks(document, scene, shown) == expected
+    document, scene = opened("letter-f", "view.names=eye,n,u,far", "view.letters=001")
+    arrow = "\u20d7"
+    assert inks(document, scene, None) == {f"w{arrow}": "n", f"u{arrow}": "u", "f": "far"}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -9,11 +10,13 @@ import pytest
 
 from app.document.naming import named_in
 from app.drawings import WORDS
+from app.drawings.frame import axes_reach
 from app.drawings.image import ImageDrawing
 from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
+from app.model.object_transform import ObjectTransform
 from app.picking.handles import Handle
 from app.scenes.scene import BUILT_IN, load
 from tests.support.drawings import MakeScreen, drawn, off_screen, to_bytes
@@ -98,6 +101,31 @@ def test_what_is_held_is_named(off_screen: MakeScreen) -> None:
     assert drawing.camera.discs["target"].GetVisibility()
     drawing.hold(None)
     assert not drawing.camera.discs["target"].GetVisibility()
+
+
+def test_named_axes_of_a_moved_object_are_in_the_picture(off_screen: MakeScreen) -> None:
+    screen, scene = off_screen(540, 420), load("letter-f")
+    drawing = opened(screen)
+    drawing.show_names(frozenset("xyz"))
+    placement = ObjectTransform(translate=(3.0, 0.0, 0.0), rotate_deg=(0.0, 0.0, 90.0))
+    drawing.show_projection(replace(scene.start, placement=placement))
+    drawing.reset_view()
+    tips = axes_reach(scene.size) * np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
+    spots = drawing.own.pane.spots(tips + np.array(((3.0, 0.0, 0.0),)) - np.array(scene.origin))
+    assert np.all(spots > 0.0) and np.all(spots < (540, 420))
+
+
+def test_the_ground_is_pale_where_the_cameras_axes_are_named(off_screen: MakeScreen) -> None:
+    """Its lines are as dark as the arrows otherwise."""
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen)
+    dark = {}
+    for names in ({"target"}, {"target", "n"}):
+        drawing.show_names(frozenset(names))
+        drawing.show_layers(frozenset({"labels", "camera", "frustum", "near-picture"}))
+        drawing.show_fixed("top")
+        dark[len(names)] = int((screen.pixels().max(axis=2) < 160).sum())
+    assert 0 < dark[2] < 0.7 * dark[1]
 
 
 @pytest.mark.parametrize("size_px", [PANE_PX, ACROSS_PX], ids=["window", "slide"])

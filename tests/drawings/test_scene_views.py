@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
+from app.model.projection import Camera
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests.support.drawings import MakeScreen, Pixels, illustrated, off_screen
@@ -62,6 +64,17 @@ def test_without_the_frustum_the_subject_is_larger(off_screen: MakeScreen) -> No
     large = share(screen.pixels(), blue)
     drawing.show_names(frozenset({"near", "far"}))
     assert large > 1.5 * share(screen.pixels(), blue) > 0.0
+
+
+def test_a_subject_is_seen_though_the_eye_is_far_behind_the_pane(off_screen: MakeScreen) -> None:
+    """Of nothing that is named: only the subject is framed, and the eye is out of the view."""
+    screen, scene = off_screen(614, 431), load("field-of-view")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_names(frozenset())
+    camera = Camera((15.1, 7.2, 41.6), (0.0, 0.95, 0.0), (0.0, 1.0, 0.0))
+    drawing.show_projection(replace(scene.start, camera=camera), illustrated(scene))
+    pixels = screen.pixels()
+    assert share(pixels, LIGHT.background) < 0.9
 
 
 def test_a_pale_subject_is_a_silhouette_and_its_picture_is_not(off_screen: MakeScreen) -> None:

@@ -27,18 +27,19 @@ for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
 
 
 def keys_of(course: Course) -> Iterator[tuple[Key, float]]:
-    """Every number of a lesson that is right, or wrong with a named idea."""
+    """Every number of a lesson that is right, or wrong with a named idea; of a matrix ``[0]``."""
     stem = course.lesson.path.stem
     for place, step in enumerate(course.lesson.steps):
         for part in of_kind(step.blocks, Question):
-            formulas = {str(at): each.formula for at, each in enumerate(part.replies, 1)}
+            formulas = {str(at): each.formulas for at, each in enumerate(part.replies, 1)}
             if not any(reply.right for reply in part.replies):  # a number
-                formulas = {reply.idea: reply.formula for reply in part.replies}
+                formulas = {reply.idea: reply.formulas for reply in part.replies}
                 formulas["right"] = part.key[0]
-            for name, formula in formulas.items():
-                if formula is not None:
-                    value = part.value(course.at(place), formula, part.line)
-                    yield (stem, f"{step.name}/{part.name}", name), value
+            for name, several in formulas.items():
+                values = part.values(course.at(place), several, part.line)
+                for at, value in enumerate(values):
+                    cell = f"[{at}]" if len(values) > 1 else ""
+                    yield (stem, f"{step.name}/{part.name}", name + cell), value
 
 
 def test_every_key_agrees_with_the_lectures_formula_in_40_digits() -> None:
@@ -197,6 +198,13 @@ WRONG = [
       "line 15 = 'angle-liner': names an unknown wrong idea (the nearest is angle-linear)",
       "line 18, near is not known; the nearest name is lens.near.",
       "line 27 cannot be shown: There is no scene “moon”, only "]),
+    # Signs that would be shown as they are typed.
+    ("Costs \\$5, `$`, $x$.\nWith $y\n```answer\nSee [this](http://a.b) or [1]?\nvalue: 2\n"
+     "why: ![F](f.png), <https://a.b> $x\n```\n",
+     ["line 6 = 'With $y': begins a formula with $ that no other $ on its line ends.",
+      "line 8 = '[this](http://a.b)': has a picture or a link, which a lesson shows",
+      "line 10 = '![F](f.png), <https://a.b> $x': begins a formula",
+      "line 10 = '![F](f.png)': has a picture or a link"]),
     (f"word {'word ' * 151}\n```note\n{'word ' * 151}\n```\n",
      ["line 4 has 152 words in its step; the limit is 150", "line 6 has a note of 151 words; the"]),
 ]  # fmt: skip

@@ -13,7 +13,7 @@ from app.document.document import Document
 from app.document.files import write
 from app.document.settings import set_values
 from app.lessons import transition
-from app.lessons.course import Course, idea_named, ideas
+from app.lessons.course import Course, file_of, idea_named, ideas
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -197,7 +197,10 @@ show: lens.near=3
 check: near = 1.5*was_near
 ```
 """)
-    assert [question.value(here, each.formula, 1) for each in question.replies] == [3.0, 2.0]
+    assert [question.values(here, each.formulas, 1) for each in question.replies] == [
+        (3.0,),
+        (2.0,),
+    ]
 
 
 def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> None:
@@ -232,3 +235,16 @@ def test_a_mistyped_view_is_said_at_its_own_step_and_spoils_no_other() -> None:
     assert of.shown(0).view == {"letters": "001"}
     with pytest.raises(Refusal, match=r"line 12, view\.lerge is not known"):
         of.shown(1)
+
+
+def test_a_lesson_or_talk_of_the_program_is_found_by_its_name(tmp_path: Path) -> None:
+    for name, file in (
+        ("001", "talk-001.md"), ("talk-001", "talk-001.md"), ("talk-001.md", "talk-001.md"),
+        ("L5", "l05-similar-triangles.md"), ("l24", "l24-focus.md"), ("tour", "tour.md"),
+    ):  # fmt: skip
+        found = file_of(name)
+        assert found.name == file and found.exists(), name
+    assert file_of("L99") == Path("L99") and file_of("x/001") == Path("x/001")
+    own = tmp_path / "001"
+    own.write_text("mine")
+    assert file_of(str(own)) == own

@@ -113,8 +113,8 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     asked, here = exercise(WIDE)
     variant = asked.variant(here, 3)
     assert variant.question.solution(variant.here) == (  # type: ignore[union-attr]
-        r"$2\arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
-        r"2\arctan\left(1.333\tan\left(\frac{70}{2}\right)\right) = 86.07$"
+        r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
+        r"2 \, \arctan\left(1.333 \, \tan\left(\frac{70}{2}\right)\right) = 86.07$"
     )
 
 
@@ -147,3 +147,21 @@ def test_numbers_are_written_for_a_reader() -> None:
         (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"),
     ):  # fmt: skip
         assert written_number(value) == text
+
+
+FILM = """vary d: 2..6 step 0.1
+state: scene=camera-obscura; settings.distance={=d}
+The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
+value: 5*d/9
+"""
+
+
+def test_an_answer_that_the_scene_shows_must_be_hidden() -> None:
+    assert exercise(FILM)[0].hides == frozenset()
+    assert "line 5 has an answer that the scene shows as “film in front”" in faults(FILM)
+    assert faults(FILM + "hide: numbers\n") == ""
+    assert faults(FILM.replace("5*d/9", "5*d/8")) == ""
+    assert exercise(FILM + "hide: world, numbers\n")[0].hides == {"world", "numbers"}
+    assert "line 10 = 'film': must be one of numbers, world, ndc, image" in faults(
+        FILM + "hide: film\n"
+    )

@@ -100,7 +100,7 @@ def test_a_value_goes_on_in_indented_lines_and_says_has_its_own() -> None:
         "answer x\nHow much?\nvalue: 1 +\n  2\nwrong mine: 4\n  says: No,\n    not so.\n"
         "  state: lens.near=2; lens.far=9\nhint: First\n  line.\nhint: Second."
     )
-    assert question.formula.text == "1 + 2"
+    assert question.right[0].text == "1 + 2"
     (wrong,) = question.replies
     assert (wrong.idea, wrong.says) == ("mine", "No, not so.")
     assert [text for _, text in wrong.state.values] == ["lens.near=2", "lens.far=9"]
@@ -112,9 +112,9 @@ def test_a_choice_has_its_formula_and_its_idea_in_either_order() -> None:
         "predict\nQ?\n- [x] $\\frac{1}{2}$ := near\n- [ ] 1: up {up-v} := 1\n"
         "- [ ] 2 := far {order}\n- [ ] none {look-n}"
     )
-    assert [(c.text, c.formula and c.formula.text, c.idea) for c in question.replies] == [
-        ("$\\frac{1}{2}$", "near", ""), ("1: up", "1", "up-v"), ("2", "far", "order"),
-        ("none", None, "look-n"),
+    assert [(c.text, [f.text for f in c.formulas], c.idea) for c in question.replies] == [
+        ("$\\frac{1}{2}$", ["near"], ""), ("1: up", ["1"], "up-v"), ("2", ["far"], "order"),
+        ("none", [], "look-n"),
     ]  # fmt: skip
 
 
@@ -221,9 +221,9 @@ BLOCKS = [
     ("predict\nQ?\n- [x] a\n  say: Yes.\n- [ ] b",
      "line 8 = 'say: Yes.': must be one of says, state, a colon, and its value"),
     ("predict\nQ?\n- [x] a\n  why: So.\n- [ ] b", "line 8 = 'why: So.': must"),
-    ("answer\nQ?\nvalue: 1\nright: 1", "one of value, unit, wrong, check, why"),
-    ("answer\nQ?", "line 5 needs “value: FORMULA”, or choices"),
-    ("answer\nQ?\nvalue: 1\n- [x] a\n- [ ] b", "line 7 has both choices and a value: keep"),
+    ("answer\nQ?\nvalue: 1\nright: 1", "one of value, matrix, click, at"),
+    ("answer\nQ?", "line 5 needs “value: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"),
+    ("answer\nQ?\nvalue: 1\n- [x] a\n- [ ] b", "line 8 gives the answer in a second way: keep one"),
     ("answer\nvalue: 2", "line 5 needs a question"),
     ("answer\nQ?\nvalue: 2*", "line 7, value = '2*': needs a number, a letter"),
     ("answer\nQ?\nvalue: 2\nvalue: 3", "line 8 has value twice"),

@@ -73,6 +73,16 @@ def test_the_present_choice_is_marked() -> None:
     assert not any(spot.marked for spot in diagram.spots)
 
 
+def test_of_several_choices_in_use_the_one_that_says_most_is_marked() -> None:
+    general, special, other = TRADE.choices[:3]
+    special = replace(special, use={**general.use, "scene": "cube"})
+    trade = replace(TRADE, choices=(general, special, other))
+    (diagram,) = chart.diagrams(trade, {**general.use, "scene": "cube"})
+    assert [spot.key for spot in diagram.spots if spot.marked] == [special.name]
+    (diagram,) = chart.diagrams(trade, {**general.use, "scene": "posts"})
+    assert [spot.key for spot in diagram.spots if spot.marked] == [general.name]
+
+
 def test_choices_at_one_place_share_a_name_and_keep_their_keys() -> None:
     alike = Trade(
         "depth", "B", "world units",

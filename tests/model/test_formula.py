@@ -155,6 +155,13 @@ def test_a_term_may_be_known_as_a_whole() -> None:
     [
         ("-2*f*n/(f - n)", "−2f\u2009n/(f − n)", r"\frac{-2f \, n}{f - n}"),
         ("cot(alpha)*n", "cot(\u03b1)\u2009n", r"\cot\left(\alpha\right) \, n"),
+        (
+            "2*atan(2*f)*near",
+            "2atan(2f)\u2009near",
+            r"2 \, \arctan\left(2f\right) \, \mathrm{near}",
+        ),
+        ("2*near*10", "2near·10", r"2 \, \mathrm{near} \cdot 10"),
+        ("4*2/3", "4·2/3", r"\frac{4 \cdot 2}{3}"),
         ("x^2*y", "x^2\u2009y", r"x^{2} \, y"),
         ("(x + y)^2", "(x + y)^2", r"(x + y)^{2}"),
         ("-dot(axis_u, eye)", "−axis_u·eye", r"-\mathrm{axis}_{u} \cdot \mathrm{eye}"),

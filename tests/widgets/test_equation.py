@@ -3,16 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QRect
 
 from app.document.settings import set_values
+from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
 from tests.support.window import activate, give_room, rgb_of, settle
 from widgets.window.equation import LEAST_CELL, LEAST_EM
 from widgets.window.main_window import MainWindow
+
+FORMULA = """---
+title: A
+---
+# B {#b}
+$$n + \\vec n$$
+"""
 
 
 @pytest.fixture
@@ -81,6 +91,49 @@ def test_the_cells_that_a_control_changes_light_up(window: MainWindow) -> None:
         return int((np.abs(image.astype(int) - blue).max(axis=2) < 12).sum())
 
     assert framed(before) < 50 < framed(after)
+
+
+def coloured(image: np.ndarray, colour: str) -> int:
+    """How many pixels have a colour, of ``"#rrggbb"``."""
+    wanted = np.array([int(colour[i : i + 2], 16) for i in (1, 3, 5)])
+    return int((np.abs(image.astype(int) - wanted).max(axis=2) < 6).sum())
+
+
+def test_letters_have_the_colours_of_what_the_picture_names(window: MainWindow) -> None:
+    window.store.set_view(slide=("equation",), equation="frustum", letters="000", names=("eye",))
+    settle()
+    equation, near, far = window.slide.equation, "#8a5a00", "#0b6aa8"
+    assert coloured(rgb_of(equation.grab().toImage()), near) == 0
+    window.store.set_view(names=("near",))
+    settle()
+    image = rgb_of(equation.grab().toImage())
+    assert coloured(image, near) > 100 and coloured(image, far) == 0
+    window.store.set_view(equation="frustum numbers")
+    settle()
+    assert coloured(rgb_of(equation.grab().toImage()), near) == 0
+
+
+def test_a_line_of_formula_has_them_too(window: MainWindow) -> None:
+    band, shown, document = window.band, window.shown, window.store.document
+    band.show()
+    band.set_screen(float(window.height()))
+    band.show_step(parse_lesson(FORMULA, Path("a.md")).steps[0], "1 / 1")
+    counts = []
+    for names in ((), ("near",), ("near", "n")):
+        view = replace(document.view, names=names)
+        band.ask(replace(shown, document=replace(document, view=view)))
+        image = rgb_of(band.grab().toImage())
+        counts.append([coloured(image, colour) > 10 for colour in ("#8a5a00", "#00609a")])
+    assert counts == [[False, False], [True, False], [True, True]]
+
+
+def test_words_under_the_view_matrix_say_what_its_parts_do(window: MainWindow) -> None:
+    heights = []
+    for equation in ("view", "view numbers", "frustum"):
+        window.store.set_view(slide=("equation",), equation=equation)
+        settle()
+        heights.append(inked(window).height())
+    assert heights[0] == heights[1] > 1.02 * heights[2]
 
 
 def test_numbers_follow_the_model(window: MainWindow) -> None:

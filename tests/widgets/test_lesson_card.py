@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import shiboken6
 from PySide6.QtCore import QPoint, Qt, QTimer
@@ -17,6 +18,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QRadioButton,
+    QToolButton,
     QWidget,
 )
 
@@ -45,6 +47,7 @@ from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
+from widgets.window.pointing import Cross
 from widgets.window.settings import Settings
 
 KEY = Qt.Key
@@ -207,6 +210,17 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 1
     press(KEY.Key_Left, ALT)
     assert window.lessons.place == 0 and "You said" in texts(card)
+
+
+def test_a_scene_asks_nothing_beside_a_lesson(window: MainWindow, lesson: Path) -> None:
+    tries = window.controls.card.tries
+    assert tries.isVisible()
+    assert window.lessons.open(lesson)
+    settle()
+    assert not tries.isVisible()
+    window.lessons.close()
+    settle()
+    assert tries.isVisible()
 
 
 def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path) -> None:
@@ -594,3 +608,305 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert task.answer == f"1 {DONE}" and not task.is_open
+
+
+def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
+    activate(window)
+    card, check = window.lesson_card, window.menus.lesson_menu.check
+    assert not check.isEnabled()
+    card.open(lesson)
+    settle()
+    check.trigger()
+    assert "Nothing is wrong" in texts(card)
+    right = lesson.read_text(encoding="utf-8")
+    wrong = right.replace("{angle-linear}", "{angle-liner}").replace("$a = 9/16$", "$a = 9/16")
+    lesson.write_text(wrong, encoding="utf-8")
+    window.lessons.read_again()
+    assert "line 5" in texts(card) and "no other $" in texts(card)
+    assert "angle-liner" in texts(card) and not window.messages.text
+    lesson.write_text(wrong.replace("# The angle", "# The angle\n```nosuch\n```"), encoding="utf-8")
+    window.lessons.read_again()
+    assert "unknown kind of block, nosuch" in texts(card)
+    lesson.write_text(right, encoding="utf-8")
+    window.lessons.read_again()
+    assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
+
+
+MATRIX = """---
+title: A matrix
+---
+# Scale {#scale}
+```state
+scene=letter-f
+```
+```answer scale
+Scale by 2, 3.5 in x, y.
+matrix: 2, 0; 0, 3.5
+wrong order: 3.5, 0; 0, 2
+why: On the diagonal.
+```
+"""
+
+
+def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "matrix.md"
+    path.write_text(MATRIX, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    first, second, third, last = view.cells
+    assert keyboard() is first and second.accessibleName() == "Row 1, column 2"
+    QTest.keyClicks(first, "2")
+    press(KEY.Key_Right)
+    assert keyboard() is second
+    press(KEY.Key_Right)
+    assert keyboard() is second, "there is no third column"
+    QTest.keyClicks(second, "zero")
+    press(KEY.Key_Down)
+    assert keyboard() is last
+    QTest.keyClicks(last, "-3.5")
+    press(KEY.Key_Left)
+    assert keyboard() is last, "only the cursor has moved, which was behind the text"
+    press(KEY.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
+    assert keyboard() is third
+    press(KEY.Key_Return)
+    assert keyboard() is second and "Row 1, column 2 = 'zero'" in texts(view)
+    QTest.keyClicks(second, "0")
+    press(KEY.Key_Return)
+    assert keyboard() is third and "Row 2, column 1 must be a number" in texts(view)
+    QTest.keyClicks(third, "0")
+    press(KEY.Key_Return)
+    assert "The marked numbers have the wrong sign." in texts(view) and view.is_open
+    assert [each.accessibleDescription() for each in view.cells] == ["Right"] * 3 + ["Wrong"]
+    assert keyboard() is last
+    QTest.keyClicks(last, "4")
+    assert not last.accessibleDescription(), "an edited number is not marked any more"
+    press(KEY.Key_Return)
+    assert "Only the number in row 2, column 2 is wrong." in texts(view)
+    for text, cell in (("3.5", first), ("2", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    idea = idea_named("order")
+    assert idea is not None and idea.title.rstrip(".") in texts(view)
+    assert "Show the answer" in buttons(view)
+    for text, cell in (("2", first), ("3,5", last)):
+        cell.setFocus()
+        cell.selectAll()
+        QTest.keyClicks(cell, text)
+    press(KEY.Key_Return)
+    assert "On the diagonal." in texts(view) and view.answer == "2 | 0; 0 | 3,5"
+    card.leave()
+    card.open(path)
+    settle()
+    (view,) = card.blocks
+    assert view.answer and [cell.text() for cell in view.cells] == ["2", "0", "0", "3,5"]
+    assert {each.accessibleDescription() for each in view.cells} == {"Right"}
+
+    card.begin_again()
+    (view,) = card.blocks
+    for _ in range(3):
+        for cell in view.cells:
+            cell.setText("7")
+        view.check()
+        settle()
+    press(KEY.Key_A, ALT)
+    assert "The answer is:" in texts(view) and "3.5" in texts(view) and not view.is_open
+
+
+HIDING = """---
+title: Hiding
+---
+# Film {#film}
+```state
+scene=camera-obscura
+```
+```exercise film
+vary d: 2..6 step 0.1
+state: settings.distance={=d}
+The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
+value: 5*d/9
+hide: numbers, world
+```
+
+---
+# More {#more}
+Text.
+"""
+
+
+def test_what_would_show_the_answer_is_hidden_until_it_is_given(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "hiding.md"
+    path.write_text(HIDING, encoding="utf-8")
+    activate(window)
+    card, panels, scene = window.lesson_card, window.panels, window.controls.card
+    names = window.panels.names.findChildren(QToolButton)
+    cursor, canvas = window.cursors["image"], window.panes["image"].canvas
+
+    def is_hidden() -> bool:
+        """Whether every place where numbers are is closed."""
+        canvas.setFocus()
+        QTest.keyClick(canvas, KEY.Key_PageDown)
+        settle()
+        why = "Hidden until the exercise is answered"
+        found = [
+            *(not name.isEnabled() and why in name.toolTip() for name in names),
+            why in scene.readout.note.text(),
+            not any(value.isVisible() for _, value, _ in scene.readout.lines),
+            not scene.explanation.isEnabled(),
+            cursor.text == why,
+            why in texts(window.panes["world"]),
+        ]
+        assert len({*found}) == 1, f"everything, or nothing: {found}"
+        return found[0]
+
+    card.open(path)
+    come_to_rest(window)
+    panels.open(window.probe_panel)
+    assert not is_hidden()
+    (view,) = card.blocks
+    view.begin()
+    come_to_rest(window)
+    assert is_hidden() and panels.open_panel is None
+    scene.explanation_wanted.emit()
+    assert panels.open_panel is None, "by no way"
+    view.asked.field.setText(f"{view.variant.question.answer(view.variant.here):.4g}")
+    view.asked.check()
+    come_to_rest(window)
+    assert not view.is_open and not is_hidden()
+    assert panels.open_panel is window.scene_panel, "which was asked for meanwhile"
+    view.go_on()
+    come_to_rest(window)
+    assert is_hidden()
+    card.go_on()
+    come_to_rest(window)
+    assert not is_hidden()
+    card.go_back()
+    card.blocks[0].begin()
+    come_to_rest(window)
+    assert is_hidden()
+    card.leave()
+    assert not is_hidden()
+
+
+CLICK = """---
+title: Click
+---
+# Places {#places}
+```state
+scene=letter-f
+```
+```answer image
+Where is the middle of the right half?
+click: image
+at: 3*width/4, height/2
+wrong order: width/4, height/2
+  says: That is the left half.
+```
+```answer ndc
+Where is the corner?
+click: ndc
+at: 1, -1, 1
+```
+```answer world
+Where does the camera look?
+click: world
+at: target_x, target_y, target_z
+```
+"""
+
+
+def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "click.md"
+    path.write_text(CLICK, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    come_to_rest(window)
+    image, ndc, world = card.blocks
+    canvas = window.panes["image"].canvas
+    x, y, width, height = window.panes["image"].drawing.picture_rectangle_px
+
+    def crosses(pane: str) -> list[QPoint]:
+        """The middles of the visible marks of a pane."""
+        found = window.panes[pane].canvas.findChildren(Cross)
+        return [mark.geometry().center() for mark in found if mark.isVisible()]
+
+    target = window.shown.projection.camera.target
+    trace = window.shown.projection.trace(target)
+    own = {"world": target, "ndc": trace.ndc, "image": trace.image[:2]}
+    for name, place in own.items():
+        drawing = window.panes[name].drawing
+        assert np.allclose(drawing.spots_of(np.array([place])), drawing.sight.seen([target]))
+
+    # By keyboard: from the button into the picture, by steps of ten, then Enter.
+    assert keyboard() is image.first
+    press(KEY.Key_Return)
+    assert keyboard() is canvas and crosses("image") == [canvas.rect().center()]
+    press(KEY.Key_Left)
+    press(KEY.Key_Right)
+    for _ in range(round(width / 40.0)):
+        press(KEY.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    press(KEY.Key_Return)
+    assert "That is the left half." in texts(image) and image.is_open
+    for _ in range(round(width / 20.0)):
+        press(KEY.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    press(KEY.Key_Return)
+    settle()
+    assert keyboard() is ndc.first, "the keys go on to the next question"
+    assert not image.is_open and "Right." in texts(image) and image.answer == "960 360"
+    (middle,) = crosses("image")
+    assert abs(middle.x() - (x + 0.75 * width)) <= 1.5, "the exact place is marked"
+    assert abs(middle.y() - (y + height / 2.0)) <= 1.5
+
+    # Any question may be answered first.
+    buttons(world)["Click in the picture: world"].click()
+    assert keyboard() is window.panes["world"].canvas and len(crosses("world")) == 1
+    # By mouse: the click places the crosshair, and follows no vertex; Check takes it.
+    canvas = window.panes["ndc"].canvas
+    places = window.panes["ndc"].drawing.spots_of(np.array([[1.0, -1.0, 1.0], [1.0, 1.0, 1.0]]))
+    right, wrong = (QPoint(*np.round(spot).astype(int).tolist()) for spot in places)
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=wrong)
+    assert not window.probe_panel.probes and len(crosses("ndc")) == 1
+    assert not crosses("image"), "only the question that is asked has a crosshair"
+    press(KEY.Key_Return)
+    assert "That is not it." in texts(ndc)
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=right + QPoint(6, 6))
+    world.check()
+    settle()
+    assert "That is not it." in texts(world), "by its own crosshair, in the middle"
+    press(KEY.Key_Return)
+    assert not ndc.is_open
+
+    # In the world the pane's own camera decides; another state must be shown again first.
+    canvas = window.panes["world"].canvas
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 1.5, 60.0)))
+    come_to_rest(window)
+    ((x, y),) = window.panes["world"].drawing.sight.seen([window.shown.projection.camera.target])
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
+    settle()
+    assert "shows something else now" in texts(world) and not crosses("world")
+    buttons(world)["Show it again"].click()
+    come_to_rest(window)
+    window.panes["world"].canvas.setFocus()
+    QTest.keyClick(window.panes["world"].canvas, KEY.Key_Left)  # turn it: no crosshair yet
+    settle()
+    ((x, y),) = window.panes["world"].drawing.sight.seen([window.shown.projection.camera.target])
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(round(x) + 5, round(y)))
+    press(KEY.Key_Return)
+    assert not world.is_open
+    card.leave()
+    canvas = window.panes["image"].canvas
+    assert not crosses("world")
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=canvas.rect().center())
+    assert window.probe_panel.probes, "a click follows a point again"
+    card.open(path)
+    settle()
+    assert not any(block.is_open for block in card.blocks) and not crosses("image")

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.lessons.text import escaped, html_of, plain_of
+from app.lessons.text import escaped, html_of, outline, plain_of
 from tests.support.window import rgb_of
 from widgets.parts.lesson_text import LessonText, set_text
 
@@ -146,6 +146,23 @@ def test_formulas_are_copied_and_read_out_as_tex(qtbot: Any) -> None:
     assert text.createMimeDataFromSelection().text() == r"See $x_p$, and $\frac{1}{2}$."
     assert text.accessibleName() == r"See x_p, and \frac{1}{2}."
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
+
+
+@pytest.mark.parametrize(
+    ("tex", "names"),
+    [
+        (r"y_p = \frac{d}{w}\,y", "y_p d w y"),
+        (r"\frac{z_f + z_{min}}{2n} P' n^2", "z_f z_min n P' n"),
+        (r"-\vec n \cdot T_0 + \vec{u}", "n\u20d7 T_0 u\u20d7"),
+        (r"\vec{up} \times \vec v", "u p v\u20d7"),
+        (r"\tan(\theta_h/2) \mathrm{near}", "\u03b8_h"),
+    ],
+)
+def test_the_letters_of_a_formula_are_known(tex: str, names: str) -> None:
+    found = outline(tex)
+    assert [name for name, _, _ in found.letters] == names.split()
+    for _, begin, end in found.letters:  # whole outlines
+        assert found.codes[begin] == 1 and (end == len(found.codes) or found.codes[end] == 1)
 
 
 def test_formulas_break_at_wide_spaces_and_tables_may_lack_headings() -> None:

@@ -21,12 +21,14 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
+from app.measure.arithmetic import CHEAP
 from app.measure.meaning import bargain, meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective, Projection
+from app.scenes.phenomena.cheap_arithmetic import hardware_of
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
-from tests.support.results import RESULTS, TRADE
+from tests.support.results import RESULTS, TRADE, curve, sweep
 from tests.support.shown import show
 from tests.support.window import settle
 from widgets.panels import measuring
@@ -341,6 +343,27 @@ def test_the_caption_says_what_a_clicked_choice_buys_and_pays(
     assert panel.sentence.text() == before
 
 
+def test_a_click_on_a_number_of_a_sweep_uses_its_value_and_its_buffer(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    used = QSignalSpy(panel.used)
+    gaps = {name: curve((1.0, 2.0), ("", "")) for name in kept.BUFFERS}
+    errors = {"float64, every stage": curve((1.0,), ("",)), "exact": curve((1.0,), ("",))}
+    for parameter, values, curves in (
+        ("near", (0.5, 2.0), gaps), ("fov", (30.0,), errors), ("up", (30.0,), errors),
+    ):  # fmt: skip
+        swept = sweep(parameter, values, curves)
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(), sweeps=(swept,))))
+        panel.choose(parameter)
+        for column in (1, 4) if parameter == "near" else (1, 2):
+            panel.table.cellClicked.emit(len(values) - 1, column)
+    fixed, reversed_ = list(kept.BUFFERS.values())[::3]
+    assert [used.at(i)[0] for i in range(used.count())] == [
+        {"lens.near": "2.0", **fixed}, {"lens.near": "2.0", **reversed_},
+        {"lens.fov_y_deg": "30.0", "rung": "float64"}, {"lens.fov_y_deg": "30.0"},
+    ]  # fmt: skip
+
+
 def test_memory_is_another_axis_of_chart_caption_and_grey(
     panel: MeasurePanel, tmp_path: Path
 ) -> None:
@@ -572,6 +595,26 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     bar.say("Something else went wrong.")
     panel.choose("depth")
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
+
+
+@pytest.mark.parametrize(("name", "drawn"), [(name, use) for name, (_, use) in CHEAP.items()])
+def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
+    window: MainWindow, name: str, drawn: dict[str, str], tmp_path: Path
+) -> None:
+    panel = window.measure_panel
+    window.panels.open(panel)
+    choice = Choice(
+        name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
+    )
+    trade = replace(TRADE, choices=(replace(TRADE.choices[2], bytes=12.0), choice))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    panel.table.cellClicked.emit(1, 0)
+    document = window.store.document
+    assert document.scene == "cheap-arithmetic" and window.messages.text == ""
+    assert hardware_of(document.settings) == CHEAP[name][0]
+    assert chart.in_use(trade, window.quality.in_use()) == choice
+    window.store.undo()
+    assert window.store.document.scene == "letter-f"
 
 
 def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:

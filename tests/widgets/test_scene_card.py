@@ -898,3 +898,16 @@ def test_a_bound_is_written_as_all_numbers_are(desk: Desk) -> None:
     row = number_row(card, "fog_end")
     enter(row.field, "10")
     assert row.error.endswith("Fog ends at = 10: must be greater than 15.")
+
+
+def test_another_scene_is_shown_from_the_top_without_the_search(window: MainWindow) -> None:
+    controls = show_scene(window, "planar-shadow").controls
+    bar = controls.verticalScrollBar()
+    bar.setValue(bar.maximum())
+    controls.search.setText("near")
+    show_scene(window, "eye-plane")
+    assert (bar.value(), controls.search.text()) == (0, "")
+    assert controls.card.title.isVisible()
+    bar.setValue(20)
+    enter(controls.rows["near"].field, "0.5")
+    assert bar.value() == 20, "a value does not scroll the dock"

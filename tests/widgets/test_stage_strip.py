@@ -396,15 +396,15 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
     strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
     window.store.set_projection(start.with_lens("orthographic"))
     names = [button.text() for button in strip.stops]
-    assert names == ["World", "View", "Box", "M_pp", "NDC", "Image"]
+    assert names == ["World", "View", "Box", "Mₚₚ", "NDC", "Image"]
     assert "identity" in strip.stops[3].toolTip()
     limits = "x, y ±1, z 0 … −1"
     for position, title, words in (
         (1.75, "View → Box", limits),
-        (2.0, "Canonical parallel", f"{limits}; M_pp: identity"),
-        (2.25, "Canonical parallel", f"{limits}; M_pp: identity"),
-        (2.75, "Canonical parallel", f"{limits}; M_pp: identity"),
-        (3.0, "Canonical parallel", f"{limits}; M_pp: identity"),
+        (2.0, "Canonical parallel", f"{limits}; Mₚₚ: identity"),
+        (2.25, "Canonical parallel", f"{limits}; Mₚₚ: identity"),
+        (2.75, "Canonical parallel", f"{limits}; Mₚₚ: identity"),
+        (3.0, "Canonical parallel", f"{limits}; Mₚₚ: identity"),
         (3.25, "Box → NDC", limits),
     ):
         strip.go_to(position)

@@ -10,6 +10,7 @@ import pytest
 
 from app.drawings.pane_view import Pose
 from tests.support.window import activate, arrive, pixels, present, settle, tick
+from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
 
@@ -37,6 +38,18 @@ camera.eye=2,6,12
 # Four {#four}
 ```state
 scene=similar-triangles
+```
+---
+# Five {#five}
+```state
+scene=letter-f
+view.slide=image
+```
+---
+# Six {#six}
+```state
+view.slide=ndc
+lens.near=2
 ```
 ```note
 minutes: 1
@@ -119,6 +132,37 @@ def test_another_scene_fades(window: MainWindow) -> None:
     settle()
     assert not old.isVisible()  # type: ignore[attr-defined]
     assert (pixels(window) != before).any()
+
+
+def test_the_model_does_not_move_under_a_picture_that_fades(window: MainWindow) -> None:
+    window.settings.reduce_motion = True
+    assert window.lessons.go(4)
+    window.settings.reduce_motion = False
+    assert window.lessons.go(5) and window.lessons.is_moving
+    assert window.store.document.projection.lens.near == 2.0
+    drawn = window.panes["ndc"].shown
+    tick(window.lessons, TRANSITION_S / 2.0)
+    assert window.panes["ndc"].shown is drawn
+    arrive(window.lessons)
+
+
+def test_only_the_last_frame_of_a_way_is_smooth(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In software it takes ten times as long as the rest."""
+    monkeypatch.setattr(adaptive, "AT_REST", "FXAA")
+    window.look.adaptive.software_rendering = True
+    window.look.rest()
+
+    def is_smooth() -> bool:
+        return bool(window.panes["world"].canvas.renderer.GetUseFXAA())
+
+    assert is_smooth()
+    assert window.lessons.go(2)
+    tick(window.lessons, TRANSITION_S / 2.0)
+    assert not is_smooth()
+    arrive(window.lessons)
+    assert is_smooth()
 
 
 def test_the_next_step_ends_a_transition(window: MainWindow) -> None:

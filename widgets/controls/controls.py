@@ -155,6 +155,9 @@ class Controls(Dock, RowHolder):
         self._show(shown.projection)
         if changed & {"illustration", "settings"}:
             self.card.take(shown, changed)
+        if "scene" in changed:  # what to try, and its own controls, are at the top
+            self.search.clear()
+            self.verticalScrollBar().setValue(0)
 
     def set_style(self, style: Style) -> None:
         """Give the planes' sliders the colours that the planes are drawn in."""

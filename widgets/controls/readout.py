@@ -89,6 +89,7 @@ class Readout(QWidget):
         self.lines: list[tuple[Label, _Value, Label]] = []
         self._readings: Sequence[Reading] = ()
         self._first = 0
+        self._why_closed = ""
         self._grid = QGridLayout()
         self._dress()
         self._grid.setContentsMargins(0, 0, 0, 0)
@@ -117,10 +118,17 @@ class Readout(QWidget):
         self._readings = readings
         self._show()
 
+    def close_for(self, why: str) -> None:
+        """Show a reason instead of the numbers; without one, show the numbers again."""
+        if why != self._why_closed:
+            self._why_closed = why
+            self._show()
+
     def _show(self) -> None:
-        many = len(self._readings) > self._first + 1  # folding a single reading would save no space
+        shown = () if self._why_closed else self._readings
+        many = len(shown) > self._first + 1  # folding a single reading would save no space
         unfolded = not many or self.more.isChecked()
-        readings = self._readings if unfolded else self._readings[: self._first]
+        readings = shown if unfolded else shown[: self._first]
         self.more.setVisible(many)
         show_icon(self.more, "choose" if unfolded else "unfold")
         while len(self.lines) < len(readings):
@@ -140,6 +148,8 @@ class Readout(QWidget):
             for reading in readings
             if reading.note is not None
         ]
+        if self._why_closed and self._readings:
+            reasons = [full_sentence(self._why_closed)]
         self.note.setText(subscripts("\n".join(dict.fromkeys(reasons))))
         self.note.setVisible(bool(reasons))
 

@@ -116,11 +116,11 @@ class MatrixPanel(ReadablePanel):
                     "002 has its own signs too"),
             (
                 ("own", self.tr("own: u v n, n f, fov")),
-                ("000", self.tr("x_min … z_max")),
+                ("000", self.tr("xₘᵢₙ … zₘₐₓ")),
                 ("001", self.tr("u v w, θ")),
-                ("002", self.tr("z_n z_f, both negative")),
+                ("002", self.tr("z of near, far: negative")),
                 ("003", self.tr("e, n f")),
-                ("004", self.tr("x_0 y_0 z_0, V")),
+                ("004", self.tr("x₀ y₀ z₀, V")),
             ),
         )  # fmt: skip
         for place, letters in enumerate(LETTERS):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import textwrap
 from collections.abc import Callable, Sequence
 
@@ -16,7 +15,7 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import stage_title
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import Label, set_tip, subscripts
 
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note under a narrow matrix."""
@@ -24,8 +23,7 @@ _NOTE_CHARACTERS = 36
 
 def _named(matrix: Matrix, title: str) -> str:
     """Add the lecture's name of a matrix, with its subscripts, to a title."""
-    called = re.sub(r"_(\S+)", r"<sub>\1</sub>", matrix.called)
-    return f"{title} = {called}" if called else title
+    return subscripts(f"{title} = {matrix.called}" if matrix.called else title)
 
 
 class MatrixBox(QWidget):
@@ -89,7 +87,7 @@ class MatrixBox(QWidget):
         fitting = self.view.width() // max(self._note.fontMetrics().averageCharWidth(), 1)
         wide = max(_NOTE_CHARACTERS, fitting - 2)
         lines = (textwrap.fill(each, wide, break_on_hyphens=False) for each in note.splitlines())
-        self._note.setText("\n".join(lines))
+        self._note.setText(subscripts("\n".join(lines)))
         self._note.setVisible(bool(note))
         earlier: Sequence[Matrix | None] = before.factors if before else ()
         if len(earlier) != len(matrix.factors):

@@ -117,7 +117,8 @@ class MeasurePanel(DiagramPanel):
         controls = self._make_controls()
         self._make_views()
         left = in_column(precision, (self.list, 1), controls, gap=3)
-        below = in_row(in_column(self.where, self.seen, gap=0), self.cost, margins=(0, 0, 0, 0))
+        notes = in_column(self.where, self.seen, gap=0)
+        below = in_row((notes, 1), self.cost, margins=(0, 0, 0, 0))
         middle = in_column((self._drawn, 1), below, gap=0)
         right = in_column(self.sentence, (self.table, 1), gap=3)
         in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
@@ -415,10 +416,9 @@ class MeasurePanel(DiagramPanel):
 
     def _bargain(self, trade: Trade) -> str:
         """Say what the choice that was clicked, or else the one in use, buys and pays."""
-        current = self._current()
-        chosen = [c for c in trade.choices if chart.is_current(c, current)]
-        chosen[:0] = [c for c in trade.choices if c.name == self._picked]
-        return bargain(trade, chosen[0], of_measurements) if chosen else ""
+        picked = next((c for c in trade.choices if c.name == self._picked), None)
+        chosen = picked or chart.in_use(trade, self._current())
+        return bargain(trade, chosen, of_measurements) if chosen else ""
 
     def _show_chart(self, shown: Results | None, other: Results | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
@@ -446,7 +446,7 @@ class MeasurePanel(DiagramPanel):
                 "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("The results at each value; the panes cannot use them"),
+            else self.tr("The results at each value; of near, far and fov, click one to use it"),
         )
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
@@ -515,11 +515,13 @@ class MeasurePanel(DiagramPanel):
             said, self._said = self._said, ""
             self.went_on.emit(said)
 
-    def _row_used(self, row: int, _column: int = 0) -> None:
+    def _row_used(self, row: int, column: int = 0) -> None:
         self._go_on()
-        choices = self._choices()
+        choices, (shown, _) = self._choices(), self._shown()
         if row < len(choices):
             self._use(choices[row][1])
+        elif shown is not None and shown.sweeps and (use := shown.sweeps[0].use(row, column)):
+            self.used.emit(use)
 
     def _spot_used(self, key: str) -> None:
         self._go_on()

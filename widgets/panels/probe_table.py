@@ -31,6 +31,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from widgets.panels.probe_numbers import DIVIDE, Numbers
 from widgets.parts.highlight import faded
 from widgets.parts.messages import number_text, read_text
+from widgets.parts.plain import subscripts
 from widgets.parts.typeset import in_line, typeset
 
 _Index: TypeAlias = QModelIndex | QPersistentModelIndex
@@ -101,7 +102,10 @@ class _Model(QAbstractTableModel):
             return None
         if column == 0:
             formula = self.content.lines[row][1]
-            return formula if role == FORMULA else in_line(formula)
+            if role == FORMULA:
+                return formula
+            line = in_line(formula)
+            return subscripts(line) if role == _Role.ToolTipRole else line
         probe, part = divmod(column - 1, _PARTS)
         cells = self.content.blocks[probe][row]
         if part >= len(cells) or role == FORMULA:

@@ -83,6 +83,7 @@ class Cursor(QObject):
         """A sentence instead of the cursor's place, until the next key."""
         self._is_there = self._is_dragging = self._is_shifted = False
         self._away = QPointF()
+        self._why_closed = ""
         self._ring = _Ring(pane.canvas)
         self._label = Label(parent=pane.canvas, wordWrap=True, margin=3)
         self._label.setObjectName("cursorLabel")
@@ -102,6 +103,11 @@ class Cursor(QObject):
         """Let go, and forget the place, which belongs to another scene."""
         self._leave()
         self._scene, self._thing = shown.scene, None
+
+    def close_for(self, why: str) -> None:
+        """Show a reason instead of numbers; without one, show the numbers again."""
+        self._why_closed = why
+        self._follow()
 
     # -- keys
 
@@ -281,6 +287,8 @@ class Cursor(QObject):
 
     def _words(self) -> str:
         """Name the thing, and its coordinates or its value."""
+        if self._why_closed:
+            return self._why_closed
         thing, place = self._thing, self._place(self._thing)
         if isinstance(thing, Handle):
             return self._manipulation.now(thing)

@@ -46,7 +46,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import Label, set_tip, wrapped
 
 HOLD_WITHIN_PX = 12.0
 """Greatest distance from a handle at which it appears, and a drag takes hold of it."""
@@ -86,7 +86,7 @@ class Manipulation(Gestures, QObject):
         self._line.hide()
         self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self._finish)
-        set_tip(world.canvas, self._plain_tip)
+        set_tip(world.canvas, wrapped(self._plain_tip))
         hand = world.hand
         hand.hovered.connect(self._hover)
         hand.left.connect(self.leave)
@@ -148,7 +148,7 @@ class Manipulation(Gestures, QObject):
         self._line.hide()
         if handle is None:
             canvas.unsetCursor()
-            set_tip(canvas, self._plain_tip)
+            set_tip(canvas, wrapped(self._plain_tip))
             self._world.note.setText("")
             self._line.clear()
         else:

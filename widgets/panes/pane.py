@@ -41,6 +41,7 @@ from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.plain import Label
 
 REST_MS = 80
 """A coarse picture is refined when nothing has changed for so long."""
@@ -150,6 +151,8 @@ class Pane(QFrame):
     enlarge_requested = Signal()
     clicked = Signal(QPointF)
     """A place in the canvas, in device pixels from its top left."""
+    aimed = Signal(QPointF)
+    """Likewise, while `is_aimed_at`, instead of `clicked`."""
     double_clicked = Signal()
     """The canvas was double-clicked: the click before does not count."""
     float_requested = Signal()
@@ -213,9 +216,11 @@ class Pane(QFrame):
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.tells or not self._asked["fixed"]
         self.hand.moved.connect(self._view_moved)
-        self.hand.clicked.connect(self.clicked)
+        self.hand.clicked.connect(self._clicked)
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
+        self.is_aimed_at = False
+        """Whether a question asks for a place in the picture."""
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
         self._has_changed = True
@@ -230,6 +235,11 @@ class Pane(QFrame):
         sides = Qt.AlignmentFlag
         for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
+        self._cover = Label(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._cover.setAutoFillBackground(True)
+        self._cover.hide()
+        self._column.addWidget(self._cover, 0, 0)
+        self._cover.stackUnder(self.header)
 
     def open(self) -> None:
         """Import VTK if necessary, and let it draw from now on."""
@@ -278,7 +288,8 @@ class Pane(QFrame):
         elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
-        self.ask("names", other._asked["names"])
+        for what in ("names", "fixed", "step"):
+            self.ask(what, other._asked[what])
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
@@ -359,6 +370,9 @@ class Pane(QFrame):
         elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
 
+    def _clicked(self, place: QPointF) -> None:
+        (self.aimed if self.is_aimed_at else self.clicked).emit(place)
+
     def _point_at(self, place: QPointF | None = None) -> None:
         highlighted = NOTHING
         if place is not None and self.drawing is not None:
@@ -429,6 +443,12 @@ class Pane(QFrame):
         if self.frameShape() != shape:
             self.setFrameShape(shape)
         self.hand.tells = not on
+
+    def cover(self, why: str) -> None:
+        """Cover the picture with a reason; without one, show it again."""
+        self._cover.setText(why)
+        self._cover.setVisible(bool(why))
+        self.header.tools.setEnabled(not why)
 
     def add_below(self, widget: QWidget) -> None:
         """Put a widget under the canvas: it is hidden, enlarged and floated with the pane."""
@@ -601,6 +621,6 @@ class Pane(QFrame):
         bars = self.header, self.header.tools
         if any(bar.geometry().contains(place) for bar in bars):
             self.enlarge_requested.emit()
-        else:
+        elif not self.is_aimed_at:
             self.double_clicked.emit()
             self.reset_view()

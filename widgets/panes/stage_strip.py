@@ -90,12 +90,12 @@ class StageStrip(QWidget, Playing, Gestures):
             ),
             (
                 self.tr("Box"),
-                self.tr("The canonical parallel volume: M_pp has turned the pyramid into a box"),
+                self.tr("The canonical parallel volume: Mₚₚ has turned the pyramid into a box"),
             ),
             (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
             (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
         )
-        self._identity = self.tr("M_pp")
+        self._identity = self.tr("Mₚₚ")
         """Name of this stop for a parallel lens, whose box is one stop before."""
         self._projection = Projection()
         self._parallel = self._free = False
@@ -185,7 +185,7 @@ class StageStrip(QWidget, Playing, Gestures):
             tip = self.tr("The canonical parallel volume: a parallel lens has no pyramid before it")
             return name, tip
         if self._parallel and stop == CANONICAL_PARALLEL:
-            return self._identity, self.tr("The same box: M_pp of a parallel lens is the identity")
+            return self._identity, self.tr("The same box: Mₚₚ of a parallel lens is the identity")
         return self._names[stop]
 
     def _name_stops(self) -> None:
@@ -233,7 +233,7 @@ class StageStrip(QWidget, Playing, Gestures):
             width, height = projection.image_size
             text = self.tr("{0} × {1} pixels, y down").format(width, height)
         elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
-            text = self.tr("x, y ±1, z 0 … -1; M_pp: identity")
+            text = self.tr("x, y ±1, z 0 … -1; Mₚₚ: identity")
         elif self._parallel or stop == CANONICAL_PARALLEL:
             text = self.tr("x, y ±1, z 0 … -1")
         elif lens.far == math.inf:

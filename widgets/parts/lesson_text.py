@@ -14,6 +14,7 @@ from typing import Any, cast
 from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSignalBlocker, QSize, QSizeF, Qt
 from PySide6.QtGui import (
     QBrush,
+    QColor,
     QFontMetrics,
     QGuiApplication,
     QPainter,
@@ -34,6 +35,8 @@ from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
 
+INKS = "inks"
+"""The property of a document with the colours of letters, ``"#rrggbb"`` by their names."""
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
 LARGER = 1.12
@@ -116,15 +119,29 @@ def _dpi() -> float:
 
 
 @lru_cache(maxsize=512)
-def formula_path(tex: str) -> QPainterPath:
-    """Return a formula's outlines in em, y downwards, with the baseline at 0."""
-    found, path, place = outline(tex), QPainterPath(), 0
+def formula_parts(tex: str) -> tuple[tuple[str, QPainterPath], ...]:
+    """Return a formula's outlines in em, y downwards, with the baseline at 0: letters and the rest.
+
+    Each part has the name of its letter, as of `Outline.letters`, or none.
+    """
+    found, parts, at = outline(tex), list[tuple[str, QPainterPath]](), 0
+    for name, begin, end in (*found.letters, ("", len(found.codes), len(found.codes))):
+        if at < begin:
+            parts.append(("", _path(found, at, begin)))
+        if name:
+            parts.append((name, _path(found, begin, end)))
+        at = end
+    return tuple(parts)
+
+
+def _path(found: Outline, place: int, end: int) -> QPainterPath:
+    path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
     points = [(float(x), -float(y)) for x, y in found.vertices]
     codes = [int(code) for code in found.codes]
     draw: dict[int, Callable[..., None]]
     draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
-    while place < len(codes):
+    while place < end:
         code = codes[place]
         count = {3: 2, 4: 3}.get(code, 1)  # points of a curve
         if code in draw:
@@ -136,7 +153,10 @@ def formula_path(tex: str) -> QPainterPath:
 
 
 class _Formulas(QPyTextObject):
-    """Lays out and draws the formulas of documents, in the colour of the text around them."""
+    """Lays out and draws the formulas of documents, in the colour of the text around them.
+
+    Letters may have colours of their own, by the document's property `INKS`.
+    """
 
     def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
         """Return TeX, outline, em in pixels, and the height with which Qt centres the formula."""
@@ -174,7 +194,9 @@ class _Formulas(QPyTextObject):
         painter.scale(em, em)
         own = form.toCharFormat().foreground()
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
-        painter.fillPath(formula_path(tex), brush)
+        inks = document.property(INKS) or {}
+        for name, path in formula_parts(tex):
+            painter.fillPath(path, QBrush(QColor(inks[name])) if name in inks else brush)
         painter.restore()
 
 

@@ -11,6 +11,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from app.document.document import Document
+from app.document.naming import inks
 from app.drawings.style import Style
 from app.lecture.highlight import Highlight
 from app.model.projection import Projection
@@ -50,6 +51,11 @@ class Shown:
     @cached_property
     def projection(self) -> Projection:
         return self.document.projection
+
+    def hues(self, style: Style) -> dict[str, str]:
+        """Return the colours of the letters that the pictures name in one, for formulas."""
+        found = inks(self.document, self.scene, self.illustration)
+        return {name: getattr(style, colour) for name, colour in found.items()}
 
     def changed_since(self, before: Shown | None) -> Changed:
         """Return the parts that differ from an earlier snapshot, if there was one."""

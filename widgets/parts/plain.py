@@ -39,7 +39,7 @@ def subscripts(text: str) -> str:
     if "_" not in text:
         return text
     escaped = Markup.of("{}", text).replace("\n", "<br>")
-    return Markup(re.sub(r"(?<=\w)_(\w+)", r"<sub>\1</sub>", escaped))
+    return Markup(re.sub(r"(?<=\w)_(\w+(?:→\w+)?)", r"<sub>\1</sub>", escaped))
 
 
 def tip_of(text: str) -> str:

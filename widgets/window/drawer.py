@@ -71,6 +71,10 @@ class Panels(QWidget):
         self._told: dict[Panel, Shown] = {}
         """The snapshot that each panel shows."""
         self._buttons: list[QToolButton] = []
+        self._tips: list[str] = []
+        self._why_closed = ""
+        self._wanted: Panel | None = None
+        """The panel that was to be opened while all were closed."""
         self.names = QWidget()
         """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")
@@ -89,6 +93,7 @@ class Panels(QWidget):
         button.clicked.connect(partial(self._clicked, panel))
         self._row.addWidget(button)
         self._buttons.append(button)
+        self._tips.append(tip)
         area = QScrollArea(widgetResizable=True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         self._stack.addWidget(area)
@@ -125,6 +130,8 @@ class Panels(QWidget):
 
     def open(self, panel: Panel | None) -> None:
         """Open one panel, or fold them all."""
+        if self._why_closed:
+            self._wanted, panel = panel, None
         if panel is not None:
             self.tell(panel)
             self._stack.setCurrentIndex(self.all.index(panel))
@@ -132,6 +139,17 @@ class Panels(QWidget):
         for each, button in zip(self.all, self._buttons, strict=True):
             button.setChecked(panel is each)
         self.opened.emit()
+
+    def close_for(self, why: str) -> None:
+        """Keep all panels closed for a reason; without one, open the panel that was open before."""
+        if why == self._why_closed:
+            return
+        wanted = self._wanted if self._why_closed else self.open_panel
+        self._why_closed = why
+        for button, tip in zip(self._buttons, self._tips, strict=True):
+            button.setEnabled(not why)
+            set_tip(button, why or tip)
+        self.open(wanted)
 
     def _clicked(self, panel: Panel) -> None:
         is_open = panel is self.open_panel

@@ -11,7 +11,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
@@ -20,7 +20,7 @@ from app.lecture.notation import as_text, letters_in
 from app.lessons.text import outline
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
-from widgets.parts.lesson_text import formula_path
+from widgets.parts.lesson_text import formula_parts
 from widgets.parts.messages import sentence
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.readable import Readable
@@ -36,7 +36,9 @@ DIGITS, FEWER_DIGITS = 4, 3
 """Of the numbers of one matrix, and of a product."""
 EDGE = 0.05
 """Free at the left and at the right, in heights of the screen."""
-_PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.62
+_PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
+_WORD = 0.55
+"""Size of a word below a part of a matrix."""
 _APART_EM = 1.5
 _FIELDS = {
     "lens.fov_x_deg": ("fov_y_deg",),
@@ -54,18 +56,19 @@ def _own(path: str) -> str:
 
 
 class _Glyphs(NamedTuple):
-    """Outlines in em, and their extent."""
+    """Outlines in em, and their extent; each part with its place and the name of its letter."""
 
     width: float
     ascent: float
     descent: float
-    paths: tuple[tuple[float, QPainterPath], ...]
+    parts: tuple[tuple[float, str, QPainterPath], ...]
 
 
 @lru_cache(maxsize=512)
 def _of_tex(tex: str) -> _Glyphs:
     found = outline(tex)
-    return _Glyphs(found.width, found.ascent, found.descent, ((0.0, formula_path(tex)),))
+    parts = tuple((0.0, *part) for part in formula_parts(tex))
+    return _Glyphs(found.width, found.ascent, found.descent, parts)
 
 
 @lru_cache(maxsize=512)
@@ -74,10 +77,10 @@ def _of_number(text: str) -> _Glyphs:
     mantissa, e, exponent = text.partition("e")
     if e:
         return _of_tex(rf"{mantissa} \cdot 10^{{{int(exponent)}}}")
-    x, parts = 0.0, []
+    x, parts = 0.0, list[tuple[float, str, QPainterPath]]()
     for sign in text:
         one = _of_tex("{.}" if sign == "." else sign)
-        parts.append((x, one.paths[0][1]))
+        parts += [(x, name, path) for _, name, path in one.parts]
         x += one.width
     tall = _of_tex("0")
     return _Glyphs(x, tall.ascent, tall.descent, tuple(parts))
@@ -124,6 +127,8 @@ class EquationSlide(QWidget):
         self._problem = ""
         self._laid: tuple[_Laid, ...] = ()
         self._style = LIGHT
+        self._hues = dict[str, str]()
+        """Of letters that have the colour of what the picture names by them."""
         self._screen_px = 1.0
         self._is_asked = False
         self._readable = Readable(self, self._fill, lambda: self._is_asked)
@@ -146,7 +151,7 @@ class EquationSlide(QWidget):
 
     def set_style(self, style: Style) -> None:
         self._style = style
-        self.update()
+        self._readable.changed()
 
     def set_screen(self, screen_px: float) -> None:
         self._screen_px = screen_px
@@ -167,6 +172,7 @@ class EquationSlide(QWidget):
         assert self._shown is not None
         document = self._shown.document
         letters = document.view.letters
+        self._hues = self._shown.hues(self._style)
         try:
             found = equation_of(document.projection, letters, self._text, document.settings)
         except Refusal as error:  # another lens may lack a matrix
@@ -255,7 +261,7 @@ class EquationSlide(QWidget):
         ]
         whole = em * (self._least_width + stretch)
         x = (self.width() - whole) / 2.0
-        caption = (1.6 * _CAPTION * em) if self._is_product else 0.0
+        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
         top = (self.height() - sum(heights) - caption) / 2.0
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)
@@ -275,9 +281,23 @@ class EquationSlide(QWidget):
             if self._is_product and each.term.name:
                 name = _of_tex(each.term.name)
                 at = (left + x - _CAPTION * em * name.width) / 2.0
-                y = top + sum(heights) + caption
+                y = top + sum(heights) + 0.55 * caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
             x += self._gap_em * em
+            if not self._is_product and each.term.matrix.name == "view_from_world":
+                y, three = top + sum(heights), left + _BRACKET_EM * em
+                words = self.tr("turns"), self.tr("moves")
+                spans = (three, sum(widths[:3])), (three + sum(widths[:3]), widths[3])
+                for (start, wide), word in zip(spans, words, strict=True):
+                    self._word(painter, word, em, QRectF(start, y, wide, 1.5 * em))
+
+    def _word(self, painter: QPainter, word: str, em: float, place: QRectF) -> None:
+        """Write what a part of a matrix does, below it."""
+        font = QFont(self.font())
+        font.setPixelSize(max(8, round(_WORD * em)))
+        painter.setFont(font)
+        painter.setPen(QColor(self._style.muted))
+        painter.drawText(place, Qt.AlignmentFlag.AlignCenter, word)
 
     def _paint_matrix(
         self,
@@ -300,8 +320,9 @@ class EquationSlide(QWidget):
             x = place.x() + bracket
             for column, width in enumerate(widths):
                 cell = QRectF(x, y, width, height)
-                colour = self._paint_ground(painter, laid.term, row, column, cell, em)
                 glyphs = laid.cells[row][column]
+                letters = [name for _, name, _ in glyphs.parts]
+                colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
                 left = cell.center().x() - em * glyphs.width / 2.0
                 base = cell.center().y() + em * (glyphs.ascent - glyphs.descent) / 2.0
                 self._draw_at(painter, glyphs, em, left, base, colour)
@@ -310,14 +331,23 @@ class EquationSlide(QWidget):
         return right
 
     def _paint_ground(
-        self, painter: QPainter, term: Term, row: int, column: int, cell: QRectF, em: float
+        self,
+        painter: QPainter,
+        term: Term,
+        row: int,
+        column: int,
+        cell: QRectF,
+        em: float,
+        letters: Sequence[str],
     ) -> QColor:
         """Tint a cell by what it is made of; return the colour of its letters."""
         style, matrix = self._style, term.matrix
         text = matrix.formulas[row][column]
         changed = self._controls.intersection(matrix.fields[row][column])
         if changed:
-            shade = next((getattr(style, n) for n in ("near", "far") if n in changed), style.accent)
+            shades = [getattr(style, name) for name in ("near", "far") if name in changed]
+            shades += [self._hues[name] for name in letters if name in self._hues]
+            shade = next(iter(shades), style.accent)
             edge = 0.08 * em
             painter.setPen(QPen(QColor(shade), max(1.5, 0.03 * em)))
             painter.setBrush(faded(shade, 0.25))
@@ -355,9 +385,10 @@ class EquationSlide(QWidget):
     def _draw_at(
         self, painter: QPainter, glyphs: _Glyphs, em: float, x: float, base: float, ink: QColor
     ) -> None:
-        for shift, path in glyphs.paths:
+        for shift, name, path in glyphs.parts:
             painter.save()
             painter.translate(x + em * shift, base)
             painter.scale(em, em)
-            painter.fillPath(path, ink)
+            hue = self._hues.get(name)
+            painter.fillPath(path, QColor(tone(hue, self._style.background)) if hue else ink)
             painter.restore()

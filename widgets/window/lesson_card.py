@@ -40,7 +40,7 @@ from app.document.view import View
 from app.lessons.blocks.block import Part
 from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import Head, Lesson, Step, head_of
-from app.lessons.text import escaped, plain_of
+from app.lessons.text import escaped, in_line
 from widgets.controls.controls import Controls
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
@@ -86,6 +86,11 @@ class LessonCard(QFrame):
     """The card appeared or disappeared."""
     begun_again = Signal(str, object)
     """The answers of the lesson with this title were deleted; the callable restores them."""
+    hidden = Signal(object)
+    """What must not be seen now, because it would show the answer of an exercise."""
+    aimed = Signal(object, object)
+    """The `BlockView`s whose questions are to be answered in a picture, and the one that has just
+    been answered so, or None."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -103,6 +108,7 @@ class LessonCard(QFrame):
         """The course and the step of the page."""
         self._aside: tuple[Document, View | None] | None = None
         """A state that the lesson shows to refute an idea: it is not the student's work."""
+        self._hides: frozenset[str] = frozenset()
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
@@ -131,6 +137,7 @@ class LessonCard(QFrame):
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
+        lessons.complained.connect(self._show_mistakes)
         self.hide()
 
     def _foot(self) -> QHBoxLayout:
@@ -253,7 +260,7 @@ class LessonCard(QFrame):
             for place, step in enumerate(lesson.steps):
                 act = partial(self.go_to, place)
                 mark = tool_button(
-                    str(place + 1), plain_of(step.title), act, flat=True, checkable=True
+                    str(place + 1), in_line(step.title), act, flat=True, checkable=True
                 )
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
@@ -267,7 +274,7 @@ class LessonCard(QFrame):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
             mark.setText("✓" if is_done and number != place else str(number + 1))
-            name = self.tr("Step {0}: {1}").format(number + 1, plain_of(step.title))
+            name = self.tr("Step {0}: {1}").format(number + 1, in_line(step.title))
             mark.setAccessibleName(name)
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
         self.back.setEnabled(place > 0)
@@ -275,8 +282,19 @@ class LessonCard(QFrame):
         self.hint.setEnabled(self._hinting is not None)
         self.went_on.emit()
 
+    def _hide(self) -> None:
+        """Hide what would show the answer of an open exercise; take clicks for a question."""
+        aims = [view for view in (block.aims for block in self.blocks) if view is not None]
+        asked, answered = ([v for v in aims if v.is_open == is_open] for is_open in (True, False))
+        self.aimed.emit(asked, answered[-1] if answered else None)
+        hides = frozenset[str]().union(*(block.hides for block in self.blocks))
+        if hides != self._hides:
+            self._hides = hides
+            self.hidden.emit(hides)
+
     def _clear(self) -> None:
         self.blocks = []
+        self._hide()
         page = self._area.takeWidget()
         if page is not None:
             page.deleteLater()
@@ -291,6 +309,7 @@ class LessonCard(QFrame):
         self._unfold()
         self._area.setWidget(page)
         self._area.verticalScrollBar().setValue(0)
+        self._hide()
         self._show_marks()
 
     def _unfold(self) -> None:
@@ -341,8 +360,9 @@ class LessonCard(QFrame):
     def _settled(self, view: BlockView, answer: str) -> None:
         self._note(view.block.name, answer)
         self._notice.hide()
-        had_focus = self._has_focus
+        had_focus = self._has_focus or view.aims is not None  # or in the picture
         self._unfold()
+        self._hide()
         self._show_marks()
         if had_focus:
             self._take_focus()
@@ -367,6 +387,7 @@ class LessonCard(QFrame):
         self._settings.keep_progress(name_of(lesson.path), self._progress)
 
     def _show_aside(self, document: Document) -> None:
+        self._hide()  # before it is seen
         self._aside = document, None
         self._lessons.show(document)
 
@@ -414,6 +435,19 @@ class LessonCard(QFrame):
             self._area.ensureWidgetVisible(block)
             self.hint.setEnabled(self._hinting is not None)
             self.went_on.emit()
+
+    def check(self) -> None:
+        """Say what is wrong in the lesson's file, or that nothing is."""
+        if self._lesson is not None:
+            self._say(
+                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
+            )
+
+    def _show_mistakes(self, text: str) -> None:
+        if text:
+            self._say(text)
+        else:
+            self._notice.hide()
 
     def _finish(self, lesson: Lesson) -> None:
         """Close the lesson; the card lists unfinished steps and names the next lesson."""

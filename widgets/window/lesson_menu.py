@@ -61,10 +61,13 @@ class LessonMenu(QMenu):
         self.back = make(self.tr("&Previous step"), None, BACK_KEY)
         self.hint = make(self.tr("&Hint"))
         self.anew = make(self.tr("Begin the lesson a&gain"))
+        self.check = make(
+            self.tr("Chec&k the lesson"), None, None, self.tr("Try everything in the lesson's file")
+        )
         self.leave = make(self.tr("&Close the lesson"))
         self.addActions([self.again, self.next, self.back, self.hint])
         self.addSeparator()
-        self.addActions([self.anew, self.leave])
+        self.addActions([self.anew, self.check, self.leave])
 
     def wire(self, card: LessonCard, settings: Settings) -> None:
         """Connect the actions to the lesson's card."""
@@ -80,6 +83,7 @@ class LessonMenu(QMenu):
             (self.back, card.go_back),
             (self.hint, card.give_hint),
             (self.anew, card.begin_again),
+            (self.check, card.check),
             (self.leave, card.leave),
         ):
             action.triggered.connect(lambda _on=False, act=act: act())
@@ -94,6 +98,7 @@ class LessonMenu(QMenu):
             (self.back, card.back),
             (self.hint, card.hint),
             (self.anew, card.anew),
+            (self.check, card.anew),
         ):
             action.setEnabled(card.is_on and button.isEnabled())
         self.leave.setEnabled(card.is_on)

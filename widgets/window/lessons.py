@@ -23,6 +23,7 @@ from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
+from app.lessons.checking import Report
 from app.lessons.course import Course, Shown, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.state import State
@@ -35,6 +36,8 @@ from widgets.window.files import Files
 
 TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
+MOST_MISTAKES = 5
+"""Most mistakes of a file that are named at once."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
 
@@ -47,8 +50,9 @@ class WayOfPanes(Protocol):
         """Whether something may move."""
         ...
 
-    def begin(self, *, cuts: bool) -> None:
-        """Remember what is seen."""
+    def begin(self, *, cuts: bool) -> bool:
+        """Remember what is seen; return whether its picture will fade."""
+        ...
 
     def start(self, moves: bool) -> bool:
         """Begin the way to what is shown now; return whether there is one."""
@@ -77,7 +81,7 @@ class Lessons(QObject):
     opened = Signal()
     """A lesson was opened, read again, or closed: `course` has changed."""
     complained = Signal(str)
-    """The mistakes in the open file after a change; empty once they are fixed."""
+    """The mistakes in the open file, one a line; empty once they are fixed."""
     refused = Signal(str)
     """Why a step cannot be shown; the previous step stays."""
     stepped = Signal()
@@ -276,11 +280,12 @@ class Lessons(QObject):
         first, is_there = None, True
         same = (start.scene, start.mesh) == (end.scene, end.mesh)
         panes = self._panes
-        moves = panes is None or panes.is_wanted
+        moves, fades = panes is None or panes.is_wanted, False
         if moves and panes is not None:
             slides = ((view.slide, view.large, view.equation) for view in (look, end.view))
-            panes.begin(cuts=not same or len(set(slides)) > 1)
-        if moves and transition.can_move(start, end):
+            fades = panes.begin(cuts=not same or len(set(slides)) > 1)
+        # Nobody would see the model move under a picture that fades.
+        if moves and not fades and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
         else:  # the model changes at once; only the stage strip may move
             self._start = end
@@ -302,7 +307,7 @@ class Lessons(QObject):
         self._moving = False
         if not is_there or not moves:
             return is_there
-        if not same:  # the stages of another scene
+        if fades or not same:
             self._stages = end.view.stage, end.view.stage
         goes = first is not None or self._stages[0] != self._stages[1]
         if panes is not None:
@@ -374,7 +379,7 @@ class Lessons(QObject):
         try:
             course = Course(read(path))
             if course.lesson == before.lesson:
-                self.complained.emit("")
+                self._complain()
                 return
             last = len(course.lesson.steps) - 1
             place = course.lesson.place_of(name or step.name, min(self.place, last))
@@ -382,7 +387,6 @@ class Lessons(QObject):
         except Refusal as error:
             self.complained.emit(named(error, path))
             return
-        self.complained.emit("")
         self._messages.done()
         same = shown == before.shown(self.place)
         self.course, self.place = course, place
@@ -391,6 +395,22 @@ class Lessons(QObject):
             self.stepped.emit()
         else:
             self.go(place)
+        self._complain()
+
+    def _complain(self) -> None:
+        """Say what is wrong in a lesson; a speaker learns it when the class would see it."""
+        is_talk = self.lesson is not None and self.lesson.is_talk
+        self.complained.emit("" if is_talk else self.mistakes())
+
+    def mistakes(self) -> str:
+        """Check the open file as `lesson check` does, without its pictures; say what is wrong."""
+        assert self.lesson is not None
+        report = Report()
+        report.read(self.lesson.path)
+        texts = [sentence(error) for error in report.wrong[:MOST_MISTAKES]]
+        if len(report.wrong) > MOST_MISTAKES:
+            texts.append(self.tr("… and {0} more").format(len(report.wrong) - MOST_MISTAKES))
+        return "\n".join(texts)
 
 
 def named(error: Refusal, path: Path) -> str:

@@ -80,6 +80,7 @@ class Look(QObject):
             }
         )
         self._shown: Shown | None = None
+        self._glides = False
         self._screen_px = 0.0
         """Height of the screen while presenting, otherwise 0: the scale of text and lines."""
         self.adaptive = Adaptive(
@@ -102,7 +103,7 @@ class Look(QObject):
             from app.drawings.probes import sort_ahead
 
             sort_ahead(shown.scene)
-        self.adaptive.step(self._store.in_gesture)
+        self.adaptive.step(self._store.in_gesture or self._glides)
         if not built:
             for pane in self._panes.values():
                 if changed & pane.concerns:
@@ -126,15 +127,17 @@ class Look(QObject):
 
     def begin_glide(self, poses: Mapping[str, Any]) -> None:
         """Let the panes' cameras begin a way from these poses to where they stand now."""
+        self._glides = True
         for name, pane in self._panes.items():
             self.refine(name, False)
             pane.begin_glide(poses.get(name))
 
     def glide(self, part: float) -> None:
         """Show a part of the way, 0 to 1."""
-        for name, pane in self._panes.items():
-            if part == 1.0:
-                self.refine(name, True)
+        if part == 1.0:
+            self._glides = False
+            self.adaptive.step(self._store.in_gesture)
+        for pane in self._panes.values():
             pane.glide(part)
 
     def set_waiting(self, waits: bool) -> None:
@@ -216,6 +219,8 @@ class Look(QObject):
 
     def rest(self) -> None:
         """Draw at full quality, and refit views that objects have left, once the input stops."""
+        if self._glides:
+            return
         self.adaptive.step(dragging=False)
         for pane in self._panes.values():
             pane.refit()
@@ -225,6 +230,7 @@ class Look(QObject):
     def set_letters(self, letters: Letters) -> None:
         """Name the axes by a lecture's letters."""
         names = {"up": self.tr("up"), "eye": self.tr("eye"), "target": self.tr("target")}
+        names |= {f"object_{axis}": axis for axis in "xyz"}
         self.words |= names | axis_letters(letters)
         self.rebuild()
 

@@ -60,11 +60,13 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
+from widgets.window.hiding import Hiding
 from widgets.window.history import History
 from widgets.window.lesson_card import LessonCard, Side
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
+from widgets.window.pointing import Pointing
 from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
@@ -292,7 +294,7 @@ class MainWindow(QMainWindow):
             self.store, self.files.choose_scene,
         )  # fmt: skip
         self.comparing = Comparing(
-            image, self.look, self.store, self.slots, controls.card, self.menus, self.messages
+            self.panes, self.look, self.store, self.slots, controls.card, self.menus, self.messages
         )
         self.arrangement = Arrangement(
             self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
@@ -322,6 +324,8 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
+        self.hiding = Hiding(self.panels, controls.card, self.cursors, self.panes)
+        self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
@@ -341,6 +345,7 @@ class MainWindow(QMainWindow):
             self.slots,
             self.control_strip,
             self.slide.equation,
+            self.band,
             self.arrangement,  # overrides what a new scene has opened or forgotten
             self.cost,
             self.look,
@@ -402,6 +407,7 @@ class MainWindow(QMainWindow):
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
         self.slide.equation.ask(self.shown)
+        self.band.ask(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 

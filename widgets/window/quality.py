@@ -118,14 +118,14 @@ class DrawnQuality(QObject):
         """
         document = self._store.seen
         scene = choice.get("scene", document.scene)
-        if scene != document.scene:
-            document = Document(scene, self._scene(scene).start, document.extra)
         texts = [
             f"{key if '.' in key else f'quality.{key}'}={value}"
             for key, value in choice.items()
             if key != "scene"
         ]
         try:
+            if scene != document.scene:
+                document = Document(scene, self._scene(scene).start, document.extra)
             document = set_values(document, texts)
         except Refusal as error:
             self._refuse(sentence(error))
@@ -136,7 +136,7 @@ class DrawnQuality(QObject):
         """Return the choices that the panes are drawn with, in the form of `Choice.use`."""
         shown = self._shown()
         document, scene, projection = shown.document, shown.scene, shown.projection
-        quality, settings = document.quality, document.settings
+        quality = document.quality
         precision = quality.rung
         if precision == AUTO:
             tolerance_px = self._settings.tolerance_px
@@ -152,8 +152,10 @@ class DrawnQuality(QObject):
             "smoothing": smoothing,
             "detail": f"{quality.detail:g}",
             "scene": document.scene,
-            "settings.interpolation": str(settings.get("interpolation", "correct")),
-            "settings.subdivision": f"{settings.get('subdivision', 1.0):g}",
+            **{
+                f"settings.{name}": f"{value:g}" if isinstance(value, float) else str(value)
+                for name, value in document.settings.items()
+            },
         }
 
 

@@ -30,7 +30,7 @@ from app.document.document import Document
 from app.lessons.blocks.block import Part
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
-from app.lessons.text import plain_of
+from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.parts import palette
 from widgets.parts.buttons import push_button
@@ -173,8 +173,8 @@ class SpeakerWindow(QWidget):
         swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
         set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
         times = (
-            Label(self.tr("Time")), 6, self._clock, 16, Label(self.tr("Elapsed")), 6, self._elapsed, 16,
-            self.pause, 8, self.reset, 8, (self._plan, 1),
+            Label(self.tr("Time")), 6, self._clock, 16, Label(self.tr("Elapsed")), 6, self._elapsed,
+            16, self.pause, 8, self.reset, 8, (self._plan, 1),
         )  # fmt: skip
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
@@ -216,17 +216,17 @@ class SpeakerWindow(QWidget):
             self._pictures.clear()
             self.steps.clear()
             self.steps.addItems(
-                [f"{number}  {plain_of(step.title)}" for number, step in enumerate(steps, 1)]
+                [f"{number}  {in_line(step.title)}" for number, step in enumerate(steps, 1)]
             )
         self._course, self._place, self._left_out = course, place, left_out
         step = steps[place]
-        self._title.setText(plain_of(step.title))
+        self._title.setText(in_line(step.title))
         self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
         self._show_notes(step)
         self.steps.setCurrentRow(place)
         following = steps[place + 1] if place + 1 < len(steps) else None
         self._next_title.setText(
-            self.tr("Next: {0}").format(plain_of(following.title))
+            self.tr("Next: {0}").format(in_line(following.title))
             if following is not None
             else self.tr("This is the last step.")
         )

@@ -24,9 +24,11 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 
+from app.drawings.style import LIGHT, Style, tone
 from app.lessons.lesson import Step
 from app.lessons.text import plain_of
-from widgets.parts.lesson_text import set_text
+from widgets.parts.lesson_text import INKS, set_text
+from widgets.parts.panel import Changed, Shown
 from widgets.parts.plain import TextDocument
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
@@ -56,6 +58,8 @@ class TalkBand(QFrame):
         Whether no part of them fits: smaller letters show one, or only its beginning is shown.
     """
 
+    concerns = frozenset({"scene", "view"})
+
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("talkBand")
@@ -67,7 +71,28 @@ class TalkBand(QFrame):
         """What the line may say: the first that fits is taken."""
         self._step = ""
         self._screen_px = 0.0
+        self._style = LIGHT
+        self._shown: Shown | None = None
         self.hide()
+
+    def set_style(self, style: Style) -> None:
+        self._style = style
+        self._colour()
+
+    def take(self, shown: Shown, changed: Changed) -> None:
+        self.ask(shown)
+
+    def ask(self, shown: Shown) -> None:
+        """Give the letters of formulas the colours of what the pictures name by them."""
+        self._shown = shown
+        self._colour()
+
+    def _colour(self) -> None:
+        if self._shown is not None:
+            paper, hues = self._style.background, self._shown.hues(self._style)
+            inks = {name: tone(hue, paper) for name, hue in hues.items()}
+            self._words.setProperty(INKS, inks)
+            self.update()
 
     def set_screen(self, screen_px: float) -> None:
         """Take the height from that of the screen."""

@@ -292,7 +292,8 @@ class Talks(QObject):
             self._say(self.tr("The file was changed, and cannot be read."))
         if self.speaker is not None:
             self.speaker.say(self._refusal or text)
-        if text and not self.is_on:  # the speaker's window may be hidden behind this one
+        is_talk = self._lessons.lesson is not None and self._lessons.lesson.is_talk
+        if text and is_talk and not self.is_on:  # the speaker's window may be hidden behind it
             self._messages.say(text)
 
     @property

@@ -80,11 +80,15 @@ class Transition(QObject):
         chosen = self._settings.reduce_motion
         return not (system_reduces_motion() if chosen is None else chosen)
 
-    def begin(self, *, cuts: bool) -> None:
-        """Remember what is seen; `cuts` if another scene comes, or another slide."""
+    def begin(self, *, cuts: bool) -> bool:
+        """Remember what is seen; `cuts` if another scene comes, or another slide.
+
+        Return whether the picture will fade.
+        """
         self._poses, self._picture = self._look.poses(), None
         if cuts and self._is_for_class() and self._slide.isVisible():
             self._picture = self._slide.grab()
+        return self._picture is not None
 
     def start(self, moves: bool) -> bool:
         """Begin the way to what is shown now; return whether there is one.

@@ -53,6 +53,7 @@ def _wire_components(window: Any) -> None:
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
+        (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
         (menus.reduce_motion.triggered, window.set_reduced_motion),
         (menus.view_menu.aboutToShow, window.show_motion),
@@ -101,8 +102,12 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings)
     card.begun_again.connect(window.offer_answers)
+    card.hidden.connect(window.hiding.hide)
+    card.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
+    guided = window.controls.card.set_guided
+    window.lessons.opened.connect(lambda: guided(window.lessons.lesson is not None))
     for signal in (
         window.store.changed,
         window.store.view_changed,

@@ -1,96 +1,80 @@
-"""``answer``: a typed number, or a choice that may be repeated."""
+"""``answer``: a typed number, a matrix, a place, or a choice that may be repeated."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
-from app.lessons.blocks.question import CHECKS, RIGHT, Question, Reply, Verdict, said_below
+from app.lessons.blocks.click import Click
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import CHECKS, RIGHT, Marked, Question, Reply, Verdict, said_below
 from app.lessons.lines import LACKS, Body, refused
-from app.lessons.quantities import FUNCTIONS
-from app.model.formula import Call, Formula, Letter, Negative, Number, latex
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.formula import latex
+from app.model.refusal import QT_TRANSLATE_NOOP
 
-EITHER = QT_TRANSLATE_NOOP("Refusal", "has both choices and a value: keep one of them")
+EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
+WAYS = ("value", "matrix", "click", "choice")
+"""The keys by which an answer may be given."""
 
 
 @dataclass(frozen=True, kw_only=True)
-class Answer(Question):
+class Answer(Marked):
     """A question whose answer is the value of a formula."""
 
     kind = "answer"
-    formula: Formula
-    formula_line: int
-    unit: str
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        text, items = body.items("value", "unit", "wrong", *CHECKS, choices=True)
-        value = items.single("value")
-        if any(item.key == "choice" for item in items):
-            if value is not None:
-                raise refused(value.line, EITHER)
+        keys = ("value", "matrix", "click", "at", "within", "unit", "wrong", *CHECKS)
+        text, items = body.items(*keys, choices=True)
+        ways = [item for item in items if item.key in WAYS]
+        if not ways:
+            raise refused(
+                body.line, LACKS, "“value: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
+            )
+        other = next((item for item in ways if item.key != ways[0].key), None)
+        if other is not None:
+            raise refused(other.line, EITHER, "value, matrix, click and choices")
+        if ways[0].key == "choice":
             return Choices.of(body, text, items)
-        if value is None:
-            raise refused(body.line, LACKS, "“value: FORMULA”, or choices")
+        if ways[0].key == "click":
+            return Click.of(body, text, items)
+        if ways[0].key == "matrix":
+            return Matrix.of(body, text, items)
+        value = items.single("value")
+        assert value is not None
         wrong = (item for item in items if item.key == "wrong")
         return cls(
             **cls.fields(body, text, items),
             replies=tuple(
-                Reply(line=each.line, formula=each.formula(), idea=each.about, **said_below(each))
-                for each in wrong
+                Reply(line=w.line, formulas=(w.formula(),), idea=w.about, **said_below(w))
+                for w in wrong
             ),
-            formula=value.formula(),
-            formula_line=value.line,
-            unit=items.text("unit"),
+            right=(value.formula(),),
+            right_line=value.line,
         )
 
-    @property
-    def key(self) -> tuple[Formula, int]:
-        return self.formula, self.formula_line
-
     def answer(self, here: Here) -> float:
-        return self.value(here, *self.key)
+        return self.values(here, *self.key)[0]
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        """Return the verdict on a typed text; a `Refusal` of ``answer`` if it is not a number."""
         number, value = marking.read(typed, self.unit), self.answer(here)
         if marking.equals(number, value):
             return Verdict(True, says=self.why)
         for wrong in self.replies:
-            assert wrong.formula is not None
-            if marking.equals(number, self.value(here, wrong.formula, wrong.line)):
+            if marking.equals(number, *self.values(here, wrong.formulas, wrong.line)):
                 return wrong.verdict(here)
         too_short = marking.is_too_short(number, value)
         return Verdict(False, too_short=too_short, remark=marking.remark(number, value))
 
-    def verdict(self, here: Here, sample: str, line: int) -> str:
-        try:
-            return self.mark(here, sample).word
-        except Refusal as error:
-            if error.field != "answer":
-                raise
-            return "no number"
-
     def solution(self, here: Here) -> str:
-        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
-
-        Empty if the formula has no letters: the question itself says the numbers.
-        """
-        known, terms = self.known(here), dict[str, Formula]()
-        for part in self.formula:
-            is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
-            if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
-                number = Number(abs(Fraction(f"{known.value(part):.4g}")))
-                terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
-        if not terms:
+        numbered = self.numbered(here)
+        if numbered is None:
             return ""
-        value = f"{self.answer(here):.4g}"
-        sides = latex(self.formula, {}), latex(self.formula.where(terms), {}), value
+        sides = *(latex(each, {}) for each in (*self.right, *numbered)), f"{self.answer(here):.4g}"
         return f"${' = '.join(sides)}$"
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:

@@ -42,14 +42,14 @@ class Choice(Reply):
         text, _, behind = _IDEA.sub("", item.text).partition(" := ")
         if not text.strip():
             raise refused(item.line, LACKS, "a text")
-        formula = None
+        formulas: tuple[Formula, ...] = ()
         if behind.strip():
             with on_line(item.line, ":="):
-                formula = parse(behind.strip())
+                formulas = (parse(behind.strip()),)
         return cls(
             line=item.line,
             right=item.about == "x",
-            formula=formula,
+            formulas=formulas,
             idea=idea[1] if idea else "",
             text=text.strip(),
             **said_below(item),
@@ -83,9 +83,9 @@ class Choices(Question):
         return next(place for place, each in enumerate(self.replies) if each.right)
 
     @property
-    def key(self) -> tuple[Formula | None, int]:
+    def key(self) -> tuple[tuple[Formula, ...], int]:
         right = self.replies[self.right]
-        return right.formula, right.line
+        return right.formulas, right.line
 
     @property
     def is_tall(self) -> bool:

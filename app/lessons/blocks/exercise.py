@@ -7,6 +7,7 @@ the same numbers on every machine.
 
 from __future__ import annotations
 
+import math
 import random
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,14 +15,16 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
+from app.document.view import PANES
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Question
+from app.lessons.blocks.question import Question, are_alike
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, on_line, refused
 from app.lessons.quantities import FUNCTIONS, NO_NAME, Condition
 from app.lessons.state import State, read_state
 from app.model.formula import Arithmetic, parse
+from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
@@ -44,10 +47,15 @@ NO_VARIANT = QT_TRANSLATE_NOOP(
 )
 TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has about {0} variants; it needs at least {1}")
 A_SEED = QT_TRANSLATE_NOOP("Refusal", "must begin with a seed, a whole number from 1 to {0}")
+CAN_BE_READ = QT_TRANSLATE_NOOP(
+    "Refusal", "has an answer that the scene shows as “{0}”: add “hide: numbers”"
+)
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
 _VARY = re.compile(r"vary\s+([a-z]\w*)\s*:(.*)")
-_OWN = re.compile(r"(where|state)\s*:(.*)")
+HIDDEN = ("numbers", *PANES)
+"""What an exercise may hide."""
+_OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
 _DRAWN = re.compile(r"\{=([^{}]*)\}")
 
@@ -79,12 +87,15 @@ class Exercise(Asked):
         What the numbers must fulfil, in the variant's own state.
     states : sequence of (int, str)
         The lines of the variant's state.
+    hides : frozenset of str
+        What would show the answer, of `HIDDEN`.
     """
 
     kind = "exercise"
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
     states: Lines
+    hides: frozenset[str]
     recipe: Lines
 
     @classmethod
@@ -93,6 +104,7 @@ class Exercise(Asked):
         where: list[tuple[int, Condition]] = []
         states: list[tuple[int, str]] = []
         recipe: list[tuple[int, str]] = []
+        hides: set[str] = set()
         for line, text in body.lines:
             vary, own = _VARY.fullmatch(text), _OWN.fullmatch(text)
             if vary is not None:
@@ -100,6 +112,8 @@ class Exercise(Asked):
             elif own is not None and own[1] == "where":
                 with on_line(line, "where"):
                     where.append((line, Condition.read(own[2].strip())))
+            elif own is not None and own[1] == "hide":
+                hides |= _hidden(own[2], line)
             elif own is not None:
                 states += [(line, part) for part in own[2].split(";")]
             else:
@@ -108,7 +122,7 @@ class Exercise(Asked):
             raise refused(body.line, LACKS, "“vary NAME: VALUES”")
         made = cls(
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
-            states=states, recipe=recipe,
+            states=states, hides=frozenset(hides), recipe=recipe,
         )  # fmt: skip
         first = made.question({each.name: each.values[0] for each in varied})
         object.__setattr__(made, "text", first.text)
@@ -170,9 +184,14 @@ class Exercise(Asked):
         found = {tuple(self.variant(here, seed).numbers.values()) for seed in range(1, _SEEDS + 1)}
         if min(count, len(found)) < LEAST_VARIANTS:
             raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
+        shown: set[str] | None = None
         for seed in range(1, _WHOLE + 1):
             variant = self.variant(here, seed)
             variant.question.check(variant.here, trial)
+            readings = _readings(variant)
+            shown = readings if shown is None else shown & readings
+        if shown and "numbers" not in self.hides:
+            trial.complain(refused(self.line, CAN_BE_READ, min(shown).replace("_", " ")))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         seed, _, rest = sample.partition(" ")
@@ -180,6 +199,27 @@ class Exercise(Asked):
             raise refused(line, A_SEED, LARGEST_SEED, value=sample)
         variant = self.variant(here, int(seed))
         return variant.question.verdict(variant.here, rest.strip(), line)
+
+
+def _hidden(text: str, line: int) -> set[str]:
+    names = {name.strip() for name in text.split(",")}
+    for name in names.difference(HIDDEN):
+        raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)
+    return names
+
+
+def _readings(variant: Variant) -> set[str]:
+    """Return the names of the scene's readings that are the answer."""
+    question = variant.question
+    if not isinstance(question, Answer):
+        return set()
+    answer, readings = question.answer(variant.here), question.known(variant.here).readings
+    return {
+        name
+        for name, value in readings.items()
+        for each in (value if isinstance(value, tuple) else (value,))
+        if isinstance(each, float | int) and math.isfinite(each) and are_alike(answer, each)
+    }
 
 
 # --------------------------------------------------------------------------- numbers

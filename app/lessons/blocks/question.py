@@ -1,19 +1,23 @@
-"""The common base of predictions and answers: one right reply, and wrong ones with their ideas."""
+"""The common base of predictions and answers: one right reply, and wrong ones with their ideas.
+
+The value of a reply is one number, those of a matrix, or the coordinates of a place.
+"""
 
 from __future__ import annotations
 
 import difflib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple
+from fractions import Fraction
+from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from app.document.document import Document
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.lines import Body, Item, Items, on_line, refused
-from app.lessons.quantities import Condition, NotThere, Quantities
+from app.lessons.quantities import FUNCTIONS, Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
-from app.model.formula import Formula
+from app.model.formula import Call, Formula, Letter, Negative, Number
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
@@ -24,6 +28,9 @@ NO_IDEA = QT_TRANSLATE_NOOP(
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
+
+Value: TypeAlias = tuple[float, ...]
+"""The numbers of an answer: one, a matrix row after row, or coordinates."""
 
 RIGHT = " **✓**"
 """Marks the right answer, in Markdown."""
@@ -45,7 +52,9 @@ class Verdict(NamedTuple):
     too_short : bool
         Whether the answer is right but has too few digits.
     remark : Refusal, optional
-        How a number that no idea explains differs from the right one.
+        How an answer that no idea explains differs from the right one.
+    cells : tuple of bool
+        Which numbers of a matrix are right, row after row.
     """
 
     right: bool
@@ -54,6 +63,7 @@ class Verdict(NamedTuple):
     state: Document | None = None
     too_short: bool = False
     remark: Refusal | None = None
+    cells: tuple[bool, ...] = ()
 
     @property
     def word(self) -> str:
@@ -63,11 +73,11 @@ class Verdict(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Reply:
-    """An answer that the lesson expects, the formula of its number, and the response to it."""
+    """An answer that the lesson expects, the formulas of its value, and the response to it."""
 
     line: int
     right: bool = False
-    formula: Formula | None = None
+    formulas: tuple[Formula, ...] = ()
     idea: str = ""
     says: str = ""
     state: State | None = None
@@ -129,22 +139,26 @@ class Question(Asked):
         return False  # it is in its own column beside the text
 
     @property
-    def key(self) -> tuple[Formula | None, int]:
-        """Return the formula of the right value and its line, if there is one."""
+    def key(self) -> tuple[tuple[Formula, ...], int]:
+        """Return the formulas of the right value, if there are any, and their line."""
         raise NotImplementedError
 
     def known(self, here: Here) -> Quantities:
         """Return the quantities for its formulas: of the state that it shows, if it shows one."""
         return here.quantities(here.shown_by(self.show) if self.show is not None else None)
 
-    def value(self, here: Here, formula: Formula, line: int) -> float:
-        """Return the value of one of its formulas; a `Refusal` names the line."""
+    def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
+        """Return the values of some of its formulas; a `Refusal` names the line."""
         known = self.known(here)
         with on_line(line, "formula"):
             try:
-                return known.value(formula)
+                return tuple(known.value(formula) for formula in formulas)
             except NotThere as error:
                 raise refused(line, NO_VALUE, str(error)) from error
+
+    def are_alike(self, here: Here, one: Value, other: Value) -> bool:
+        """Whether two values cannot be told apart: their numbers agree to three digits."""
+        return all(map(are_alike, one, other))
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
@@ -155,52 +169,105 @@ class Question(Asked):
                     raise refused(line, NOT_SO, value=condition.text)
         for reply in self.replies:
             reply.check(here, trial)
-        value, wrong = None, list[tuple[int, float]]()
-        for owner, formula, line in self.formulas:
+        value, wrong = None, list[tuple[int, Value]]()
+        for owner, formulas, line in self.formulas:
             with trial.kept():
-                found = self.value(here, formula, line)
+                found = self.values(here, formulas, line)
                 if owner is not None:
                     with trial.kept():
-                        owner.check_number(found)
+                        owner.check_number(found[0])
                 if owner is None or owner.right:
                     value = found
                 else:
                     wrong.append((line, found))
-        for clash in _clashes(value, wrong):
+        for clash in self._clashes(here, value, wrong):
             trial.complain(clash)
 
     def check_values(self, here: Here) -> None:
         """Refuse a value that does not exist, and wrong ones that equal another one."""
         values = [
-            (reply, line, self.value(here, formula, line)) for reply, formula, line in self.formulas
+            (reply, line, self.values(here, formulas, line))
+            for reply, formulas, line in self.formulas
         ]
         value = next((v for reply, _, v in values if reply is None or reply.right), None)
         wrong = [(line, v) for reply, line, v in values if reply is not None and not reply.right]
-        for clash in _clashes(value, wrong):
+        for clash in self._clashes(here, value, wrong):
             raise clash
 
     @property
-    def formulas(self) -> Iterator[tuple[Reply | None, Formula, int]]:
-        """Yield every formula of a value, with its reply, if it has one, and its line."""
-        formula, line = self.key
+    def formulas(self) -> Iterator[tuple[Reply | None, tuple[Formula, ...], int]]:
+        """Yield the formulas of every value, with its reply, if it has one, and its line."""
+        formulas, line = self.key
         right = next((reply for reply in self.replies if reply.right), None)
-        if formula is not None:
-            yield right, formula, line
+        if formulas:
+            yield right, formulas, line
         for wrong in self.replies:
-            if not wrong.right and wrong.formula is not None:
-                yield wrong, wrong.formula, wrong.line
+            if not wrong.right and wrong.formulas:
+                yield wrong, wrong.formulas, wrong.line
+
+    def _clashes(
+        self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]
+    ) -> Iterator[Refusal]:
+        """Yield the refusals of wrong values that equal the right one, or an earlier wrong one."""
+        for place, (line, each) in enumerate(wrong):
+            if value is not None and self.are_alike(here, each, value):
+                yield refused(line, ALSO_RIGHT, _figures(value))
+            for before, other in wrong[:place]:
+                if self.are_alike(here, each, other):
+                    yield refused(line, SAME_WRONG, before, _figures(other))
 
 
-def _clashes(value: float | None, wrong: Sequence[tuple[int, float]]) -> Iterator[Refusal]:
-    """Yield the refusals of wrong values that equal the right one, or an earlier wrong one."""
-    for place, (line, each) in enumerate(wrong):
-        if value is not None and _alike(each, value):
-            yield refused(line, ALSO_RIGHT, f"{value:.6g}")
-        for before, other in wrong[:place]:
-            if _alike(each, other):
-                yield refused(line, SAME_WRONG, before, f"{other:.6g}")
+@dataclass(frozen=True, kw_only=True)
+class Marked(Question):
+    """A question whose answer is marked each time; `right` are the formulas of its value."""
+
+    right: tuple[Formula, ...]
+    right_line: int
+    unit: str = ""
+
+    @property
+    def key(self) -> tuple[tuple[Formula, ...], int]:
+        return self.right, self.right_line
+
+    @staticmethod
+    def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
+        return Question.fields(body, text, items) | {"unit": items.text("unit")}
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
+        raise NotImplementedError
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        try:
+            return self.mark(here, sample).word
+        except Refusal as error:
+            if error.field != "answer":
+                raise
+            return "no number"
+
+    def solution(self, here: Here) -> str:
+        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
+
+        Empty if the formulas have no letters: the question itself says the numbers.
+        """
+        raise NotImplementedError
+
+    def numbered(self, here: Here) -> tuple[Formula, ...] | None:
+        """Return the formulas of the right value with numbers for letters; None without letters."""
+        known, terms = self.known(here), dict[str, Formula]()
+        for formula in self.right:
+            for part in formula:
+                is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
+                if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
+                    number = Number(abs(Fraction(f"{known.value(part):.4g}")))
+                    terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
+        return tuple(formula.where(terms) for formula in self.right) if terms else None
 
 
-def _alike(one: float, other: float) -> bool:
+def _figures(value: Value) -> str:
+    return ", ".join(f"{each:.6g}" for each in value)
+
+
+def are_alike(one: float, other: float) -> bool:
     """Whether two values agree to three significant digits."""
     return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)

@@ -53,7 +53,7 @@ class FreeMatrix(Lens):
     title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
     tip: ClassVar[str] = QT_TRANSLATE_NOOP(
         "Lens",
-        "None of these: the cells of clip_from_view that you typed in the Matrices panel. If you "
+        "None of these: the cells of clip ← view that you typed in the Matrices panel. If you "
         "choose another kind, the previous lens comes back.",
     )
     # Offset, cell, product and three sums.

@@ -24,7 +24,7 @@ import numpy as np
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
-from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering
+from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.words import Comparison, Words
@@ -60,6 +60,7 @@ class Illustration:
     copies: tuple[Copy, ...] = ()
     diagrams: tuple[Diagram, ...] = ()
     rendering: Rendering | None = None
+    vertices: Vertices | None = None
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
     measured: tuple[tuple[str, float], ...] = ()
@@ -170,6 +171,8 @@ class Phenomenon:
         The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
     names : tuple of str
         The ids of the things that its pictures name, unless the document has a list of its own.
+    inks : dict of str
+        The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
     side : (float, float), optional
         From where the world pane looks at first: degrees from beside the camera to behind it, and
         upwards. By default the pane chooses the side that shows most.
@@ -205,6 +208,7 @@ class Phenomenon:
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
+    inks: Mapping[str, str] = field(default_factory=dict)
     side: tuple[float, float] | None = None
     cube_side: tuple[float, float] | None = None
     fixed: str = ""

@@ -196,6 +196,7 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
     side=(12.0, 10.0),
     fixed="side",
     leaves_out=frozenset({"frustum", "near-picture", "grid"}),

@@ -55,6 +55,15 @@ class Practises(BlockView):
     def is_open(self) -> bool:
         return self.asked is None or self.asked.is_open
 
+    @property
+    def hides(self) -> frozenset[str]:
+        is_asked = self.asked is not None and self.asked.is_open
+        return self.exercise.hides if is_asked else frozenset()
+
+    @property
+    def aims(self) -> BlockView | None:
+        return None if self.asked is None else self.asked.aims
+
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
         self.seed.setText(seed)

@@ -112,6 +112,16 @@ class BlockView(QFrame):
         return self.block.holds and self.is_open
 
     @property
+    def hides(self) -> frozenset[str]:
+        """Return what must not be seen now, because it would show the answer."""
+        return frozenset()
+
+    @property
+    def aims(self) -> BlockView | None:
+        """Return the view of a question about a place that is asked, or has just been answered."""
+        return None
+
+    @property
     def first(self) -> QWidget | None:
         """Return the widget that gets the focus first."""
         return None

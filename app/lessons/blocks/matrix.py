@@ -1,0 +1,194 @@
+"""``matrix:`` in an ``answer``: a matrix or a vector, each of whose numbers is marked by itself."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from itertools import combinations
+from typing import TypeVar
+
+from app.lessons import marking
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
+from app.lessons.lines import Body, Item, Items, on_line, refused, split
+from app.lessons.marking import Typed
+from app.model.formula import Formula, latex, parse
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+Part = TypeVar("Part")
+
+MOST = 4
+"""Most rows, and most columns."""
+
+A_MATRIX = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, "
+    "separated by “,”; and at least two cells",
+)
+OTHER_SHAPE = QT_TRANSLATE_NOOP("Refusal", "has {0} × {1} cells; the answer has {2} × {3}")
+CELLS = QT_TRANSLATE_NOOP(
+    "Refusal", "must have {0} rows, separated by “;”, each with {1} cells, separated by “|”"
+)
+
+TRANSPOSED = QT_TRANSLATE_NOOP(
+    "Refusal", "The numbers are right, but rows and columns are exchanged."
+)
+ROWS = QT_TRANSLATE_NOOP("Refusal", "The numbers are right, but rows {0} and {1} are exchanged.")
+COLUMNS = QT_TRANSLATE_NOOP(
+    "Refusal", "The numbers are right, but columns {0} and {1} are exchanged."
+)
+ALL_SIGNS = QT_TRANSLATE_NOOP("Refusal", "All signs are turned round.")
+SOME_SIGNS = QT_TRANSLATE_NOOP("Refusal", "The marked numbers have the wrong sign.")
+ONE_CELL = QT_TRANSLATE_NOOP("Refusal", "Only the number in row {0}, column {1} is wrong.")
+ONE_ROW = QT_TRANSLATE_NOOP("Refusal", "Only row {0} is wrong.")
+ONE_COLUMN = QT_TRANSLATE_NOOP("Refusal", "Only column {0} is wrong.")
+NONE = QT_TRANSLATE_NOOP("Refusal", "None of the numbers is right.")
+COUNTED = QT_TRANSLATE_NOOP("Refusal", "{0} of {1} numbers are right; the others are marked.")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Matrix(Marked):
+    """A question whose answer is a matrix or a vector; its values are listed row after row.
+
+    A typed answer is one text: its cells are separated by ``|``, its rows by ``;``.
+    """
+
+    kind = "answer"
+    rows: int
+    columns: int
+
+    @classmethod
+    def of(cls, body: Body, text: str, items: Items) -> Matrix:
+        right = items.single("matrix")
+        assert right is not None
+        rows, columns, formulas = _cells(right)
+        replies = []
+        for item in items:
+            if item.key == "wrong":
+                *shape, wrong = _cells(item)
+                if shape != [rows, columns]:
+                    raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
+                said = said_below(item)
+                replies.append(Reply(line=item.line, formulas=wrong, idea=item.about, **said))
+        return cls(
+            **cls.fields(body, text, items), replies=tuple(replies), right=formulas,
+            right_line=right.line, rows=rows, columns=columns,
+        )  # fmt: skip
+
+    def answer(self, here: Here) -> Value:
+        return self.values(here, *self.key)
+
+    def texts_of(self, typed: str) -> list[str]:
+        """Return the texts of the cells, row after row; a `Refusal` if their number is wrong."""
+        rows = [row.split("|") for row in typed.split(";")]
+        if len(rows) != self.rows or any(len(row) != self.columns for row in rows):
+            raise Refusal("cells", typed, CELLS, self.rows, self.columns)
+        return [cell.strip() for row in rows for cell in row]
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        numbers = [marking.read(text, self.unit) for text in self.texts_of(typed)]
+        right = self.answer(here)
+        cells = tuple(map(marking.equals, numbers, right))
+        if all(cells):
+            return Verdict(True, says=self.why, cells=cells)
+        for wrong in self.replies:
+            if all(map(marking.equals, numbers, self.values(here, wrong.formulas, wrong.line))):
+                return wrong.verdict(here)._replace(cells=cells)
+        short = map(marking.is_too_short, numbers, right)
+        too_short = all(
+            is_right or is_short for is_right, is_short in zip(cells, short, strict=True)
+        )
+        remark = self._remark(numbers, right, cells)
+        return Verdict(False, too_short=too_short, remark=remark, cells=cells)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        with on_line(line):
+            return super().verdict(here, sample, line)
+
+    def _remark(
+        self, numbers: Sequence[Typed], right: Sequence[float], cells: Sequence[bool]
+    ) -> Refusal:
+        """Say how a wrong matrix differs from the right one."""
+        for remark, order in self._rearranged():
+            if all(
+                marking.equals(number, right[at]) for number, at in zip(numbers, order, strict=True)
+            ):
+                return remark
+        turned = [
+            marking.equals(each.times(Fraction(-1)), value)
+            for each, value in zip(numbers, right, strict=True)
+        ]
+        if all(turned):
+            return Refusal.saying(ALL_SIGNS)
+        wrong = [place for place, is_right in enumerate(cells) if not is_right]
+        if all(turned[place] for place in wrong):
+            return Refusal.saying(SOME_SIGNS)
+        if not any(cells):
+            return Refusal.saying(NONE)
+        rows = {place // self.columns + 1 for place in wrong}
+        columns = {place % self.columns + 1 for place in wrong}
+        if len(wrong) == 1 and self.rows > 1 and self.columns > 1:
+            return Refusal.saying(ONE_CELL, *rows, *columns)
+        if len(rows) == 1 and self.rows > 1:
+            return Refusal.saying(ONE_ROW, *rows)
+        if len(columns) == 1 and self.columns > 1:
+            return Refusal.saying(ONE_COLUMN, *columns)
+        return Refusal.saying(COUNTED, sum(cells), len(cells))
+
+    def _rearranged(self) -> Iterator[tuple[Refusal, list[int]]]:
+        """Yield the ways to mix up a matrix: for each cell, whose value it then has."""
+        places = [
+            [row * self.columns + column for column in range(self.columns)]
+            for row in range(self.rows)
+        ]
+        if self.rows == self.columns:
+            yield Refusal.saying(TRANSPOSED), _flat(zip(*places, strict=True))
+        for one, other in combinations(range(self.rows), 2):
+            yield Refusal.saying(ROWS, one + 1, other + 1), _flat(_swapped(places, one, other))
+        for one, other in combinations(range(self.columns), 2):
+            swapped = (_swapped(row, one, other) for row in places)
+            yield Refusal.saying(COLUMNS, one + 1, other + 1), _flat(swapped)
+
+    def solution(self, here: Here) -> str:
+        numbered = self.numbered(here)
+        if numbered is None:
+            return ""
+        sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
+        values = [f"${value:.4g}$" for value in self.answer(here)]
+        return "\n\n$=$\n\n".join(self._table(side) for side in (*sides, values))
+
+    def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
+        unit = f"\n\n{self.unit}" if self.unit else ""
+        return self._table([write(value) for value in self.answer(here)]) + unit
+
+    def told(self, answer: str, *, others: bool = True) -> str:
+        return f"{self.text}\n\n{answer}" if answer else self.text
+
+    def _table(self, cells: Sequence[str]) -> str:
+        """Write the cells as a table in Markdown."""
+        rows = [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
+        lines = [[""] * self.columns, ["---"] * self.columns, *rows]
+        return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _flat(rows: Iterable[Sequence[int]]) -> list[int]:
+    return [place for row in rows for place in row]
+
+
+def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:
+    """Return the parts with two of them exchanged."""
+    found = [*parts]
+    found[one], found[other] = parts[other], parts[one]
+    return found
+
+
+def _cells(item: Item) -> tuple[int, int, tuple[Formula, ...]]:
+    """Read the rows and columns of a matrix, and its formulas row after row."""
+    rows = [split(row) for row in item.text.split(";")]
+    count, width = len(rows), len(rows[0])
+    is_even = all(len(row) == width for row in rows)
+    if not is_even or max(count, width) > MOST or count * width < 2:
+        raise refused(item.line, A_MATRIX, MOST, value=item.text[:60])
+    with on_line(item.line, item.key):
+        return count, width, tuple(parse(cell.strip()) for row in rows for cell in row)

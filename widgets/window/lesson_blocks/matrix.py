@@ -1,0 +1,171 @@
+"""The view of a question whose answer is a matrix: a grid of cells to type into."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
+
+from app.lessons import marking
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Verdict
+from app.lessons.course import AtStep
+from app.model.refusal import Refusal
+from widgets.parts.icons import icon
+from widgets.parts.layouts import FREE
+from widgets.parts.messages import sentence
+from widgets.parts.plain import Label, set_tip
+from widgets.window.lesson_blocks.marked import Attempts
+from widgets.window.lesson_blocks.view import button, on_holder
+
+CELL_EM = 5.5
+"""Largest width of a cell, in line heights."""
+_BRACKET_PX = 6
+
+
+class _Cell(QLineEdit):
+    """A cell with a sign after it is marked; the sign goes when the cell is edited."""
+
+    def __init__(self, row: int, column: int) -> None:
+        super().__init__()
+        self.row, self.column = row, column
+        self.place = self.tr("Row {0}, column {1}").format(row + 1, column + 1)
+        self.setAccessibleName(self.place)
+        self.setMaxLength(80)
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        em = self.fontMetrics().height()
+        self.setMinimumWidth(3 * em)
+        self.setMaximumWidth(round(CELL_EM * em))
+        self.textEdited.connect(self.unmark)
+
+    def mark(self, is_right: bool) -> None:
+        self.unmark()
+        said = self.tr("Right") if is_right else self.tr("Wrong")
+        sign = icon("check" if is_right else "close")
+        self.addAction(sign, QLineEdit.ActionPosition.TrailingPosition)
+        self.setAccessibleDescription(said)
+
+    def unmark(self) -> None:
+        for sign in self.actions():
+            self.removeAction(sign)
+            sign.deleteLater()
+        self.setAccessibleDescription("")
+
+
+class _Brackets(QWidget):
+    """The cells between two square brackets."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        painter, box = QPainter(self), self.rect().adjusted(1, 1, -2, -2)
+        painter.setPen(QPen(self.palette().text().color(), 1.6))
+        for side, inwards in ((box.left(), _BRACKET_PX), (box.right(), -_BRACKET_PX)):
+            painter.drawLine(side, box.top(), side, box.bottom())
+            for end in (box.top(), box.bottom()):
+                painter.drawLine(side, end, side + inwards, end)
+        painter.end()
+
+
+class Fills(Attempts):
+    """A matrix or a vector; arrow keys and Tab go from cell to cell, Enter checks them all."""
+
+    question: Matrix
+
+    def __init__(self, here: AtStep, question: Matrix) -> None:
+        super().__init__(here, question)
+        holder = _Brackets()
+        grid = QGridLayout(holder)
+        grid.setContentsMargins(_BRACKET_PX + 2, 4, _BRACKET_PX + 2, 4)
+        grid.setSpacing(3)
+        self.cells = [
+            _Cell(row, column) for row in range(question.rows) for column in range(question.columns)
+        ]
+        for cell in self.cells:
+            tip = self.tr("A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)")
+            set_tip(cell, tip)
+            cell.returnPressed.connect(self.check)
+            cell.installEventFilter(self)
+            grid.addWidget(cell, cell.row, cell.column)
+        self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
+        unit = [Label(question.unit)] if question.unit else []
+        self._insert(on_holder(holder, *unit, FREE, gap=5))
+        self._insert(on_holder(self._check, FREE, gap=5))
+
+    @property
+    def first(self) -> QWidget | None:
+        return self.cells[0]
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if (
+            isinstance(watched, _Cell)
+            and isinstance(event, QKeyEvent)
+            and event.type() == QEvent.Type.KeyPress
+            and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
+        ):
+            return self._go(watched, Qt.Key(event.key()))
+        return super().eventFilter(watched, event)
+
+    def _go(self, cell: _Cell, key: Qt.Key) -> bool:
+        """Go to a neighbour by an arrow key; within a text, left and right move the cursor."""
+        row, column, at = cell.row, cell.column, cell.cursorPosition()
+        if key == Qt.Key.Key_Up:
+            row -= 1
+        elif key == Qt.Key.Key_Down:
+            row += 1
+        elif key == Qt.Key.Key_Left and at == 0:
+            column -= 1
+        elif key == Qt.Key.Key_Right and at == len(cell.text()):
+            column += 1
+        else:
+            return False
+        if 0 <= row < self.question.rows and 0 <= column < self.question.columns:
+            self._enter(self.cells[row * self.question.columns + column])
+        return True
+
+    def _enter(self, cell: _Cell) -> None:
+        cell.setFocus(Qt.FocusReason.OtherFocusReason)
+        cell.selectAll()
+
+    def check(self) -> None:
+        """Say which numbers are right; go to one that is missing or cannot be read."""
+        if not self.is_open:
+            return
+        for cell in self.cells:
+            try:
+                marking.read(cell.text(), self.question.unit)
+            except Refusal as error:
+                self._refuse_cell(cell, error)
+                return
+        rows = [
+            " | ".join(cell.text() for cell in self.cells if cell.row == row)
+            for row in range(self.question.rows)
+        ]
+        self._submit("; ".join(rows))
+
+    def _refuse_cell(self, cell: _Cell, error: Refusal) -> None:
+        self._enter(cell)
+        said = Refusal.in_document(
+            error.bound, *error.limits, field=cell.place, value=error.value or ...
+        )
+        self._refuse(said)
+        self._announce(sentence(said))
+
+    def _show(self, typed: str) -> None:
+        for cell, text in zip(self.cells, self.question.texts_of(typed), strict=True):
+            cell.setText(text)
+
+    def _show_verdict(self, verdict: Verdict) -> None:
+        wrong = []
+        for cell, is_right in zip(self.cells, verdict.cells, strict=True):
+            if is_right or not verdict.too_short:
+                cell.mark(is_right)
+            if not is_right:
+                wrong.append(cell)
+        if wrong:
+            self._enter(wrong[0])
+
+    def _close(self) -> None:
+        for cell in self.cells:
+            cell.setReadOnly(True)
+        self._check.hide()
