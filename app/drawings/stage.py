@@ -40,10 +40,10 @@ from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.stage_box import StageBox
-from app.drawings.stage_view import StageView
+from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
-from app.lecture.stages import NDC, WORLD, Morph, morph_of
+from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
@@ -270,7 +270,29 @@ class StageDrawing(Drawing):
             self._marks.want_texts(ground, seen)
         return self.board.settle(ground, afresh=afresh)
 
+    def _drawn_at(self, stop: int) -> Array:
+        """The view volume, the objects and the named axes in the world or in view space, (n, 3)."""
+        morph, placement = self._morph, self._projection.placement
+        objects = placement.placed(self._scene.objects_box).world - self._scene.origin
+        start, axes = morph.axes_at(float(stop))
+        has_axes = any(name in self.names for name in ("x", "y", "z", *AXES))
+        tips = start + AXES_LENGTH * axes if has_axes else start[None]
+        found = [tips]
+        for points, matrix in (
+            (objects, morph.display_from_local(float(stop))),
+            (CUBE, morph.display_from_box(float(stop))),
+        ):
+            x, y, z, w = (points @ matrix[:, :3].T + matrix[:, 3]).T
+            is_seen = w > 0.0
+            found.append(np.column_stack([x, y, z])[is_seen] / w[is_seen, None])
+        farthest = RADIUS + AXES_LENGTH
+        drawn: Array = np.clip(np.concatenate(found), -farthest, farthest)
+        return drawn
+
     def refit(self) -> bool:
+        if self._position < CANONICAL_PERSPECTIVE and not self.own.was_moved:
+            self.reset_view()
+            return True
         return self._place_texts(afresh=True)
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
@@ -288,6 +310,11 @@ class StageDrawing(Drawing):
     def picture_rectangle_px(self) -> Rectangle:
         return Rectangle(0, 0, *self.own.size_px)
 
+    def spots_of(self, places: Array) -> Array:
+        shown = self.own.pane_from_display @ self._display_from_ndc
+        x, y, _, w = shown[:, :3] @ places.T + shown[:, 3:]
+        return np.stack([x, y], axis=1) / np.where(w > 0.0, w, np.nan)[:, None]
+
     @property
     def sight(self) -> Sight:
         projection = self._seen
@@ -299,7 +326,7 @@ class StageDrawing(Drawing):
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        self.own.reset(self._position, self._projection)
+        self.own.reset(self._position, self._projection, self._drawn_at)
         self.reset_clipping_range()
 
     def reset_clipping_range(self) -> None:
@@ -322,7 +349,7 @@ class StageDrawing(Drawing):
         if self.own.is_turned:
             self.own.go_to_goal()
         else:
-            self.own.reset(self._position, self._projection)
+            self.own.reset(self._position, self._projection, self._drawn_at)
         if part < 1.0:
             self.own.glide(part)
         else:

@@ -193,3 +193,10 @@ def test_the_view_frames_nothing_that_it_hides() -> None:
     """The scene names the eye and both planes."""
     wide, high = picture("world", "view.layers=camera,frustum,near-picture").fill
     assert max(wide, high) > 0.75 and not picture("world").is_empty
+
+
+@pytest.mark.parametrize("stage", ["world", "view"])
+@pytest.mark.parametrize("lens", ["lens.far=7", "lens.far=60"])
+def test_the_first_stages_fill_their_pane(stage: str, lens: str) -> None:
+    found = picture("ndc", f"view.stage={stage}", "view.names=near,far", lens)
+    assert max(found.fill) > 0.75 and not found.left_out and not found.cut
