@@ -444,8 +444,8 @@ class SceneCard(QWidget, RowHolder):
         return self.tr("Only with “{0}”: {1}.").format(label, text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Show:
-            self._readable.settle()  # a row that is lent appears elsewhere, the card does not
+        if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden
+            self._readable.settle()
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:
