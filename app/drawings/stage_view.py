@@ -72,18 +72,18 @@ class StageView(PaneCamera):
         return _axes(*self._looked_from(stop))
 
     def reset(
-        self, position: float, projection: Projection, drawn_at: Callable[[int], Array]
+        self, position: float, projection: Projection, framed: Callable[[int], Array]
     ) -> None:
         """Show all of a stop from the best direction; between two stops, from a mixture.
 
-        `drawn_at` returns what is drawn in the world or in view space, (n, 3).
+        `framed` returns what has to be in view at the stop of the world or of the view, (n, 3).
         """
         stop = min(int(position), IMAGE)
         part = position - stop
-        framing = self._framing(stop, projection, drawn_at)
+        framing = self._framing(stop, projection, framed)
         if part > 0.0:
-            after = self._framing(stop + 1, projection, drawn_at)
-            framing = (1.0 - part) * framing + part * after
+            following = self._framing(stop + 1, projection, framed)
+            framing = (1.0 - part) * framing + part * following
         centre, scale = framing[:3], float(framing[3])
         toward = _axes(*framing[4:])[2]
         camera = self._camera
@@ -92,14 +92,12 @@ class StageView(PaneCamera):
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(
-        self, stop: int, projection: Projection, drawn_at: Callable[[int], Array]
-    ) -> Array:
+    def _framing(self, stop: int, projection: Projection, framed: Callable[[int], Array]) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)
         if stop <= VIEW:
-            drawn = drawn_at(stop)
+            drawn = framed(stop)
         elif stop == IMAGE:
             sides = np.array([*projection.image_size, 0.0])
             across, down, _ = sides / sides.max()

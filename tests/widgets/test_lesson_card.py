@@ -212,6 +212,17 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 0 and "You said" in texts(card)
 
 
+def test_a_scene_asks_nothing_beside_a_lesson(window: MainWindow, lesson: Path) -> None:
+    tries = window.controls.card.tries
+    assert tries.isVisible()
+    assert window.lessons.open(lesson)
+    settle()
+    assert not tries.isVisible()
+    window.lessons.close()
+    settle()
+    assert tries.isVisible()
+
+
 def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path) -> None:
     activate(window)
     card = window.lesson_card

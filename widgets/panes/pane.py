@@ -286,7 +286,8 @@ class Pane(QFrame):
         elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
-        self.ask("names", other._asked["names"])
+        for what in ("names", "fixed", "step"):
+            self.ask(what, other._asked[what])
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)

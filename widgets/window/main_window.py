@@ -294,7 +294,7 @@ class MainWindow(QMainWindow):
             self.store, self.files.choose_scene,
         )  # fmt: skip
         self.comparing = Comparing(
-            image, self.look, self.store, self.slots, controls.card, self.menus, self.messages
+            self.panes, self.look, self.store, self.slots, controls.card, self.menus, self.messages
         )
         self.arrangement = Arrangement(
             self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
