@@ -19,7 +19,6 @@ from PySide6.QtWidgets import (
     QComboBox,
     QSlider,
     QToolTip,
-    QVBoxLayout,
     QWidget,
 )
 from pytestqt.qtbot import QtBot
@@ -136,22 +135,6 @@ def desk(qtbot: QtBot) -> Desk:
         return store, card
 
     return make
-
-
-def test_a_row_that_is_lent_shows_its_value_where_it_appears(desk: Desk, qtbot: QtBot) -> None:
-    """As a slide's control does: the card is hidden while the step opens."""
-    store, card = desk("cheap-arithmetic")
-    card.hide()
-    store.set_settings({**store.document.settings, "preset": "bits8"})
-    strip = QWidget()
-    qtbot.addWidget(strip)
-    layout = QVBoxLayout(strip)
-    (row,) = card.lend(("preset",))
-    layout.addWidget(row)
-    strip.show()
-    qtbot.waitExposed(strip)
-    assert isinstance(row, ChoiceRow) and row.value() == "bits8"
-    card.take_back()
 
 
 def number_row(card: SceneCard, name: str) -> NumberRow:
