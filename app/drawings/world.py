@@ -289,7 +289,7 @@ class WorldDrawing(Drawing):
         corners = spots[-8:]
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
         points.append((frozenset(("eye",)), eye))
-        if self.camera.shows_target:
+        if self.camera.shows_target or self.handles is not None:  # a hand takes hold of it there
             points.append((frozenset(("target",)), target))
         segments: list[Segment] = [
             (frozenset(("target" if name == "look" else name,)), eye, tip)
