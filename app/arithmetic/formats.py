@@ -28,6 +28,8 @@ from numpy.typing import ArrayLike
 from app.arithmetic.double_double import Array
 
 _UNIT_64 = 2.0**-53
+_NATIVE = {"float64": np.float64, "float32": np.float32, "float16": np.float16}
+"""The formats to which numpy rounds, once, as IEEE 754 demands."""
 
 
 @dataclass(frozen=True)
@@ -63,8 +65,8 @@ class Format:
         with np.errstate(all="ignore"):
             if self.digits is None:
                 found = np.rint(given / self.step) * self.step
-            elif self.digits == 53:
-                found = given
+            elif self.name in _NATIVE:
+                found = given.astype(_NATIVE[self.name]).astype(np.float64, copy=False)
             else:
                 found = _with_digits(given, self.digits)
                 tiny = np.abs(given) < self.step * 2.0 ** (self.digits - 1)

@@ -23,6 +23,7 @@ from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at
 from app.drawings.precision import ModelActors, least_tolerance
@@ -77,6 +78,7 @@ class ImageDrawing(Drawing):
         self._scene = scene
         self._tolerance_px = least_tolerance(scene, tolerance_px)
         self._model = ModelActors(scene, style, self._tolerance_px)
+        self._moved = MovedVertices(scene, "projected", self._model.surface)
         self._blurring: Blurring | None = None
         self._finer = finer
         self._style, self._words = style, words
@@ -235,6 +237,7 @@ class ImageDrawing(Drawing):
             nearer = lifted(clip, seen, scene) - clip
             self._marks.place_copies(lambda times: clip + times * nearer)
         self._rasterise()
+        self._moved.show(shown.vertices)
         self._place_texts()
 
     @property

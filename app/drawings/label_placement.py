@@ -30,9 +30,13 @@ SQUARE_EM = 1.0 / 3.0
 LEADER_FROM_EM = 1.2
 """Beyond this distance a leader joins a label to its mark."""
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
-_PAST_EM = (0.4, 1.1, 1.8)  # beyond the tip of an arrow
-_PAST = np.array(  # straight on, and more and more aside; at the pane's border even back
-    [(math.cos(turn), math.sin(turn)) for turn in (0.0, 0.5, -0.5, 1.0, -1.0, 1.6, -1.6, 2.2, -2.2)]
+_PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a border even back
+    [
+        (gap, turn)
+        for turns in ((0.0, 0.5, -0.5, 1.0, -1.0), (1.6, -1.6, 2.2, -2.2))
+        for gap in (0.4, 1.1, 1.8)
+        for turn in turns
+    ]
 )
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
@@ -124,9 +128,8 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
     if length < 1e-9:
         return around(tip, size, em)._replace(leads=False)
     along = np.array(way) / length
-    outs = _PAST @ np.array([along, (-along[1], along[0])])
-    gaps = np.repeat(_PAST_EM, len(_PAST)) * em
-    outs = np.tile(outs, (len(_PAST_EM), 1))
+    gaps, turns = em * _PAST[:, 0], _PAST[:, 1, None]
+    outs = np.cos(turns) * along + np.sin(turns) * (-along[1], along[0])
     centres = np.array(tip) + outs * (_reach(outs, size) + gaps)[:, None]
     count = len(centres)
     return Places(

@@ -41,6 +41,7 @@ MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4
 """Half the width of what labels keep off at a point."""
+_LINE_EM = 0.14  # the width of the lines round the camera's body
 _MOST_INSIDE = 6  # places on a plane that are tried
 
 
@@ -156,7 +157,8 @@ class Labels:
         board, em = self._board, self._board.em
         x, y, depth = np.array(pane.seen(named.body)).T
         if depth.min() > 0.0:
-            ground.keep_box(x.min(), y.min(), x.max(), y.max())
+            line = _LINE_EM * em
+            ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
         eye, target = pane.seen(np.stack([named.eye, named.target]))
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
             if name not in named.without:

@@ -142,14 +142,13 @@ class MarksDrawing:
 
     def _named_points(self, marks: Marks, placing: Placing) -> Array:
         wanted = self._names.wanted or ()
-        lines = [line.points for line in marks.lines if line.name in wanted]
-        lines += [face.points for face in marks.faces if face.name in wanted]
-        spots = [dot.point for dot in marks.dots if dot.name in wanted]
-        spots += [text.point for text in marks.texts if text.name in wanted]
-        placed = [placing.placed(np.asarray(points, dtype=float)) for points in lines]
-        if spots:
-            placed.append(placing.placed(np.array(spots, dtype=float)))
-        points = np.concatenate([np.empty((0, 3)), *placed])
+        named = [line.points for line in marks.lines if line.name in wanted]
+        named += [face.points for face in marks.faces if face.name in wanted]
+        named += [np.array([dot.point]) for dot in marks.dots if dot.name in wanted]
+        named += [np.array([text.point]) for text in marks.texts if text.name in wanted]
+        if not named:
+            return np.empty((0, 3))
+        points = placing.placed(np.concatenate(named))
         return points[_within(points, placing.limit)]
 
     @property

@@ -36,6 +36,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import Canvas, Space, colour_by_points, identity_camera, unlit_actor
+from app.drawings.moved_vertices import PLACE
 from app.drawings.off_screen import pixels_of
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
@@ -147,6 +148,7 @@ class Rasteriser:
         self._mapper: Any = self._surface.GetMapper()  # of all triangles, whatever is shown now
         self._plain: Any = self._mapper.GetInput()
         self._divided: dict[int, pv.PolyData] = {}
+        self._parts = 1  # that each side of a triangle is divided into now
         self._note: Phrase | None = None
         self._shader_parts: list[tuple[vtkActor, Space, list[tuple[str, str, str]]]] = []
         self._levels: vtkActor | None = None
@@ -205,9 +207,15 @@ class Rasteriser:
             # What GLSL calls noperspective, which Mesa's software rasteriser loses where a face is
             # cut at the picture's border: two thirds of a board were black.
             varyings = "{0} vec2 flSpaceST;\n{0} vec3 flScreenST;\n"
-            there = "vec2(dot(flS, vertexMC), dot(flT, vertexMC))"
+            place, given = "vertexMC", ""
+            if "vertices" in self._scene.requires:
+                place, given = "vec4(flPlace, 1.0)", "in vec3 flPlace;\n"
+                self._mapper.MapDataArrayToVertexAttribute(
+                    "flPlace", PLACE, vtkDataObject.FIELD_ASSOCIATION_POINTS, -1
+                )
+            there = f"vec2(dot(flS, {place}), dot(flT, {place}))"
             both = f"flSpaceST = {there};\n  flScreenST = vec3(flSpaceST, 1.0) * gl_Position.w;"
-            parts.append(("Vertex", _VARYINGS, varyings.format("out")))
+            parts.append(("Vertex", _VARYINGS, given + varyings.format("out")))
             parts.append(("Fragment", _VARYINGS, varyings.format("in")))
             parts.append(("Vertex", _POSITION, f"  {both}\n"))
             colour += _CHECKS
@@ -343,12 +351,13 @@ class Rasteriser:
         if parts > possible:
             self._note = Phrase(TOO_FINE, (str(faces), str(parts), str(possible)))
             parts = possible
-        mapper = self._mapper
+        if parts == self._parts:
+            return
+        self._parts = parts
         if parts not in self._divided:
             whole = pv.wrap(self._plain)
             self._divided[parts] = whole if parts == 1 else subdivided(whole, parts)
-        if mapper.GetInput() is not self._divided[parts]:
-            mapper.SetInputData(self._divided[parts])
+        self._mapper.SetInputData(self._divided[parts])
 
 
 def textured(

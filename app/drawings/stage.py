@@ -31,6 +31,7 @@ from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
@@ -100,6 +101,7 @@ class StageDrawing(Drawing):
         self._probes = Probes(self._canvas, self.board)
         self._marks: MarksDrawing | None = None
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
+        self._moved = MovedVertices(scene, "projected", drawn.surface)
         self._illustration: Illustration | None = None
         self._take(scene.start)
         self.reset_view()
@@ -207,9 +209,11 @@ class StageDrawing(Drawing):
     # -- a phenomenon, probes
 
     def _rasterise(self) -> None:
-        if self._illustration is not None and self._illustration.rendering is not None:
+        illustration = self._illustration
+        if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
-                rasteriser.show(self._illustration.rendering, self._seen)
+                rasteriser.show(illustration.rendering, self._seen)
+        self._moved.show(None if illustration is None else illustration.vertices)
 
     def _show_marks(self) -> None:
         if self._marks is None:

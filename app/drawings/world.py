@@ -28,6 +28,7 @@ from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import SQUARE_EM, Ground
 from app.drawings.labels import DOT_EM, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
+from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
@@ -94,6 +95,10 @@ class WorldDrawing(Drawing):
             (drawn.surface, self._faces_space),
             (self.picture.faces, self.picture.space),
         )
+        self._moved = [
+            MovedVertices(scene, "stored", drawn.surface),
+            MovedVertices(scene, "projected", self.picture.faces),
+        ]
         self.camera = CameraDrawing(canvas)
         self.frustum = FrustumDrawing(canvas, scene.size)
         self._dimmable = [
@@ -655,6 +660,8 @@ class WorldDrawing(Drawing):
         if shown.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(shown.rendering, self._projection)
+        for moved in self._moved:
+            moved.show(shown.vertices)
         self._measured, self._lengths = shown.measured, shown.lengths
         self._grips = {grip.setting: grip.point for grip in shown.grips}
         marks.show(shown.world, Placing(np.ones(3), -self._origin, limit))

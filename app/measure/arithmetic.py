@@ -23,7 +23,7 @@ from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.measure.reference import SAMPLE, Truth, sample, truth
-from app.measure.results import Choice, Curve, Sweep, Trade
+from app.measure.results import IN_SOFTWARE, Choice, Curve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -41,6 +41,8 @@ _PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The ways that are precisions of the model, which predicts their errors."""
+_OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
+_SINGLE = {**_OWN, "settings.vertices": "float32", "settings.numbers": "float32"}
 CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
     **{
         f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
@@ -50,12 +52,27 @@ CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
     **{
         name: (
             Hardware(name, name),
-            {"settings.preset": "own", "settings.vertices": drawn, "settings.numbers": drawn},
+            {**_OWN, "settings.vertices": drawn, "settings.numbers": drawn},
         )
         for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
     },
+    **{
+        f"float32, snapped to {name}": (Hardware(snap=name), {**_SINGLE, "settings.snap": drawn})
+        for name, drawn in (("whole px", "whole"), ("1/4 px", "quarter"), ("1/16 px", "sixteenth"))
+    },
+    **{
+        f"float32, reciprocal {name}": (
+            Hardware(reciprocal=name),
+            {**_SINGLE, "settings.reciprocal": drawn},
+        )
+        for name, drawn in (
+            ("table", "table"),
+            ("table, 1 Newton step", "newton1"),
+            ("table, 2 Newton steps", "newton2"),
+        )
+    },
 }
-"""Vertices of so many bits, and formats that numpy can only imitate: judged, but not timed.
+"""What numpy can only imitate: judged, but not timed.
 
 Each with the settings with which the scene ``cheap-arithmetic`` draws it.
 """
@@ -67,7 +84,6 @@ NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
 )
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
-IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
@@ -285,11 +301,13 @@ def measure(
         bounds = picture.bounds.max(axis=0).tolist()
         prediction = Prediction(max(bounds[:2]), bounds[2])
         use = {"scene": "cheap-arithmetic", **drawn}
-        note, size = note or IN_SOFTWARE, hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note, use, size))
+        # Snapping and reciprocals save no memory, so they have no place among the formats.
+        size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
+        choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))
     choices += [
         Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
     ]
+    choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in all_ways.items()}
     with np.errstate(all="ignore"):

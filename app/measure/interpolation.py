@@ -8,7 +8,8 @@ If the depths of the edge's ends have the ratio r, its largest error is
     (sqrt r - 1) / (sqrt r + 1)
 
 of the edge, at ``s = sqrt r / (1 + sqrt r)`` on the screen. For each of k pieces, r is the ratio
-of the piece, and the error is divided by k.
+of the piece, and the error is divided by k. A table of reciprocals in place of the division is off
+by at most its relative error, because t is at most 1.
 """
 
 from __future__ import annotations
@@ -20,7 +21,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.measure.results import Choice, Trade
+from app.arithmetic.formats import FORMATS, RECIPROCALS, reciprocal
+from app.measure.results import IN_SOFTWARE, Choice, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
@@ -33,6 +35,9 @@ SAMPLES_A_PIXEL = 16
 
 AFFINE_BYTES, CORRECT_BYTES = 16.0, 20.0
 """Of a vertex on the screen in float32: x, y, depth and t; correct interpolation adds 1/w."""
+
+_ROUNDINGS = 32.0 * 2.0**-53
+"""Bound of what float64 and the reference lose, in parts of the edge, times its ratio of depths."""
 
 NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
 PARALLEL = QT_TRANSLATE_NOOP("Measure", "the whole edge is equally far away, so there is no error")
@@ -90,6 +95,17 @@ def correct(edge: Edge, s: Array) -> Callable[[], Array]:
     return run
 
 
+def tabled(edge: Edge, s: Array, steps: int) -> tuple[Array, float]:
+    """Return `correct` with reciprocals from a table, and the bound of the table's error.
+
+    The reciprocals are improved by a number of Newton steps.
+    """
+    one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
+    inverse, relative = reciprocal(s * (other - one) + one, FORMATS["float64"], steps)
+    found: Array = s * other * inverse
+    return found, float(relative.max())
+
+
 def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
     """Return a function that interpolates linearly on the screen between split points.
 
@@ -99,7 +115,7 @@ def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
     t = np.arange(splits + 1) / splits
     breaks = _on_screen(edge, t)
     steps = (1.0 / splits) / np.diff(breaks)
-    piece = np.searchsorted(breaks[1:-1], s, side="right")
+    piece = np.searchsorted(breaks[1:-1], s)
     slopes, starts = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
     found = np.empty_like(s)
 
@@ -160,18 +176,30 @@ def measure(
     for splits in SPLITS:
         name = f"affine, {splits} pieces" if splits > 1 else "affine"
         runs[name] = affine(edge, s, splits)
+    lost = _ROUNDINGS * edge.ratio
+    note = PARALLEL if edge.ratio == 1.0 else ""
     choices = []
     for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
         error = TEXELS * float(np.abs(run() - right).max())
-        predicted = TEXELS * bound(edge, splits) if splits else None
+        predicted = TEXELS * (lost + (bound(edge, splits) if splits else 0.0))
         use = {
             "scene": "interpolation",
             "settings.interpolation": "affine" if splits else "correct",
             "settings.subdivision": str(splits or 1),
         }
         triangles = {"triangles": 2.0 * max(1, splits)}
-        note = PARALLEL if edge.ratio == 1.0 else ""
         size = AFFINE_BYTES * (splits + 1.0) if splits else 2.0 * CORRECT_BYTES
         choices.append(Choice(name, None, None, error, predicted, triangles, note, use, size))
+    for name, steps in RECIPROCALS.items():
+        if steps is not None:
+            found, off = tabled(edge, s, steps)
+            error = TEXELS * float(np.abs(found - right).max())
+            choices.append(
+                Choice(
+                    f"perspective-correct, reciprocal {name}", None, None, error,
+                    TEXELS * (lost + off), {"triangles": 2.0}, IN_SOFTWARE,
+                    bytes=2.0 * CORRECT_BYTES,
+                )
+            )  # fmt: skip
     trade = Trade("interpolation", "ns", "texels", tuple(choices), 0)
     return timed(trade, runs, seconds, 1e9 / len(s), watch)

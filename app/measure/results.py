@@ -50,6 +50,7 @@ DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
 MEASURED_ONLY = QT_TRANSLATE_NOOP(
     "Measure", "{0} is only measured: the panes are not drawn with it."
 )
+IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 _BUSY = 3.0
 """A 95th percentile of more than this many least times comes from other programs."""
@@ -96,6 +97,12 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "every stage"),
     QT_TRANSLATE_NOOP("Measure", "exact"),
     QT_TRANSLATE_NOOP("Measure", "{0} bits"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to whole px"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to 1/4 px"),
+    QT_TRANSLATE_NOOP("Measure", "snapped to 1/16 px"),
+    QT_TRANSLATE_NOOP("Measure", "reciprocal table"),
+    QT_TRANSLATE_NOOP("Measure", "{0} Newton step"),
+    QT_TRANSLATE_NOOP("Measure", "{0} Newton steps"),
     QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
     QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
     QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),

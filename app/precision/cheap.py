@@ -9,10 +9,10 @@ With w known within e_w, a quotient x/w is known within ``(e_x + |x/w| e_w) / (w
 
 from __future__ import annotations
 
-import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,8 +21,14 @@ from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Forma
 from app.arithmetic.rationals import nearest
 from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
 from app.model.refusal import Refusal
+from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
+_CELLS = 2.0**-48
+"""Bound of what float64 loses of a matrix's cells, in their terms: 32 roundings.
+
+Other formats lose so much more that it does not show.
+"""
 _LEAST = 1e-300
 """More than what the bounds themselves lose near the smallest float64."""
 _ROUNDED_UP = 1.0 + 2.0**-40
@@ -119,31 +125,43 @@ def cheap(
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """
+    (picture,) = cheap_formats(
+        projection, points_world, hardware, (hardware.vertices,), origin, box
+    )
+    return picture
+
+
+def cheap_formats(
+    projection: Projection,
+    points_world: ArrayLike,
+    hardware: Hardware,
+    vertices: Sequence[str],
+    origin: Vector = (0.0, 0.0, 0.0),
+    box: ArrayLike | None = None,
+) -> list[CheapPicture]:
+    """Return `cheap` with each of several formats of the vertices, hardly slower than one."""
     points = checked_points(points_world)
-    corners = _box_of(points) if box is None else checked_points(box)
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
-        stored = _stored(points, hardware, numbers, np.array(origin), corners - origin)
+        each = [_loaded(points, name, numbers, origin, box) for name in vertices]
+        point = _Known(*(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True)))
         matrix, has_w = _matrix(projection, origin, numbers)
-        row = stored.part(0) * matrix.part(np.s_[:, 0, None])
-        for axis in (1, 2):
-            row = row + stored.part(axis) * matrix.part(np.s_[:, axis, None])
-        clip = row + matrix.part(np.s_[:, 3, None])
-        w = clip.part(np.s_[3:])
-        ndc = clip.part(np.s_[:3])
+        clip = _applied(matrix, point, numbers)
+        w, ndc = _Known(*(part[3] for part in clip)), _Known(*(part[:3] for part in clip))
         if has_w:
-            ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal])
-        placed = _on_the_screen(projection, ndc)
-        found, bounds = placed.value, placed.error * _ROUNDED_UP + _LEAST
+            ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
+        found, bounds = _on_the_screen(projection, ndc, numbers)
         step = SNAPS[hardware.snap]
         if step:
             snapped = np.rint(found[:2] / step) * step
             bounds[:2] += np.where(snapped != found[:2], step / 2.0, 0.0)
             found[:2] = snapped
-    none = ~(w.value[0] > 0.0) | np.isnan(found).any(axis=0)
+        bounds = bounds * _ROUNDED_UP + _LEAST
+    none = ~(w.value > 0.0) | np.isnan(found).any(axis=0)
     found[:, none], bounds[:, none] = np.nan, np.inf
     bounds[np.isnan(bounds)] = np.inf
-    return CheapPicture(found[:2].T, found[2], bounds.T)
+    parts = (np.split(rows.T, len(vertices)) for rows in (found, bounds))
+    return [CheapPicture(xyz[:, :2], xyz[:, 2], bound) for xyz, bound in zip(*parts, strict=True)]
 
 
 def stored(
@@ -154,112 +172,119 @@ def stored(
 ) -> Array:
     """World points (n, 3) as their vertices are stored; NaN where a format has no number."""
     points = checked_points(points_world)
-    corners = _box_of(points) if box is None else checked_points(box)
     with np.errstate(all="ignore"):
-        kept = _stored(points, hardware, FORMATS["float64"], np.array(origin), corners - origin)
-    return kept.value.T + origin
+        kept, _ = _loaded(points, hardware.vertices, FORMATS["float64"], origin, box)
+    return kept.T + origin
 
 
-def _box_of(points: Array) -> Array:
-    if not len(points):
-        return np.zeros((2, 3))
-    return np.stack([points.min(axis=0), points.max(axis=0)])
-
-
-@dataclass(frozen=True)
-class _Rounded:
-    """Numbers of a format with bounds of their errors; all results are rounded to it."""
+class _Known(NamedTuple):
+    """Numbers of a format, and bounds of their errors."""
 
     value: Array
     error: Array
-    numbers: Format
-
-    def part(self, index: Any) -> _Rounded:
-        return _Rounded(self.value[index], self.error[index], self.numbers)
-
-    def __add__(self, other: _Rounded) -> _Rounded:
-        total = self.numbers.rounded(self.value + other.value)
-        # Near 0 and in fixed point, sums are exact.
-        lost = self.numbers.unit * np.abs(total) + _LEAST
-        return _Rounded(total, self.error + other.error + lost, self.numbers)
-
-    def __mul__(self, other: _Rounded) -> _Rounded:
-        product = self.value * other.value
-        error = np.abs(self.value) * other.error + np.abs(other.value) * self.error
-        error += self.error * other.error + _LEAST
-        return self.made(product, error)
-
-    def __neg__(self) -> _Rounded:
-        return _Rounded(-self.value, self.error, self.numbers)
-
-    def made(self, exactly: Array, error: Array) -> _Rounded:
-        """Round results that have an error already; a 0 is exact."""
-        rounded = self.numbers.rounded(exactly)
-        lost = np.where(exactly == 0.0, 0.0, self.numbers.lost(rounded))
-        return _Rounded(rounded, error + lost, self.numbers)
 
 
-def _stored(
-    points: Array, hardware: Hardware, numbers: Format, origin: Array, corners: Array
-) -> _Rounded:
-    """The coordinates (3, n) of the vertices, as the arithmetic gets them."""
+def _loaded(
+    points: Array, vertices: str, numbers: Format, origin: Vector, box: ArrayLike | None
+) -> _Known:
+    """The coordinates (3, n) of stored vertices, as the arithmetic gets them."""
     local = points - origin
-    bits = QUANTISED.get(hardware.vertices)
-    kept = FORMATS[hardware.vertices] if bits is None else Grid.over(corners, bits)
+    kept: Format | Grid
+    if vertices in FORMATS:
+        kept = FORMATS[vertices]
+    else:
+        if box is None:
+            box = (points.min(axis=0), points.max(axis=0)) if len(points) else (origin, origin)
+        kept = Grid.over(checked_points(box) - origin, QUANTISED[vertices])
     stored = kept.rounded(local)
     error = _UNIT_64 * np.abs(local) + np.where(stored != local, kept.lost(local), 0.0)
-    loaded = numbers.rounded(stored)
-    error += np.where(loaded != stored, numbers.lost(loaded), 0.0)
-    return _Rounded(loaded.T, error.T, numbers)
+    loaded = stored
+    if vertices != numbers.name:
+        loaded = numbers.rounded(stored)
+        error += np.where(loaded != stored, numbers.lost(loaded), 0.0)
+    return _Known(np.ascontiguousarray(loaded.T), error.T)
 
 
-def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_Rounded, bool]:
-    """The matrix to clip space in the format, with its errors, and whether w is not always 1.
+def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_Known, bool]:
+    """The matrix to clip space in the format, and whether w is not always 1.
 
-    The cells are known before any point is, and so are their errors: against rationals.
+    Its cells are known before any point is, and so are their roundings.
     """
-    exact = [row.copy() for row in projection.exact_from_eye[1]]
+    given = projection.clip_from_local(origin)
+    cells = numbers.rounded(given)
+    if numbers.digits == 53:
+        off = _off_rationals(projection, origin, given)
+    else:
+        off = _CELLS * cell_terms(projection, projection.local_to_eye(origin))
+    has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
+    return _Known(cells, np.abs(cells - given) + off), has_w
+
+
+def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Array:
+    """The errors of float64's cells, which its own results show."""
     eye = projection.camera.eye
     offset = [Fraction(o) - Fraction(e) for o, e in zip(origin, eye, strict=True)]
-    for row in exact:
-        row[3] += sum((cell * o for cell, o in zip(row, offset, strict=False)), Fraction(0))
-    cells = numbers.rounded(projection.clip_from_local(origin))
-    errors = [
-        [
-            abs(nearest(true - Fraction(cell))) if math.isfinite(cell) else math.inf
-            for true, cell in zip(true_row, row, strict=True)
-        ]
-        for true_row, row in zip(exact, cells.tolist(), strict=True)
+    exact = [
+        [*row[:3], row[3] + sum(cell * o for cell, o in zip(row, offset, strict=False))]
+        for row in projection.exact_from_eye[1]
     ]
-    return _Rounded(cells, np.array(errors) * _ROUNDED_UP, numbers), exact[3] != [0, 0, 0, 1]
+    off = [
+        [
+            abs(nearest(true - Fraction(cell))) if np.isfinite(cell) else np.inf
+            for true, cell in both
+        ]
+        for both in (zip(*rows, strict=True) for rows in zip(exact, cells.tolist(), strict=True))
+    ]
+    return np.array(off)
 
 
-def _divided(clip: _Rounded, w: _Rounded, steps: int | None) -> _Rounded:
+def _applied(matrix: _Known, point: _Known, numbers: Format) -> _Known:
+    """Clip coordinates (4, n): sums of products, added one after the other."""
+    columns = matrix.value[:, :, None].swapaxes(0, 1)
+    total = numbers.rounded(columns[0] * point.value[0])
+    sizes = np.abs(total)  # of all that is rounded
+    for axis in (1, 2):
+        term = numbers.rounded(columns[axis] * point.value[axis])
+        total = numbers.rounded(total + term)
+        sizes += np.abs(term)
+        sizes += np.abs(total)
+    total = numbers.rounded(total + columns[3])
+    sizes += np.abs(total)
+    cells, lost = np.abs(matrix.value[:, :3]), matrix.error
+    error = cells @ point.error + lost[:, :3] @ (np.abs(point.value) + point.error)
+    # Near 0 and in fixed point, sums are exact, and so is a product with 0.
+    products = np.count_nonzero(cells, axis=1)[:, None]
+    error += lost[:, 3:] + numbers.unit * sizes + numbers.step / 2.0 * products + _LEAST
+    return _Known(total, error)
+
+
+def _divided(clip: _Known, w: _Known, steps: int | None, numbers: Format) -> _Known:
     """Clip x, y, z over w; the bound is infinite where w may be 0."""
-    quotient = clip.value / w.value
-    size = np.abs(quotient)
+    exactly = clip.value / w.value
+    size = np.abs(exactly)
     least = w.value - w.error * _ROUNDED_UP
     error = (clip.error + size * w.error + _LEAST) / np.where(least > 0.0, least, 0.0)
     if steps is not None:
-        inverse, relative = reciprocal(w.value, clip.numbers, steps)
-        quotient = clip.value * inverse
+        inverse, relative = reciprocal(w.value, numbers, steps)
+        exactly = clip.value * inverse
         error += size * relative
-    return clip.made(quotient, error)
+    quotient = numbers.rounded(exactly)
+    return _Known(quotient, error + np.where(exactly == 0.0, 0.0, numbers.lost(quotient)))
 
 
-def _on_the_screen(projection: Projection, ndc: _Rounded) -> _Rounded:
+def _on_the_screen(projection: Projection, ndc: _Known, numbers: Format) -> _Known:
     """x and y in pixels and the depth in [0, 1], (3, n)."""
-    numbers = ndc.numbers
-    x, y, z = (ndc.part(i) for i in range(3))
-
-    def constant(value: float) -> _Rounded:
-        cell = numbers.rounded(value)
-        return _Rounded(cell, np.abs(cell - value), numbers)
-
-    one, half = constant(1.0), constant(0.5)
-    width, height = (constant(side / 2.0) for side in projection.image_size)
-    depth = half * z + half if projection.depth == "opengl" else z
-    rows = (x + one) * width, (one + -y) * height, depth
-    return _Rounded(
-        np.stack([row.value for row in rows]), np.stack([row.error for row in rows]), numbers
-    )
+    value, error = np.empty_like(ndc.value), ndc.error
+    halves = np.array(projection.image_size)[:, None] / 2.0
+    sides = numbers.rounded(halves)
+    moved = numbers.rounded(1.0 + ndc.value[:2] * ((1.0,), (-1.0,)))
+    value[:2] = numbers.rounded(moved * sides)
+    off = error[:2] + numbers.unit * np.abs(moved)
+    off = off * sides + (np.abs(moved) + off) * np.abs(sides - halves) + numbers.lost(value[:2])
+    if projection.depth == "opengl":
+        half = numbers.rounded(0.5 * ndc.value[2])
+        value[2] = numbers.rounded(half + 0.5)
+        deep = 0.5 * error[2:] + numbers.lost(half) + numbers.unit * np.abs(value[2:])
+    else:
+        value[2], deep = ndc.value[2], error[2:]
+    return _Known(value, np.concatenate([off, deep]))

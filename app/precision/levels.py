@@ -261,10 +261,15 @@ def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
 
     They include the float64 errors of the cells: 2^-27 of the terms of their sums.
     """
+    sizes = np.abs(projection.clip_from_eye @ local_to_eye)
+    return _with_depth(projection, sizes + 2.0**-27 * cell_terms(projection, local_to_eye))
+
+
+def cell_terms(projection: Projection, local_to_eye: Array) -> Array:
+    """Sizes of the terms whose sums are the cells of a GPU's matrix, (4, 4)."""
     cells, axes = projection.passage.stated_in
-    summed = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
-    sizes = np.abs(projection.clip_from_eye @ local_to_eye) + 2.0**-27 * summed
-    return _with_depth(projection, sizes)
+    terms: Array = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
+    return terms
 
 
 def _lost_single(sizes: Array, local: Array) -> Array:

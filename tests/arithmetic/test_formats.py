@@ -146,6 +146,15 @@ def test_reciprocals_are_within_their_bounds(name: str, steps: int) -> None:
     assert np.array_equal(found, form.rounded(found))
 
 
+def test_each_operation_of_a_newton_step_is_rounded() -> None:
+    form = FORMATS["float16"]
+    divisors = form.rounded(np.random.default_rng(5).uniform(0.5, 8.0, 200))
+    guesses, found = (reciprocal(divisors, form, steps)[0].tolist() for steps in (0, 1))
+    for w, guess, r in zip(divisors.tolist(), guesses, found, strict=True):
+        rest = nearest(form, 2.0 - nearest(form, w * guess))
+        assert r == nearest(form, guess * rest)
+
+
 def test_each_newton_step_squares_the_error() -> None:
     w = np.random.default_rng(4).uniform(1.0, 2.0, 10_000)
     errors = [np.abs(reciprocal(w, FORMATS["float64"], n)[0] * w - 1.0).max() for n in range(3)]

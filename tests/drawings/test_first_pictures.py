@@ -77,7 +77,7 @@ def extent_px(mask: Mask) -> tuple[int, int]:
 
 @pytest.mark.parametrize("size_px", [LARGE, SMALL])
 @pytest.mark.parametrize("name", BUILT_IN)
-def test_no_label_lies_on_the_object_nor_on_another(
+def test_no_label_lies_on_the_object_the_camera_or_another(
     off_screen: MakeScreen, name: str, size_px: tuple[int, int]
 ) -> None:
     """Its own names hide little of it; if everything is named there may be no better place."""
@@ -85,23 +85,24 @@ def test_no_label_lies_on_the_object_nor_on_another(
     drawing = opened(screen, name)
     boxes = boxes_of(screen)
     assert {"eye", "target"} <= set(boxes)
-    if size_px == LARGE:
-        assert {"near", "far"} <= {text.split()[0] for text in boxes}
-        assert len({"u⃗", "v⃗", "n⃗"} & set(boxes)) >= 2  # one may have no room beside the body
+    if size_px == LARGE:  # one may have no room
+        assert len({"near", "far", "u⃗", "v⃗", "n⃗"} & {text.split()[0] for text in boxes}) >= 4
     for text, (left, bottom, right, top) in boxes.items():
         for handle, (x, y) in drawing.handles.shown:
             y = size_px[1] - y
             assert not (left < x < right and bottom < y < top), (text, handle)
-    for names, most in ((None, 1.0), (own_names, 0.5 if size_px == SMALL else 0.25)):
+    for names, most in ((None, 1.0), (own_names, 0.4 if size_px == SMALL else 0.05)):
         drawing.show_names(names)
         thing = mask_of(screen, faces_of(screen))
+        body = mask_of(screen, *drawing.camera.solid)
         boxes = boxes_of(screen)
         assert thing.any() and boxes
         assert overlapping(boxes) == []
         for text, (left, bottom, right, top) in boxes.items():
             assert left >= 0 and bottom >= 0 and right <= size_px[0] and top <= size_px[1], text
-            under = thing[math.floor(bottom) : math.ceil(top), math.floor(left) : math.ceil(right)]
-            assert under.mean() <= most, text
+            part = np.s_[math.floor(bottom) : math.ceil(top), math.floor(left) : math.ceil(right)]
+            assert thing[part].mean() <= most, text
+            assert not body[part].any(), text
 
 
 def faces_of(screen: OffScreen) -> Any:
@@ -251,4 +252,4 @@ def test_the_eye_is_named_beside_its_camera(off_screen: MakeScreen, name: str) -
     scene = load(name)
     x, y, _ = drawing.own.pane.seen(np.array([scene.start.camera.eye]) - scene.origin)[0]
     away = math.hypot(max(left - x, 0.0, x - right), max(bottom - y, 0.0, y - top))
-    assert away < 3.5 * LIGHT.font_size
+    assert away < 2.2 * LIGHT.font_size

@@ -1,4 +1,4 @@
-"""Right and wrong answers of the lessons on L17 to L24 and of talk 001, reckoned by hand.
+"""Right and wrong answers of the lessons L17 to L25 and of talk 001, reckoned by hand.
 
 Each number is the lecture's formula with the numbers of its step written out, in 50 digits; nothing
 is asked of the program. A wrong one is the rule of its idea (TEACHING, section 2).
@@ -154,6 +154,20 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # TEACHING: s = 2 a b/(a + b), from 1/s between 1/a and 1/b; a = 3, b = 6.
     ("l24-focus", "formula/focus", "right"): lambda: 2 / (mpf(1) / 3 + mpf(1) / 6),
     ("l24-focus", "formula/focus", "dof-sym"): lambda: mpf(3 + 6) / 2,
+    # L25 of this program. e = s/(2 (2^b - 1)) h/(2 D tan(fov/2)); s = 8, h = 240, fov 48, D = 0.01.
+    ("l25-how-many-bits", "places/near", "3"): lambda: (
+        mpf(8) / (2 * 65535) * 240 / (mpf("0.02") * tan(radians(24)))
+    ),
+    ("l25-how-many-bits", "rule/units", "right"): lambda: mpf(4) / 4095,
+    ("l25-how-many-bits", "rule/units", "whole-step"): lambda: mpf(8) / 4095,
+    # e is in proportion to 1/D. error-anywhere: it stays.
+    ("l25-how-many-bits", "stand/twice", "right"): lambda: mpf("0.4") * 2,
+    ("l25-how-many-bits", "stand/twice", "error-anywhere"): lambda: mpf("0.4"),
+    # 24 bits, of which the first counts 2^19: the last counts 2^(19 - 23). seven-digits: 10^-7.
+    ("l25-how-many-bits", "far/gap", "right"): lambda: mpf(2) ** (19 - 23),
+    ("l25-how-many-bits", "far/gap", "seven-digits"): lambda: mpf(10) ** (6 - 7),
+    ("l25-how-many-bits", "far/left", "right"): lambda: 100 * mpf(2) ** -5 / 10,
+    ("l25-how-many-bits", "far/left", "seven-digits"): lambda: 100 * mpf(10) ** -7,
     # Talk 001. h' = -d h/z; d = 4, h = 5, z = 18. from-plane: z from the film, 22.
     ("talk-001", "obscura/film", "1"): lambda: -mpf(4) * 5 / 22,
     ("talk-001", "obscura/film", "2"): lambda: -mpf(4) * 5 / 18,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -11,8 +12,8 @@ import pytest
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS
 from app.model.projection import Camera, Lens, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
-from app.precision.cheap import Hardware, cheap, stored
-from app.precision.levels import Reference, trace
+from app.precision.cheap import _CELLS, Hardware, cheap, cheap_formats, stored
+from app.precision.levels import Reference, cell_terms, trace
 from tests.fuzz.cheap import ratios_of
 from tests.support.lenses import LENSES, SLANTED, free_matrix
 from tests.support.samples import pairwise, with_depths
@@ -55,6 +56,18 @@ def test_float32_is_the_programs_own_to_the_last_bit(lens: Lens, depth: str) -> 
         assert np.array_equal(picture.depth, traced.depth, equal_nan=True)
 
 
+def test_the_cells_of_a_matrix_are_within_their_error() -> None:
+    for lens in EVERY_LENS.values():
+        for camera in (SLANTED, Camera((1e6, -3.0, 2e5), (1e6 + 3.0, 0.0, 2e5))):
+            projection = Projection(camera, lens)
+            cells = projection.clip_from_local(camera.eye)
+            lost = _CELLS * cell_terms(projection, projection.local_to_eye(camera.eye))
+            exact = projection.exact_from_eye[1]
+            for true_row, row, errors in zip(exact, cells, lost, strict=True):
+                for true, cell, error in zip(true_row, row.tolist(), errors.tolist(), strict=True):
+                    assert abs(true - Fraction(cell)) <= Fraction(error)
+
+
 def test_float64_is_as_good_as_the_matrix() -> None:
     projection = Projection(SLANTED)
     picture = cheap(projection, POINTS, Hardware("float64", "float64"))
@@ -91,6 +104,17 @@ def test_snapped_positions_are_on_the_grid_and_at_most_half_a_step_away(snap: st
     assert (snapped.bounds[:, :2] >= away).all()
 
 
+def test_formats_that_are_compared_are_those_of_one_picture_each() -> None:
+    projection, names = Projection(SLANTED), ("8 bits", "float16", "float64")
+    box = [(-3.0, -3.0, -3.0), (3.0, 3.0, 3.0)]
+    for name, picture in zip(
+        names, cheap_formats(projection, POINTS, Hardware(), names, box=box), strict=True
+    ):
+        alone = cheap(projection, POINTS, Hardware(name), box=box)
+        for part, of_one in zip(picture, alone, strict=True):
+            assert np.array_equal(part, of_one)
+
+
 def test_stored_vertices_are_where_the_format_has_them() -> None:
     box = [(-3.0, -3.0, -3.0), (3.0, 3.0, 3.0)]
     for name in QUANTISED:
@@ -124,6 +148,14 @@ def test_a_vertex_that_the_format_has_loses_nothing() -> None:
     stored = [cheap(projection, whole, Hardware(name, "float64")) for name in FORMATS]
     for picture in stored[1:]:
         assert np.array_equal(picture.bounds, stored[0].bounds)
+
+
+def test_the_arithmetic_loads_vertices_in_its_own_format() -> None:
+    projection = Projection(SLANTED)
+    halves = [
+        cheap(projection, POINTS, Hardware(name, "float16")) for name in ("float16", "float64")
+    ]
+    assert np.array_equal(halves[0].image, halves[1].image)
 
 
 def test_far_from_its_origin_a_vertex_jumps() -> None:
@@ -170,6 +202,18 @@ def test_a_parallel_lens_divides_by_no_table() -> None:
     projection = Projection(STRAIGHT, Orthographic(-4.0, 4.0, -2.0, 2.0))
     exact, table = (cheap(projection, POINTS, Hardware(reciprocal=r)) for r in ("exact", "table"))
     assert np.array_equal(exact.image, table.image) and np.array_equal(exact.bounds, table.bounds)
+
+
+def test_a_width_that_the_format_does_not_have_is_counted() -> None:
+    points = np.zeros((1000, 3))
+    values = np.random.default_rng(6).uniform(0.0, 1.0, 1000)
+    points[:, 0] = FORMATS["bfloat16"].rounded(values)
+    lens = Orthographic(-1.0, 1.0, -1.0, 1.0)
+    for width in range(513, 600):
+        projection = Projection(STRAIGHT, lens, (width, 512))
+        picture = cheap(projection, points, Hardware("bfloat16", "bfloat16"))
+        right = (points[:, 0] + 1.0) * width / 2.0
+        assert (np.abs(picture.image[:, 0] - right) <= picture.bounds[:, 0]).all()
 
 
 def test_no_points_have_no_picture() -> None:

@@ -21,9 +21,11 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
+from app.measure.arithmetic import CHEAP
 from app.measure.meaning import bargain, meaning
 from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective, Projection
+from app.scenes.phenomena.cheap_arithmetic import hardware_of
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
 from tests.support.results import RESULTS, TRADE, curve, sweep
@@ -593,6 +595,26 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     bar.say("Something else went wrong.")
     panel.choose("depth")
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
+
+
+@pytest.mark.parametrize(("name", "drawn"), [(name, use) for name, (_, use) in CHEAP.items()])
+def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
+    window: MainWindow, name: str, drawn: dict[str, str], tmp_path: Path
+) -> None:
+    panel = window.measure_panel
+    window.panels.open(panel)
+    choice = Choice(
+        name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
+    )
+    trade = replace(TRADE, choices=(replace(TRADE.choices[2], bytes=12.0), choice))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+    panel.table.cellClicked.emit(1, 0)
+    document = window.store.document
+    assert document.scene == "cheap-arithmetic" and window.messages.text == ""
+    assert hardware_of(document.settings) == CHEAP[name][0]
+    assert chart.in_use(trade, window.quality.in_use()) == choice
+    window.store.undo()
+    assert window.store.document.scene == "letter-f"
 
 
 def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:

@@ -12,6 +12,7 @@ from types import MappingProxyType
 from app.scenes.phenomena import (
     affine_depth,
     camera_obscura,
+    cheap_arithmetic,
     clipping,
     depth_buffer,
     eye_plane,
@@ -44,6 +45,7 @@ _ORDER = (
     planar_shadow,
     popping,
     focus,
+    cheap_arithmetic,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""

@@ -24,7 +24,7 @@ import numpy as np
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
-from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering
+from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.words import Comparison, Words
@@ -60,6 +60,7 @@ class Illustration:
     copies: tuple[Copy, ...] = ()
     diagrams: tuple[Diagram, ...] = ()
     rendering: Rendering | None = None
+    vertices: Vertices | None = None
     warning: Phrase | None = None
     grips: tuple[Grip, ...] = ()
     measured: tuple[tuple[str, float], ...] = ()

@@ -207,6 +207,25 @@ class Copy:
 
 
 @dataclass(frozen=True, eq=False)
+class Vertices:
+    """Other places for the faces' vertices of a scene that requires ``"vertices"``, in the world.
+
+    Attributes
+    ----------
+    own : (n, 3) array
+        All vertices of the scene's faces, each once; the same array every time.
+    stored : (n, 3) array
+        Where the world pane draws them.
+    projected : (n, 3) array
+        Where NDC, the image and the picture on the near plane draw them.
+    """
+
+    own: Array
+    stored: Array
+    projected: Array
+
+
+@dataclass(frozen=True, eq=False)
 class Texture:
     """A checkerboard laid over the scene's faces by a parallel projection of its own.
 
