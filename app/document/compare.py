@@ -16,8 +16,8 @@ from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.settings import Setting, Settings
 
-MOST_PICTURES = 3
-"""As many as the lectures show side by side: stretch, keep x, keep y; naive, cut, clipped."""
+MOST_PICTURES = 4
+"""As many as the lectures show side by side: the four cases of an edge and the eye plane."""
 
 SOME_PICTURES = QT_TRANSLATE_NOOP(
     "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"

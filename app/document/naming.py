@@ -9,13 +9,16 @@ from __future__ import annotations
 from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.highlight import AXES
+from app.lecture.highlight import AXES, WINDOW
 from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.formula import ARROW
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
+FRAMES = {"frame-o": "O", "frame-w": "W", "frame-e": "E"}
+"""The frames of the object, the world and the eye, which a world picture shows if it names them,
+and their letters."""
 _CUBE = frozenset({"near", "far"})
 """What the cube beside a scene's own picture is named by."""
 
@@ -69,17 +72,20 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()
         return stop.union(axes, numbers, (text.name for text in texts))
-    found = planes.union(AXES, ("eye", "target"), (text.name for text in shown.world.texts))
+    found = planes.union(AXES, FRAMES, ("eye", "target"))
+    found |= {text.name for text in shown.world.texts}
+    if planes:
+        found |= WINDOW.keys()
     if view.step is not None:
         found |= frozenset(STEPS) & {"look", "up"}
-    if not projection.placement.is_identity:
+    if not projection.placement.is_identity or FRAMES.keys() & set(view.names or ()):
         found |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):
         found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
         found |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
-        found |= {"height", "width"}
+        found |= {"height", "width", *(("interval",) if planes else ())}
     return found
 
 

@@ -152,6 +152,11 @@ class View:
             raise Refusal("equation", self.equation, AN_EQUATION)
 
     @property
+    def compares_in(self) -> str:
+        """The pane that a class sees compared pictures in: the world if that is the slide."""
+        return "world" if "world" in self.slide and "image" not in self.slide else "image"
+
+    @property
     def step(self) -> int | None:
         """The drawn step of the camera's frame; None while its panel is closed."""
         return STEPS.index(self.frame_step) if self.panel == "frame" else None

@@ -129,6 +129,8 @@ class CameraDrawing:
     def show_names(self, names: Names) -> None:
         """Show the axes and the target that are named."""
         named = frozenset(name for name in (*AXES, "target") if name in names)
+        if names.wanted is not None and "frame-e" in names:
+            named |= set(AXES)
         self.axes_lead = names.wanted is not None and names.wanted.issuperset(AXES)
         if named != self._named:
             self._named = named

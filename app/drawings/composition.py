@@ -19,7 +19,7 @@ from app.drawings.figures import drawn_pane
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, pieces_of
 from app.drawings.off_screen import Pixels, pixels_of
-from app.drawings.side_by_side import cells
+from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.model.projection import Array
 from app.scenes.scene import Scene
@@ -133,11 +133,11 @@ def measured(
 ) -> list[Measured]:
     """Measure a pane's picture, or each of the pictures that are compared there."""
     style = style.enlarged(em_px / style.font_size)
-    if pane != "image" or not document.view.compare:
+    if pane != document.view.compares_in or not document.view.compare:
         return [_measured(document, document, scene, pane, size_px, style, bare=False)]
     shown = [pictured(document, picture) for picture in document.view.compare]
     aspects = [each.projection.aspect for each in shown]
-    places = cells(*size_px, aspects, style.font_size)
+    places = places_of(pane, *size_px, aspects, style.font_size)
     return [
         _measured(of, document, scene, pane, (wide, high), style, bare=True)
         for of, (_, _, wide, high) in zip(shown, places, strict=True)

@@ -8,22 +8,27 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
      |-- d --|
      |---- w ----|
 
-A lens may lack some of them; a sentence at the bottom says so.
+A lens may lack some of them; a sentence at the bottom says so. Seen along the axis, the window can
+stand over two lines of numbers, its own and the one from -1 to 1::
+
+       l |-----+---------| r
+      -1 |-----+---------| 1
 """
 
 from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from fractions import Fraction
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from app.drawings.actors import Canvas, ScreenCells
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
-from app.drawings.labels import LENGTH, Board
+from app.drawings.labels import LENGTH, Board, written_distance
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
@@ -36,6 +41,7 @@ _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 2.2
 _ASIDE_EM = 1.2  # from the far plane to the line beside it
 _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ACROSS_EM = 2.2  # under the window seen along the axis
+_INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.2, 1.2, 2.2  # the lines of numbers: their rows
 _SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
 _LINES = 4  # of the sentence
 _KEY = "length"  # begins the keys of the letters on the pane's board
@@ -59,6 +65,7 @@ class Measured(NamedTuple):
         tuple[str, float, Array, Array], ...
     ] = ()  # across the axis: letter, value, two ends
     names: Names = Names(None)  # what is measured: the lengths that it has
+    across: tuple[float, ...] = ()  # x of the probes in the cube
 
 
 class Half(NamedTuple):
@@ -121,12 +128,15 @@ class Dimensions:
 
     def _rows_em(self, measured: Measured) -> float:
         if measured.view == "axis":
-            return _ACROSS_EM if "width" in measured.names else 0.0
+            across = _ACROSS_EM if "width" in measured.names else 0.0
+            return across + (_INTERVAL_EM if _has_interval(measured) else 0.0)
         count = len(self._ways(measured)) if measured.view in ("side", "top") else 0
         return _ROW_EM * (count + 0.5) if count else 0.0
 
     def written(self, measured: Measured) -> set[str]:
         """The names that `want` writes, and nobody else has to."""
+        if _has_interval(measured):
+            return {"l", "r"}
         lengths = {name for name, *_ in measured.lengths if name in measured.names}
         along = measured.view in ("side", "top")
         return lengths | ({name for name, _ in self._ways(measured)} if along else set())
@@ -159,7 +169,7 @@ class Dimensions:
                     lowest = min(lowest, ends[0][1], ends[1][1])
             if measured.view == "axis":
                 if corners is not None:
-                    self._across(spots, measured)
+                    self._across(ground, spots, measured)
             else:
                 self._along(ground, spots, measured, size_px, lowest, all_spots)
                 if corners is not None:
@@ -253,7 +263,7 @@ class Dimensions:
 
             self._board.want(key, [(x, y)], places, LENGTH)
 
-    def _across(self, spots: Array, measured: Measured) -> None:
+    def _across(self, ground: Ground, spots: Array, measured: Measured) -> None:
         """Half the height and half the width of the window, seen along the axis."""
         upper, half_width = (half_of(measured.projection, axis) for axis in (1, 0))
         if upper is None or half_width is None:
@@ -269,6 +279,54 @@ class Dimensions:
         if "width" in measured.names:
             below = float(face[0, 1]) - 1.2 * self._em
             self._rule("width", (x, below), (right, below), self._half_text(0, half_width))
+        if _has_interval(measured):
+            self._interval(spots[2:6], measured, ground.limits)
+
+    def _interval(
+        self, window: Array, measured: Measured, limits: tuple[float, float, float, float]
+    ) -> None:
+        """Two lines of numbers below the window: from l to r, and from -1 to 1.
+
+        The probes stand on both, with their x in the cube.
+        """
+        em = self._em
+        left, right = float(window[0, 0]), float(window[1, 0])
+        foot = float(window[:2, 1].min())
+        upper = foot - _BELOW_EM * em - (_ACROSS_EM * em if "width" in measured.names else 0.0)
+        lower = upper - _LINES_EM * em
+        low, high = measured.projection.window[:2]
+        for y in (upper, lower):
+            self._lines.add((left, y), (right, y))
+        ends = (("l", low, left, -1.0), ("r", high, right, 1.0))
+        for letter, value, x, one in ends:
+            self._thin.add((x, foot), (x, lower))
+            word = self._words.get(f"{{{letter}}}", letter)
+            self._on_line(letter, f"{word} = {written_distance(value)}", (x, upper), limits, one)
+            self._on_line((_KEY, one), written_distance(one), (x, lower), limits, one)
+        for number, place in enumerate(measured.across):
+            if -1.0 <= place <= 1.0:
+                x = left + (place + 1.0) / 2.0 * (right - left)
+                self._thin.add((x, upper), (x, lower))
+                text = written_distance(float(f"{place:.3g}"))
+                self._on_line((_KEY, "probe", number), text, (x, lower), limits)
+
+    def _on_line(
+        self,
+        key: Hashable,
+        text: str,
+        place: Way,
+        limits: tuple[float, float, float, float],
+        side: float = 0.0,
+    ) -> None:
+        """A tick on a line of numbers, and its number: outside the line, or below it."""
+        (x, y), tick = place, _TICK_EM * self._em
+        self._lines.add((x, y - tick), (x, y + tick))
+        self._board.label(key).set_text(text)
+        wide, high = self._board.label(key).size_px
+        at = x + side * (wide / 2.0 + 0.5 * self._em), y
+        if not side or not limits[0] + wide / 2.0 <= at[0] <= limits[2] - wide / 2.0:
+            at = x, y - tick - 0.3 * self._em - high / 2.0
+        self._board.want(key, [place], partial(on, at), LENGTH)
 
     def _half_text(self, axis: int, half: Half) -> str:
         if half.angle_deg is None:
@@ -345,6 +403,11 @@ class Dimensions:
             return "no eye" if measured.view == "eye" else "no angle"
         has_angle = half.angle_deg is not None or measured.view not in ("side", "top")
         return "" if has_angle else "no half angle"
+
+
+def _has_interval(measured: Measured) -> bool:
+    is_there = measured.view == "axis" and measured.projection.lens.planes is not None
+    return is_there and measured.names.wants("interval") and not measured.names.all
 
 
 class _Segments:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple, Protocol
 
 from app.lecture.highlight import Highlight
-from app.model.projection import Camera, Projection
+from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.picking.handles import Handle, Spot
 from app.picking.picking import Probe, Sight
@@ -91,6 +91,13 @@ class Drawing(Protocol):
     @property
     def sight(self) -> Sight:
         """How the pane looks at the world now, for picking."""
+
+    def spots_of(self, places: Array) -> Array:
+        """Return the pixels (n, 2) of places, from the pane's top left; NaN for a hidden one.
+
+        Places are in world coordinates, in the NDC pane in NDC, in the image in its pixels (n, 2).
+        """
+        return self.sight.seen(places)
 
     @property
     def view(self) -> Camera | None:

@@ -33,7 +33,7 @@ from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
-from app.drawings.side_by_side import BARE_EM, cells
+from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.world import WorldDrawing
@@ -168,9 +168,9 @@ def render(
             quality=quality,
         )
         size_px, framed = (right - left, height), len(panes) > 1
-        if pane == "image" and view.compare:
+        if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
-            parts.append(_compared(document, scene, draw, size_px, framed, style, words))
+            parts.append(_compared(pane, document, scene, draw, size_px, framed, style, words))
         else:
             parts.append(draw(projection, illustration, size_px, framed=framed)[0])
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
@@ -258,6 +258,7 @@ def checked_size(
 
 
 def _compared(
+    pane: str,
     document: Document,
     scene: Scene,
     draw: Callable[..., tuple[Pixels, tuple[float, float]]],
@@ -288,7 +289,7 @@ def _compared(
             illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
         shown.append((of.projection, illustration, name))
     aspects = [projection.aspect for projection, _, _ in shown]
-    is_divided = bool(dividers) and len(set(aspects)) == 1
+    is_divided = bool(dividers) and len(set(aspects)) == 1 and pane == "image"
     # A divided picture without a frame has no names.
     ink = None
     if framed or not is_divided:
@@ -296,11 +297,14 @@ def _compared(
         ink = _in_words(", ".join(differing), size, style)
     width, height = size[0], size[1] - (0 if ink is None else len(ink))
     if not is_divided:
-        places = cells(width, height, aspects, style.font_size)
+        places = places_of(pane, width, height, aspects, style.font_size)
         drawn = [
             draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
             for (*each, name), (_, _, wide, high) in zip(shown, places, strict=True)
         ]
+        if pane == "world":
+            named = zip(drawn, shown, strict=True)
+            drawn = [_titled(part, name, style) for part, (_, _, name) in named]
         whole = np.empty((height, width, drawn[0].shape[2]), np.uint8)
         whole[:] = drawn[0][0, 0]  # beside the pictures
         for part, (left, top, wide, high) in zip(drawn, places, strict=True):
@@ -322,6 +326,17 @@ def _compared(
         whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
         whole[:, max(0, x - half) : x + half, 3:] = 255
     return _with_words(whole, ink, style)
+
+
+def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
+    """A picture with its name at the top, where a pane has its title."""
+    height, width, _ = pixels.shape
+    ink = _in_words(text, (width, height), style)
+    below = len(ink)
+    colour = np.array([*(255.0 * part for part in rgb(style.ink)), 255.0])[: pixels.shape[2]]
+    head = pixels[:below].astype(float)
+    head += ink[..., None] * (colour - head)
+    return np.concatenate([np.round(head).astype(np.uint8), pixels[below:]])
 
 
 def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:

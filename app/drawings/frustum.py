@@ -24,7 +24,7 @@ from app.drawings.camera import Standing
 from app.drawings.names import QUIET, Names
 from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
-from app.lecture.highlight import SIDES
+from app.lecture.highlight import SIDES, WINDOW
 from app.model.projection import Array, Lens, Projection
 
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
@@ -41,6 +41,8 @@ _FADE_FROM, _FADED = (
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
 
+_NAMED_BY = {"near": ("near", *WINDOW), "far": ("far",)}
+"""The planes, and the names for which they are not drawn quietly."""
 _VOLUME = ("near", "far", "fov")
 """What the edges of the volume belong to."""
 
@@ -224,12 +226,14 @@ class FrustumDrawing:
 
     def show_names(self, names: Names) -> None:
         """Tint the planes that are not named more palely, from the next `tint` on."""
-        self._quiet = frozenset(name for name in self.tints if name not in names)
+        self._quiet = frozenset(
+            name for name in self.tints if not any(each in names for each in _NAMED_BY[name])
+        )
 
     def make_emphasis(self, emphasis: Emphasis) -> None:
         emphasis.volume(self.space, CUBE)
         for name, line in self.outlines.items():
-            emphasis.line(line, name)
+            emphasis.line(line, name, of=_NAMED_BY[name])
         emphasis.line(self.apex, "fov", of=_VOLUME)
         broken = [edge for edges in self.breaks.values() for _, edge in edges]
         for line in (self._body, *broken):

@@ -347,6 +347,11 @@ class ImageDrawing(Drawing):
         scaled[:2, 2] = left, top
         return Sight.of(self._projection).scaled(scaled)
 
+    def spots_of(self, places: Array) -> Array:
+        rectangle = self.picture_rectangle_px
+        scale = np.diag(self._scaled(rectangle))[:2]
+        return places * scale + (rectangle.left, rectangle.top)
+
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
         left, top, width, height = rectangle = self.picture_rectangle_px
         x, y = x_px - left, y_px - top

@@ -31,12 +31,12 @@ from app.drawings.label_placement import (
 )
 from app.drawings.pane_view import PaneView, Spot
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, OBJECT_AXES
+from app.lecture.highlight import AXES, OBJECT_AXES, SIDES, WINDOW
 from app.model.formula import ARROW
 from app.model.projection import Array
 
 # Which label has a place first.
-PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, NUMBER = map(float, range(8))
+PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
 MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4
@@ -127,11 +127,13 @@ class Named(NamedTuple):
     body: Array  # (8, 3), corners of a box round the camera's body
     corners: Array | None  # (8, 3), of the frustum as drawn, near first
     planes: tuple[float, float] | None  # distances of near and far to be written
-    without: frozenset[str] = frozenset()  # of eye, target, near and far: those without a name
+    without: frozenset[str] = frozenset()  # of eye, target, planes and sides: those without a name
+    near: Array | None = None  # (4, 3), corners of the window, if it has sides
+    window: tuple[float, ...] = ()  # where its sides are, in the order of `WINDOW`
 
 
 class Labels:
-    """Eye, target, the camera's axes, near and far in the world pane."""
+    """Eye, target, the camera's axes, near, far and the window's sides in the world pane."""
 
     def __init__(self, board: Board, canvas: Canvas, words: Mapping[str, str]) -> None:
         self._board, self._words = board, words
@@ -141,6 +143,8 @@ class Labels:
         }
         for name in AXES:
             self.named[name] = board.label(name, vector(words[name]), getattr(canvas.style, name))
+        for letter, side in WINDOW.items():
+            self.named[side] = board.label(letter, "", canvas.style.near)
         """The labels by the names of their subjects."""
 
     def add_arrow(self, name: str, colour: str) -> Label:
@@ -171,6 +175,8 @@ class Labels:
                 way = tip[0] - start[0], tip[1] - start[1]
                 size = board.label(name).size_px
                 board.want(name, [tip[:2]], partial(beyond, tip[:2], way, size, em), AXIS)
+        if named.near is not None:
+            self._want_sides(pane, named, named.near)
         if named.corners is None:
             return
         distances = named.planes or (None, None)
@@ -185,6 +191,23 @@ class Labels:
                 text = f"{text} {letter} = {written_distance(distance)}"
             self.named[name].set_text(text)
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
+
+    def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
+        """Ask for places outside the window, each beside the middle of its side."""
+        middle, *spots = pane.seen(
+            np.vstack([near.mean(axis=0), (near + np.roll(near, -1, axis=0)) / 2.0])
+        )
+        beside = dict(zip(SIDES, spots, strict=True))
+        for (letter, side), value in zip(WINDOW.items(), named.window, strict=True):
+            if letter not in named.without:
+                self.named[side].set_text(self.side(letter, value))
+                x, y, _ = beside[side]
+                way = x - middle[0], y - middle[1]
+                self._board.want_beside(letter, beside[side], SIDE, way if any(way) else None)
+
+    def side(self, letter: str, value: float) -> str:
+        """The text at a side of the window."""
+        return f"{self._words.get(f'{{{letter}}}', letter)} = {written_distance(value)}"
 
 
 def want_plane(

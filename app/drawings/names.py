@@ -27,6 +27,10 @@ class Names:
             return True
         return self.held is not None and name == self.held.name
 
+    def wants(self, name: str) -> bool:
+        """Whether a thing is named without being pointed at or held: the framing depends on it."""
+        return self.wanted is None or name in self.wanted
+
     @property
     def all(self) -> bool:
         return self.wanted is None

@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from itertools import accumulate
+from itertools import accumulate, pairwise
 
 from app.drawings.style import TITLE_EM
 
 BARE_EM = 0.4
 """Margin of a picture without axes; its title is above it."""
 _LEAST_PX = 24.0
+_HARDLY = 0.15  # of the largest height: fewer rows are worth it
+_BETWEEN_EM = 0.3
 
 
 def cells(
     width_px: int, height_px: int, aspects: Sequence[float], em: float
 ) -> list[tuple[int, int, int, int]]:
-    """Return parts of a rectangle for pictures of one height, in as few rows as makes them largest.
+    """Return parts of a rectangle for pictures of one height, in as few rows as makes them large.
 
     `aspects` are the pictures' widths over heights; `em` is the height of letters in pixels, for
     frames and titles. The parts, (left, top, width, height), are whole pixels; a remainder is left
@@ -32,7 +34,10 @@ def cells(
         widest = min((width_px - len(row) * across) / sum(row) for row in rows)
         return min(height_px / len(rows) - down, widest)
 
-    rows = max(map(rows_of, range(1, len(aspects) + 1)), key=high)
+    possible = [rows_of(count) for count in range(1, len(aspects) + 1)]
+    largest = max(map(high, possible))
+    enough = largest - _HARDLY * abs(largest)
+    rows = next(each for each in possible if high(each) >= enough)
     picture = max(high(rows), _LEAST_PX)
     wanted = [[across + picture * aspect for aspect in row] for row in rows]
     fullest = max(map(sum, wanted))
@@ -47,3 +52,24 @@ def cells(
             (left, top * height, width, height) for left, width in zip(lefts, widths, strict=False)
         ]
     return found
+
+
+def places_of(
+    pane: str, width_px: int, height_px: int, aspects: Sequence[float], em: float
+) -> list[tuple[int, int, int, int]]:
+    """Return the places of compared pictures in a pane: images have a shape, worlds have none."""
+    if pane == "image":
+        return cells(width_px, height_px, aspects, em)
+    return columns(width_px, height_px, len(aspects), em)
+
+
+def columns(
+    width_px: int, height_px: int, count: int, em: float
+) -> list[tuple[int, int, int, int]]:
+    """Return parts of a rectangle beside each other for pictures that fill any shape.
+
+    The parts are as those of `cells`.
+    """
+    gap = max(1, round(_BETWEEN_EM * em))
+    edges = [round(place * (width_px + gap) / count) for place in range(count + 1)]
+    return [(left, 0, right - gap - left, height_px) for left, right in pairwise(edges)]

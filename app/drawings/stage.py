@@ -25,7 +25,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.document.naming import named_in
-from app.drawings.actors import Canvas, lift_lines, make_pale
+from app.drawings.actors import Canvas, fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
@@ -39,11 +39,11 @@ from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import Mark, Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
-from app.drawings.stage_box import StageBox
-from app.drawings.stage_view import StageView
+from app.drawings.stage_box import StageBox, volume_ends
+from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
-from app.lecture.stages import NDC, WORLD, Morph, morph_of
+from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.picking import Probe, Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
@@ -122,7 +122,8 @@ class StageDrawing(Drawing):
         self._take(projection)
         self._rasterise()
         self._show_marks()
-        if reshaped and not self.own.was_moved:
+        # Before the cube the display is scaled to the volume, which may be another one now.
+        if (reshaped or self._position < CANONICAL_PERSPECTIVE) and not self.own.was_moved:
             self.reset_view()
 
     def _take(self, projection: Projection) -> None:
@@ -288,6 +289,11 @@ class StageDrawing(Drawing):
     def picture_rectangle_px(self) -> Rectangle:
         return Rectangle(0, 0, *self.own.size_px)
 
+    def spots_of(self, places: Array) -> Array:
+        shown = self.own.pane_from_display @ self._display_from_ndc
+        x, y, _, w = shown[:, :3] @ places.T + shown[:, 3:]
+        return np.stack([x, y], axis=1) / np.where(w > 0.0, w, np.nan)[:, None]
+
     @property
     def sight(self) -> Sight:
         projection = self._seen
@@ -299,8 +305,31 @@ class StageDrawing(Drawing):
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        self.own.reset(self._position, self._projection)
+        self.own.reset(self._position, self._projection, self._framed)
         self.reset_clipping_range()
+
+    def _framed(self, stop: int) -> Array:
+        """What has to be in view at the stop of the world or of the view, (n, 3): display space.
+
+        These are the objects, the eye, the named axes and the near plane. Far belongs to them if it
+        is named; else it may leave the pane, as the grid does.
+        """
+        morph, origin = self._morph, np.array(self._scene.origin)
+        objects = self._projection.placement.placed(self._scene.objects_box).world - origin
+        local = np.vstack([objects, np.array(self._projection.camera.eye) - origin])
+        shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
+        points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
+        if morph.has_volume(stop):
+            ends = ("near", "far") if self.names.wants("far") else ("near",)
+            volume = volume_ends(fitting(morph.display_from_box(stop)), ends)
+            points = np.concatenate([points, volume])
+        points = points[np.isfinite(points).all(axis=1)]
+        # What is outside the ball that the display is scaled to is not worth its room.
+        points /= np.maximum(1.0, np.linalg.norm(points, axis=1, keepdims=True) / RADIUS)
+        if all(map(self.names.wants, "uvn" if stop == VIEW else "xyz")):
+            start, axes = morph.axes_at(stop)
+            points = np.concatenate([points, start + AXES_LENGTH * axes])
+        return points
 
     def reset_clipping_range(self) -> None:
         self.own.fit_range()
@@ -322,7 +351,7 @@ class StageDrawing(Drawing):
         if self.own.is_turned:
             self.own.go_to_goal()
         else:
-            self.own.reset(self._position, self._projection)
+            self.own.reset(self._position, self._projection, self._framed)
         if part < 1.0:
             self.own.glide(part)
         else:
@@ -355,8 +384,10 @@ class StageDrawing(Drawing):
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:
-            self.names.wanted = names
+            was_moved, self.names.wanted = self.own.was_moved, names
             self._name_anew()
+            if self._position < CANONICAL_PERSPECTIVE and not was_moved:
+                self.reset_view()
 
     def _name_anew(self) -> None:
         self._placed = None

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import partial
 
 import numpy as np
@@ -51,6 +51,7 @@ from app.scenes.phenomena.readout import figure
 _TINT = 0.16
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
 _SHORT = 0.28  # of an edge of the cube: its axes
+_SMALL_HEAD = 0.5  # of an arrow's head: before the cube the pane shows less of the display space
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
 
@@ -111,9 +112,8 @@ class StageBox:
         self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
         for colour in (style.u, style.v, style.n):
             shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width)
-            head = unlit_actor(
-                pv.Cone(direction=(1, 0, 0), height=0.14, radius=0.045, resolution=24)
-            )
+            cone = pv.Cone(center=(-0.07, 0, 0), height=0.14, radius=0.045, resolution=24)
+            head = unlit_actor(cone)
             head.GetProperty().SetColor(*rgb(colour))
             lift_lines(shaft, 3)
             spaces = Space(), Space()
@@ -202,7 +202,7 @@ class StageBox:
             along = tips[i] - starts[i]
             length = math.hypot(*along)
             turn = _turn_to(along / max(length, 1e-9))
-            head_space.set(_placed(tips[i], turn))
+            head_space.set(_placed(tips[i], turn if stop > VIEW else _SMALL_HEAD * turn))
             turn[:, 0] *= length
             shaft_space.set(_placed(starts[i], turn))
             letter = self._letters[i]
@@ -337,6 +337,13 @@ def _placed(place: Array, turn: Array) -> Array:
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = turn, place
     return matrix
+
+
+def volume_ends(box: Array, ends: Iterable[str]) -> Array:
+    """Where the corners of near and far are shown, or their edges leave the framed ball, (n, 3)."""
+    depths = [{"near": 1.0, "far": 0.0}[end] for end in ends]
+    corners = itertools.product(depths, (-1.0, 1.0), (-1.0, 1.0))
+    return np.array([_edge(box, x, y, RADIUS, z) for z, x, y in corners])
 
 
 def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array:

@@ -6,6 +6,7 @@ Any foreshortening in this pane is the projection's own.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 
@@ -17,7 +18,6 @@ from app.lecture.stages import (
     CANONICAL_PERSPECTIVE,
     IMAGE,
     NDC,
-    RADIUS,
     VIEW,
     WORLD,
 )
@@ -41,7 +41,6 @@ _LOOKED_FROM_DEG = {
     NDC: _CUBE_DEG,
     IMAGE: (0.0, 0.0),
 }
-_FILLED = 0.9  # of the ball that holds the frustum: its corners alone touch the ball
 _MARGIN_EM = 2.1  # on each side, for the labels
 _CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
@@ -72,13 +71,19 @@ class StageView(PaneCamera):
     def axes(self, stop: int) -> Array:
         return _axes(*self._looked_from(stop))
 
-    def reset(self, position: float, projection: Projection) -> None:
-        """Show all of a stop from the best direction; between two stops, from a mixture."""
+    def reset(
+        self, position: float, projection: Projection, framed: Callable[[int], Array]
+    ) -> None:
+        """Show all of a stop from the best direction; between two stops, from a mixture.
+
+        `framed` returns what has to be in view at the stop of the world or of the view, (n, 3).
+        """
         stop = min(int(position), IMAGE)
         part = position - stop
-        framing = self._framing(stop, projection)
+        framing = self._framing(stop, projection, framed)
         if part > 0.0:
-            framing = (1.0 - part) * framing + part * self._framing(stop + 1, projection)
+            following = self._framing(stop + 1, projection, framed)
+            framing = (1.0 - part) * framing + part * following
         centre, scale = framing[:3], float(framing[3])
         toward = _axes(*framing[4:])[2]
         camera = self._camera
@@ -87,14 +92,12 @@ class StageView(PaneCamera):
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(self, stop: int, projection: Projection) -> Array:
+    def _framing(self, stop: int, projection: Projection, framed: Callable[[int], Array]) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)
         if stop <= VIEW:
-            drawn = _FILLED * RADIUS * np.array([right, -right, up, -up])
-            if stop == VIEW:  # the eye is at the ball's border, and n points outwards
-                drawn = np.vstack([drawn, [0.0, 0.0, _FILLED * RADIUS + AXES_LENGTH]])
+            drawn = framed(stop)
         elif stop == IMAGE:
             sides = np.array([*projection.image_size, 0.0])
             across, down, _ = sides / sides.max()

@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from app.document.naming import named_in
+from app.document.naming import FRAMES, named_in
 from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
@@ -26,7 +26,7 @@ from app.drawings.frame import DIMMED, ObjectAxes
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import SQUARE_EM, Ground
-from app.drawings.labels import DOT_EM, Board, Labels, Named, room
+from app.drawings.labels import DOT_EM, EYE, Board, Labels, Named, room
 from app.drawings.marks import MarksDrawing, Placing
 from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
@@ -38,7 +38,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, Highlight
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, SIDES, WINDOW, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -53,6 +53,7 @@ _WHOLE, _NEARBY = (
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
+_WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -77,6 +78,7 @@ class WorldDrawing(Drawing):
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._axes: ObjectAxes | None = None
+        self._world_axes: ObjectAxes | None = None
         self._wants_axes = False
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
@@ -201,7 +203,7 @@ class WorldDrawing(Drawing):
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
         is_new = self._emphasis.show(highlighted) or of_scene
-        drawn = {"eye", "target", "near", "far", "fov"}
+        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
         if self.camera.step is None:
             drawn |= set(AXES)
         wanted = drawn if self.names.wanted is None else self.names.wanted
@@ -232,6 +234,7 @@ class WorldDrawing(Drawing):
         """Draw the camera's parts that are named, and the other things quietly."""
         names = self.names
         self._switch_layers()
+        self._show_axes()
         self.camera.show_names(names)
         self.frustum.show_names(names)
         self._emphasis.show_names(names)
@@ -278,7 +281,7 @@ class WorldDrawing(Drawing):
         corners = spots[-8:]
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
         points.append((frozenset(("eye",)), eye))
-        if self.camera.shows_target:
+        if self.camera.shows_target or self.handles is not None:  # a hand takes hold of it there
             points.append((frozenset(("target",)), target))
         segments: list[Segment] = [
             (frozenset(("target" if name == "look" else name,)), eye, tip)
@@ -346,18 +349,48 @@ class WorldDrawing(Drawing):
     def _show_axes(self) -> None:
         """Show the object's axes if they differ from the world's, or are wanted."""
         if self._axes is None and self.has_object_axes:
-            self._axes = ObjectAxes(self._canvas, self._scene.size)
-            for name, shaft in self._axes.shafts.items():
-                self._emphasis.line(shaft, name)
-                label = self.labels.add_arrow(name, self._axes.colours[name])
-                self._emphasis.label(label, name)
-            self._emphasis.show(self.names.pointed)
+            self._axes = self._make_axes()
         if self._axes is not None:
-            self._axes.show(self._local_from_object, self.has_object_axes)
+            is_shown = self.has_object_axes and self._frames != {"frame-w"}
+            self._axes.show(self._local_from_object, is_shown)
+        if self._world_axes is None and "frame-w" in self._frames:
+            self._world_axes = self._make_axes()
+        if self._world_axes is not None:
+            local_from_world = np.eye(4)
+            local_from_world[:3, 3] = -self._origin
+            self._world_axes.show(local_from_world, "frame-w" in self._frames)
+
+    def _make_axes(self) -> ObjectAxes:
+        axes = ObjectAxes(self._canvas, self._scene.size)
+        for name, shaft in axes.shafts.items():
+            self._emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
+            self._emphasis.label(self.labels.add_arrow(name, axes.colours[name]), name)
+        self._emphasis.show(self.names.pointed)
+        return axes
 
     @property
     def has_object_axes(self) -> bool:
-        return self._actors.is_moved or self._wants_axes
+        return self._actors.is_moved or self._wants_axes or "frame-o" in self._frames
+
+    @property
+    def _frames(self) -> frozenset[str]:
+        """The frames that are named, of `FRAMES`."""
+        return (self.names.wanted or frozenset()) & FRAMES.keys()
+
+    @property
+    def _lettered(self) -> ObjectAxes | None:
+        """The axes that x, y and z name: the world's if its frame is named, else the object's."""
+        if "frame-w" in self._frames:
+            return self._world_axes
+        return self._axes if self.has_object_axes else None
+
+    def _frame_origins(self) -> dict[str, Array]:
+        """Where the letters of the named frames stand; axes with letters have none of their own."""
+        origins = {"frame-e": self._standing.eye}
+        for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes)):
+            if axes is not None and not (axes is self._lettered and "x" in self.names):
+                origins[name] = axes.origin
+        return {name: origins[name] for name in FRAMES if name in self._frames & origins.keys()}
 
     def _stand(self, camera: Camera) -> Standing:
         """What depends on the camera alone, and not on its lens."""
@@ -385,18 +418,26 @@ class WorldDrawing(Drawing):
             if self.names.all or handle == self.held:
                 ground.keep([(x, pane.size_px[1] - y)], DOT_EM * em)
         arrows, ends = self._arrows
-        unnamed = {name for name in ("eye", "target", "near", "far") if name not in self.names}
+        names, lens = self.names, self._projection.lens
+        measured, written = None, set[str]()
+        if self.own.fixed and self._dimensions is not None:
+            measured = self._in_fixed_view
+            written = self._dimensions.written(measured)
+        unnamed = {name for name in ("eye", "target", "near", "far") if name not in names}
+        unnamed |= {a for a, side in WINDOW.items() if a not in names and side not in names}
+        has_window = self.frustum.seen and lens.planes is not None
         named = Named(
-            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen,
-            self._projection.lens.planes, self._unseen | unnamed,
+            at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen, lens.planes,
+            self._unseen | unnamed | written, self.frustum.corners[:4] if has_window else None,
+            self._projection.window if has_window else (),
         )  # fmt: skip
         self._probes.want(ground)
         self.labels.want(ground, pane, named)
-        written = set[str]()
-        if self.own.fixed and self._dimensions is not None:
-            measured = self._in_fixed_view
+        for name, origin in self._frame_origins().items():
+            self.board.label(name).set_text(FRAMES[name])
+            self.board.want_beside(name, pane.seen(origin[None])[0], EYE, (-1.0, -1.0))
+        if measured is not None and self._dimensions is not None:
             self._dimensions.want(ground, pane.seen, pane.size_px, measured)
-            written = self._dimensions.written(measured)
         if self._marks is not None:
             self._marks.want_texts(ground, pane.seen, written)
         return self.board.settle(ground, afresh=afresh)
@@ -408,13 +449,16 @@ class WorldDrawing(Drawing):
         if "camera" not in self._canvas.hidden:
             arrows, ways = self.camera.arrows
             ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+        if self.camera.step is None:  # a frame can be shown without the letters of its axes
+            shown = [name in self.names for name in arrows]
+            arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
         named, of_axes = self._named_axes
         return arrows + named, np.concatenate([ends, of_axes])
 
     @property
     def _named_axes(self) -> tuple[tuple[str, ...], Array]:
-        """The object's axes that are named, and where each starts and ends, (n, 2, 3)."""
-        axes = self._axes if self.has_object_axes else None
+        """The axes of `_lettered` that are named, and where each starts and ends, (n, 2, 3)."""
+        axes = self._lettered
         if axes is None:
             return (), np.empty((0, 2, 3))
         is_named = [
@@ -455,7 +499,8 @@ class WorldDrawing(Drawing):
         """The things without names and handles, because they are not drawn."""
         unseen = set[str]()
         if "frustum" in self._hidden or self.camera.step is not None:
-            unseen |= {"near", "far", "corner"}  # they would cover the arrows of the construction
+            # They would cover the arrows of the construction.
+            unseen |= {"near", "far", "corner", *WINDOW}
         if "camera" in self._hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self._canvas.hidden:  # the pane looks through it, or from right behind it
@@ -471,6 +516,11 @@ class WorldDrawing(Drawing):
             if each.view == view
         )
         corners = self._corners_seen
+        points = [probe.point for probe in self._probes.probes if probe.point is not None]
+        across: Array = np.empty(0)
+        if view == "axis" and points:
+            trace = self._projection.trace(np.array(points))
+            across = trace.ndc[trace.in_front, 0]
         return Measured(
             view,
             self._projection,
@@ -481,6 +531,7 @@ class WorldDrawing(Drawing):
             self._measured,
             lengths,
             self.names,
+            tuple(across.tolist()),
         )
 
     # -- the pane's own camera
@@ -508,8 +559,18 @@ class WorldDrawing(Drawing):
         core, beside = self._named_points(points)
         return Framed(
             at.camera, eye, core, beside, corners, self._objects, has_eye, below_em,
-            _AXES_SIDE if self.camera.axes_lead else self._scene.side,
+            self._side,
         )  # fmt: skip
+
+    @property
+    def _side(self) -> tuple[float, float] | None:
+        """From where the pane looks at first: the named axes and the window's sides are seen."""
+        wanted = self.names.wanted
+        if self.camera.axes_lead:
+            return _AXES_SIDE
+        if wanted is not None and wanted & WINDOW.keys() and self._scene.phenomenon is None:
+            return _WINDOW_SIDE
+        return self._scene.side
 
     def _named_points(self, points: Array) -> tuple[Array, Array]:
         """What has to be in view, with the named things, and what may leave it; (n, 3) each.
@@ -524,6 +585,11 @@ class WorldDrawing(Drawing):
         followed = [probe.point for probe in self._probes.probes if probe.point is not None]
         marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
+        named += [
+            axes.origin + np.vstack([axes.ways, np.zeros(3)])
+            for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes))
+            if axes is not None and name in wanted
+        ]
         named.append(self._named_axes[1].reshape(-1, 3))
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
@@ -538,29 +604,33 @@ class WorldDrawing(Drawing):
         ):
             if name in wanted and needs:
                 named.append(thing)
-        axes = self._axes if self.has_object_axes else None
+        if has_planes:
+            sides = zip(SIDES, range(4), strict=True)
+            named += [corners[[i, (i + 1) % 4]] for side, i in sides if side[0] in wanted]
+        axes = self._lettered
         if axes is not None and not wanted.isdisjoint("xyz"):
             named.append(axes.origin + np.vstack([np.zeros(3), axes.ways]))
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
+        figure: list[Array] = []
         if self.own.fixed in ("side", "top"):
             measured = {"d": at.camera.distance, **dict(self._measured)}
-            named += [
+            figure = [
                 (at.eye - measured[name] * at.camera.frame[2])[None]
                 for name in measured.keys() & wanted
             ]
-            named += [
+            figure += [
                 np.array([length.start, length.end]) - self._origin
                 for length in self._lengths
                 if length.view == self.own.fixed and length.name in wanted
             ]
-        core = np.concatenate(named)
+        core = np.concatenate(named + figure)
         objects = self._objects
         if self._scene.phenomenon is None or not len(core):
             core = np.concatenate([core, objects])
             return core, np.concatenate(beside)
         size, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
-        if size < whole:  # marks on a part of the subject: with what is about them
+        if size < whole and not figure:  # marks on a part of the subject: with what is about them
             middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
             near = _ABOUT * size if size > 0.0 else np.inf
             core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])

@@ -37,6 +37,8 @@ CORNERS = tuple(
 """Corners in the order of the drawings."""
 SIDES = ("bottom", "right", "top", "left")
 """The sides between consecutive corners."""
+WINDOW = {"l": "left", "r": "right", "b": "bottom", "t": "top"}
+"""The letters of the near plane's sides, in the order of `Projection.window`."""
 
 
 def made_of(highlighted: Highlight) -> Highlight:

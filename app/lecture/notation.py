@@ -54,13 +54,15 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
-        "fov": "θ_v", "fov_x": "θ_h",
+        "fov": "θ_v", "fov_x": "θ_h", "eye_point": "P",
     },
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
         "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
     },
-    "003": {**_OURS, **_EYE_P},  # e is its focal length
+    "003": {  # e is its focal length
+        **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
+    },
     "004": {
         **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
         "eye_point": "T\u2080", "target_point": "T\u2081",
@@ -132,15 +134,18 @@ def frame_letters(letters: Letters) -> dict[str, str]:
 def axis_letters(letters: Letters) -> dict[str, str]:
     """Return the labels at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
 
-    The dictionary omits the points and directions without a letter, which keep their names.
+    Lecture 003 also has letters for the object's axes. The dictionary omits the points and
+    directions without a letter, which keep their names.
     """
     found = frame_letters(letters)
     found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
-    return {
+    found = {
         name: found[name]
         for name in ("u", "v", "n", "up", "eye", "target")
         if found[name] != name or len(name) == 1
     }
+    axes = {name: _SYMBOLS[letters].get(name, "") for name in OBJECT_AXES}
+    return found | {name: letter for name, letter in axes.items() if letter}
 
 
 def in_letters(text: str, letters: Letters) -> str:

@@ -62,6 +62,18 @@ def number_in(text: str, line: int, low: float, high: float) -> float:
     return number
 
 
+def split(text: str) -> list[str]:
+    """Split a text at its commas outside brackets."""
+    parts, depth = [""], 0
+    for letter in text:
+        depth += (letter == "(") - (letter == ")")
+        if letter == "," and not depth:
+            parts.append("")
+        else:
+            parts[-1] += letter
+    return parts
+
+
 class Item(NamedTuple):
     """A line that begins with a key or is a choice, joined with its indented lines.
 

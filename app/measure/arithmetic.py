@@ -495,7 +495,7 @@ def errors(
     try:
         there, moved = SWEEPS[parameter].set(projection, value)
     except Refusal as error:
-        names = (*_PRECISIONS, *([WORLD] if parameter == "distance" else []), "VTK's camera")
+        names = (*_PRECISIONS, "VTK's camera", *([WORLD] if parameter == "distance" else []))
         return dict.fromkeys(names, (None, None, str(error)))
     world = in_view(there, points_world + moved)
     reference = truth(there, world)
@@ -511,6 +511,8 @@ def errors(
             predicted = predict(there, world, start) or {}
             found[name] = (largest, predicted.get(precision), note)
         found["VTK's camera"] = _vtk_camera(there, world, reference)
+    if WORLD in found:  # last, so that the others have the same colours in every chart
+        found[WORLD] = found.pop(WORLD)
     return found
 
 

@@ -24,7 +24,7 @@ from app.model.refusal import Refusal
 from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
-_CELLS = 2.0**-48
+CELLS = 2.0**-48
 """Bound of what float64 loses of a matrix's cells, in their terms: 32 roundings.
 
 Other formats lose so much more that it does not show.
@@ -215,7 +215,7 @@ def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_K
     if numbers.digits == 53:
         off = _off_rationals(projection, origin, given)
     else:
-        off = _CELLS * cell_terms(projection, projection.local_to_eye(origin))
+        off = CELLS * cell_terms(projection, projection.local_to_eye(origin))
     has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
     return _Known(cells, np.abs(cells - given) + off), has_w
 

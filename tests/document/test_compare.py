@@ -80,7 +80,7 @@ def test_a_following_picture_has_its_own_values_and_the_documents_others(held: D
         ('{"live": true}', '7',
          "view.compare[1] = 7: must be an object with named values in braces."),
         (', {"live": true}', "",
-         "view.compare = ['before', '']: must be a list of 2 to 3 pictures, exactly one of them the"
+         "view.compare = ['before', '']: must be a list of 2 to 4 pictures, exactly one of them the"
          " document's own."),
         ('["lens.far=30"]', '"lens.far=30"',
          "view.compare[2].set = 'lens.far=30': must be a list of texts NAME=VALUE."),

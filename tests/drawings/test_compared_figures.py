@@ -13,7 +13,7 @@ from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.settings import compared, pictured, set_values
 from app.drawings.figures import DPI, LINE_EM, Pixels, render, usual_text_pt
-from app.drawings.side_by_side import cells
+from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -184,3 +184,43 @@ def test_squares_are_largest_in_rows_of_several(
 def test_places_without_room_are_places(size: tuple[int, int]) -> None:
     for left, top, wide, high in cells(*size, [1.5, 1.5, 1.5], 13.0):
         assert 0 <= left <= left + wide <= size[0] and 0 <= top <= top + high <= size[1]
+
+
+def test_one_row_is_enough_if_two_would_hardly_be_larger() -> None:
+    """Three pictures of 16 : 9 on a slide: two above one would be larger by a tenth."""
+    found = cells(1920, 830, [16 / 9] * 3, 36.0)
+    assert {top for _, top, _, _ in found} == {0}
+
+
+# -- worlds
+
+
+def worlds(*slide: str) -> Document:
+    scene = load("letter-f")
+    return set_values(
+        Document("letter-f", scene.start),
+        [f"view.slide={','.join(slide)}", "view.names=near", "view.fixed=side",
+         "view.compare=near 4: lens.near=4|near 6: lens.near=6"],
+    )  # fmt: skip
+
+
+def test_if_the_world_is_the_slide_worlds_are_compared() -> None:
+    """Beside each other, of one height, each as in a figure of its own; their names above."""
+    document = worlds("world")
+    assert document.view.compares_in == "world" and worlds("image").view.compares_in == "image"
+    assert worlds("world", "image").view.compares_in == "image"
+    size, text_pt = (640, 320), usual_text_pt((1280, 720), ("world",), (640, 320))
+    both = figure(document, "world", size=size, text_pt=text_pt)
+    (_, _, wide, _), (left, top, other_wide, _) = places_of(
+        "world", *size, [16 / 9] * 2, text_pt * DPI / 72.0
+    )
+    assert wide == other_wide and top == 0
+    above = round(LINE_EM * text_pt * DPI / 72.0)
+    below = slice(above, size[1] - 2 * above)  # above the words about the differences
+    for place, start in ((0, 0), (1, left)):
+        one = figure(alone(document, place), "world", size=(wide, size[1] - above), text_pt=text_pt)
+        part = both[:, start : start + wide]
+        assert (part[:above] != 255).any(), "the name"
+        assert (part[below] == one[below]).mean() > 0.99
+    images = figure(document, "image", size=size)
+    assert (images == figure(alone(document, 0), "image", size=size)).all(), "only one"

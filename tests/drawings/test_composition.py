@@ -8,6 +8,7 @@ import pytest
 
 from app.commands.composed import faults_in
 from app.document.document import Document
+from app.document.naming import nameable
 from app.document.settings import set_values
 from app.drawings.composition import CAPITAL, Measured, Placed, measured
 from app.model.projection import Camera
@@ -58,6 +59,14 @@ def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> N
         [*faults_in(tiny, None)]
     )
     assert not base._replace(fill=(0.3, 0.61)).is_empty
+
+
+def test_a_named_far_plane_fills_a_flat_view() -> None:
+    """It is a part of what the view frames; where it is not named it may leave the pane."""
+    named = picture("world", "view.fixed=side", "view.names=eye,far")
+    assert max(named.fill) > 0.7
+    far_away = picture("world", "view.fixed=side", "view.names=eye", "lens.far=100")
+    assert far_away.fill[1] < named.fill[1]
 
 
 def test_overlaps_cuts_and_underscores_are_found() -> None:
@@ -146,6 +155,9 @@ def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
     )
     pictures = measured(document, found, "image", SIZE, 14.0)
     assert len(pictures) == 3 and all(each.size_px[0] < SIZE[0] for each in pictures)
+    worlds = replace(document, view=replace(document.view, slide=("world",)))
+    assert len(measured(worlds, found, "world", SIZE, 14.0)) == 3
+    assert len(measured(worlds, found, "image", SIZE, 14.0)) == 1
     alone = replace(document, view=replace(document.view, compare=()))
     assert len(measured(alone, found, "image", SIZE, 14.0)) == 1
 
@@ -183,6 +195,54 @@ def test_a_probe_behind_the_camera_is_in_the_picture(fixed: str) -> None:
     assert {each.text for each in found.labels} == {"eye", "1", "2"} and not found.cut
 
 
+@pytest.mark.parametrize("stage", ["world", "view"])
+@pytest.mark.parametrize("names", ["x,y,z", "near,far"])
+def test_the_stops_before_the_cube_fill_a_wide_pane(stage: str, names: str) -> None:
+    """What is named has its room, and neither the ball round the grid nor a far plane takes it."""
+    names = "u,v,n" if stage == "view" and names == "x,y,z" else names
+    document = set_values(
+        Document("letter-f", load("letter-f").start), (f"view.stage={stage}", f"view.names={names}")
+    )
+    (found,) = measured(document, load("letter-f"), "ndc", (960, 455), 18.0)
+    assert not found.is_empty and not found.cut
+    assert len(found.labels) == len(names.split(","))
+
+
+@pytest.mark.parametrize(
+    ("kind", "values"),
+    [
+        ("frustum", {"l = −1", "r = 3", "b = −1.125", "t = 1.125"}),
+        ("orthographic", {"l = −1", "r = 3", "b = −1.125", "t = 1.125"}),
+    ],
+)
+def test_the_sides_of_the_window_are_named_with_their_numbers(kind: str, values: set[str]) -> None:
+    window = "lens.left=-1", "lens.right=3", "lens.bottom=-1.125", "lens.top=1.125"
+    state = f"lens.kind={kind}", *window, "view.names=l,r,b,t"
+    found = picture("world", *state)
+    assert {each.text for each in found.labels} == values and not found.cut
+    in_000 = picture("world", *state, "view.letters=000")
+    assert "x_max = 3" in {each.text for each in in_000.labels}
+    assert {"l", "t"} <= nameable("world", state_of(*state), load("letter-f"))
+    free = state_of("lens.kind=matrix")
+    assert not {"l", "t"} & nameable("world", free, load("letter-f"))
+
+
+def state_of(*values: str) -> Document:
+    return set_values(Document("letter-f", load("letter-f").start), values)
+
+
+def test_a_picture_shows_the_frames_that_it_names() -> None:
+    """Each has one letter at its origin; x, y and z name the world's axes if its frame is there."""
+    moved = "object.translate=2,0,0", "object.rotate_deg=0,-30,0"
+    found = picture("world", *moved, "view.names=frame-o,frame-w,frame-e")
+    assert {each.text for each in found.labels} == {"O", "W", "E"} and not found.cut
+    still = picture("world", "view.names=frame-o,eye")
+    assert {each.text for each in still.labels} == {"O", "eye"}
+    lettered = picture("world", *moved, "view.names=frame-w,x,z,frame-e")
+    assert {each.text for each in lettered.labels} == {"x", "z", "E"}
+    assert {"frame-w", "x"} <= nameable("world", state_of("view.names=frame-w"), load("letter-f"))
+
+
 def test_the_named_axes_of_a_moved_object_are_in_the_picture() -> None:
     turned = "object.translate=6,0,0", "object.rotate_deg=0,0,90"
     found = picture("world", *turned, "view.names=x,y,z", "view.layers=camera,frustum,near-picture")
@@ -193,3 +253,10 @@ def test_the_view_frames_nothing_that_it_hides() -> None:
     """The scene names the eye and both planes."""
     wide, high = picture("world", "view.layers=camera,frustum,near-picture").fill
     assert max(wide, high) > 0.75 and not picture("world").is_empty
+
+
+@pytest.mark.parametrize("stage", ["world", "view"])
+@pytest.mark.parametrize("lens", ["lens.far=7", "lens.far=60"])
+def test_the_first_stages_fill_their_pane(stage: str, lens: str) -> None:
+    found = picture("ndc", f"view.stage={stage}", "view.names=near,far", lens)
+    assert max(found.fill) > 0.75 and not found.left_out and not found.cut

@@ -23,6 +23,7 @@ from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import Array, Camera, Frustum, Orthographic, Projection
 from app.picking.handles import TARGET, dragged
+from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN, load
 from app.scenes.shapes import GRID_RGB
 from tests.support.drawings import (
@@ -681,3 +682,28 @@ def test_l5_l21_both_triangles_are_measured_in_the_flat_views(
     screen.pixels()
     kinds = {text.partition(" ")[0] for text in written} | {"x", "y", "x_p", "y_p"}
     assert {text for text in texts_of(screen) if text.partition(" ")[0] in kinds} == written
+
+
+def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScreen) -> None:
+    """From l to r, and from -1 to 1, one below the other; a probe stands on both lines."""
+    screen = off_screen(960, 455)
+    lens = START.with_lens("frustum").lens.but(left=-1.0, right=3.0, keep="stretch")
+    projection = replace(START, lens=lens)
+    drawing = made(screen, projection)
+    drawing.show_names(frozenset({"l", "r", "interval"}))
+    drawing.show_fixed("axis")
+    straight_ahead = at(projection, 0.0, 0.5, 8.0)
+    drawing.show_probes([Probe(1, point=tuple(straight_ahead.tolist()))])
+    screen.pixels()
+    boxes = boxes_of(screen)
+    assert {"l = −1", "r = 3", "−1", "1", "−0.5"} <= boxes.keys()
+    window = pixel_of(drawing, drawing.frustum.corners[:4])[:, 0]
+    left, right = float(window.min()), float(window.max())
+    middle = {text: (box[0] + box[2]) / 2.0 for text, box in boxes.items()}
+    assert middle["l = −1"] <= left < middle["−0.5"] < right <= middle["r = 3"]
+    # Straight ahead is x = 0, a quarter of the way from -1 to 3: -0.5 in the cube.
+    assert middle["−0.5"] == pytest.approx(left + 0.25 * (right - left), abs=2.0)
+    assert boxes["−1"][3] < boxes["l = −1"][1]
+    drawing.show_names(frozenset({"l", "r"}))
+    screen.pixels()
+    assert {"l = −1", "r = 3"} <= boxes_of(screen).keys() and "−0.5" not in boxes_of(screen)

@@ -103,6 +103,15 @@ def test_what_is_held_is_named(off_screen: MakeScreen) -> None:
     assert not drawing.camera.discs["target"].GetVisibility()
 
 
+def test_where_a_hand_takes_hold_of_the_target_the_target_is_pointed_at(
+    off_screen: MakeScreen,
+) -> None:
+    """And not the side of the volume before it."""
+    drawing = opened(off_screen(*PANE_PX), live=True)
+    x, y = dict(drawing.handles_shown)[Handle("target")]
+    assert drawing.highlight_at(x, y) == {"target"}
+
+
 def test_named_axes_of_a_moved_object_are_in_the_picture(off_screen: MakeScreen) -> None:
     screen, scene = off_screen(540, 420), load("letter-f")
     drawing = opened(screen)

@@ -12,7 +12,7 @@ import pytest
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS
 from app.model.projection import Camera, Lens, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
-from app.precision.cheap import _CELLS, Hardware, cheap, cheap_formats, stored
+from app.precision.cheap import CELLS, Hardware, cheap, cheap_formats, stored
 from app.precision.levels import Reference, cell_terms, trace
 from tests.fuzz.cheap import ratios_of
 from tests.support.lenses import LENSES, SLANTED, free_matrix
@@ -61,7 +61,7 @@ def test_the_cells_of_a_matrix_are_within_their_error() -> None:
         for camera in (SLANTED, Camera((1e6, -3.0, 2e5), (1e6 + 3.0, 0.0, 2e5))):
             projection = Projection(camera, lens)
             cells = projection.clip_from_local(camera.eye)
-            lost = _CELLS * cell_terms(projection, projection.local_to_eye(camera.eye))
+            lost = CELLS * cell_terms(projection, projection.local_to_eye(camera.eye))
             exact = projection.exact_from_eye[1]
             for true_row, row, errors in zip(exact, cells, lost, strict=True):
                 for true, cell, error in zip(true_row, row.tolist(), errors.tolist(), strict=True):

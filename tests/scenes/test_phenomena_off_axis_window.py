@@ -9,7 +9,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.lecture.notation import in_letters
 from app.model.projection import Projection
 from app.scenes.phenomena.off_axis_window import (
     PHENOMENON,
@@ -164,29 +163,29 @@ def test_the_join_is_marked_where_the_pixels_part() -> None:
     assert seen.trace(join.points).image[:, 0] == pytest.approx(640.0, abs=1e-9)
 
 
-def written(projection: Projection) -> dict[str, tuple[str, list[float]]]:
-    """What is written at each side of the near rectangle, and where."""
-    texts = shown(projection).world.texts
+def sides(projection: Projection) -> dict[str, list[float]]:
+    """The middle of each side of the near rectangle, where the pane writes its number."""
+    lines = shown(projection).world.lines
     return {
-        text.about[0]: (in_letters(text.text, "own"), text.point.round(9).tolist())
-        for text in texts
-        if text.about
+        line.about[0]: line.points.mean(axis=0).round(9).tolist() for line in lines if line.about
     }
 
 
-START_WRITTEN = {
-    "left": ("l = −2.2", [-0.7, 2.4, 4.8]),
-    "right": ("r = 1", [2.5, 2.4, 4.8]),
-    "bottom": ("b = −0.9", [0.9, 1.5, 4.8]),
-    "top": ("t = 0.9", [0.9, 3.3, 4.8]),
+AT_START = {
+    "left": [-0.7, 2.4, 4.8],
+    "right": [2.5, 2.4, 4.8],
+    "bottom": [0.9, 1.5, 4.8],
+    "top": [0.9, 3.3, 4.8],
 }
 """By hand: a window 8 by 4.5, 8 before the eye at (1.5, 2.4, 8), its middle 1.5 to the left; at
 0.4 of the distance it is 0.4 times as large."""
 
 
 def test_l6_the_near_rectangle_has_the_four_numbers_of_glfrustum() -> None:
-    assert written(PHENOMENON.start) == START_WRITTEN
-    # And they are those of the lecture's matrix: 2n/(r - l) and (r + l)/(r - l) (003).
+    assert sides(PHENOMENON.start) == AT_START
+    # Those that the pane writes there are those of the lecture's matrix: 2n/(r - l) and
+    # (r + l)/(r - l) (003).
+    assert PHENOMENON.start.window == (-2.2, 1.0, -0.9, 0.9)
     matrix = PHENOMENON.start.clip_from_view
     assert matrix[0, 0] == pytest.approx(2 * 3.2 / (1.0 + 2.2))
     assert matrix[0, 2] == pytest.approx((1.0 - 2.2) / (1.0 + 2.2))
@@ -194,26 +193,26 @@ def test_l6_the_near_rectangle_has_the_four_numbers_of_glfrustum() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "number", "text", "step", "along"),
+    ("name", "number", "step", "along"),
     [
-        ("left", -0.75, "l = −0.75", (1.45, 0.0, 0.0), ("bottom", "top")),
-        ("right", 2.25, "r = 2.25", (1.25, 0.0, 0.0), ("bottom", "top")),
-        ("bottom", -2.125, "b = −2.125", (0.0, -1.225, 0.0), ("left", "right")),
-        ("top", 2.125, "t = 2.125", (0.0, 1.225, 0.0), ("left", "right")),
-        ("near", 2.0, "", (0.0, 0.0, 1.2), ()),  # all four, and their numbers stay
-        ("far", 30.0, "", (0.0, 0.0, 0.0), ()),
+        ("left", -0.75, (1.45, 0.0, 0.0), ("bottom", "top")),
+        ("right", 2.25, (1.25, 0.0, 0.0), ("bottom", "top")),
+        ("bottom", -2.125, (0.0, -1.225, 0.0), ("left", "right")),
+        ("top", 2.125, (0.0, 1.225, 0.0), ("left", "right")),
+        ("near", 2.0, (0.0, 0.0, 1.2), ()),  # all four
+        ("far", 30.0, (0.0, 0.0, 0.0), ()),
     ],
 )
 def test_l6_each_of_the_six_moves_its_own_edge(
-    name: str, number: float, text: str, step: tuple[float, ...], along: tuple[str, ...]
+    name: str, number: float, step: tuple[float, ...], along: tuple[str, ...]
 ) -> None:
     """A side goes alone, and the middles of the two beside it half as far."""
     lens = replace(PHENOMENON.start.lens, keep="stretch", **{name: number})
-    now = written(replace(PHENOMENON.start, lens=lens))
-    for side, (before, place) in START_WRITTEN.items():
-        part = 1.0 if side == name or not text else 0.5 if side in along else 0.0
+    now = sides(replace(PHENOMENON.start, lens=lens))
+    for side, place in AT_START.items():
+        part = 1.0 if side == name or not along else 0.5 if side in along else 0.0
         expected = [at + part * way for at, way in zip(place, step, strict=True)]
-        assert now[side] == (text if side == name else before, pytest.approx(expected))
+        assert now[side] == pytest.approx(expected)
 
 
 def test_l6_each_side_has_a_line_of_its_own_to_highlight() -> None:

@@ -9,12 +9,12 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QSize, Qt
+from PySide6.QtCore import QPoint, QRect, QSize, Qt
 from PySide6.QtTest import QTest
 
 from app.document.compare import Picture
 from app.document.files import read
-from app.document.settings import compared
+from app.document.settings import compared, set_values
 from app.document.view import View
 from app.model.projection import Projection
 from app.scenes.scene import load
@@ -319,6 +319,34 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     settle()
     assert window.comparing.is_on and not window.present.is_on and compare.bar.isVisible()
     assert compare.captions[0].fontMetrics().capHeight() < 0.022 * screen_px
+
+
+def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -> None:
+    document = set_values(
+        window.store.document,
+        ["view.slide=world", "view.large=world", "view.fixed=side", "view.names=eye",
+         "view.compare=low: camera.eye=6,2,9|high: camera.eye=6,7,9|start: camera.eye=6,5,9"],
+    )  # fmt: skip
+    assert window.store.open(document, is_work=False)
+    settle()
+    compare, world, image = window.comparing.pictures, *map(window.panes.get, ("world", "image"))
+    assert all(other.parent() is image.surface for other in compare.others)
+    present(window)
+    settle()
+    assert all(other.parent() is world.surface and other.isVisible() for other in compare.others)
+    assert [each.text() for each in compare.captions] == ["low", "high", "start"]
+    places = sorted([other.geometry() for other in compare.others], key=QRect.left)
+    assert {place.height() for place in places} == {world.surface.height()}
+    assert places[0].left() == 0 and places[1].left() > places[0].right()
+    assert all(caption.isVisible() for caption in compare.captions)
+    drawings = [other.pane.drawing for other in compare.others]
+    assert {drawing.fixed for drawing in drawings} == {"side"}
+    heights = {round(float(drawing.camera.box[:, 1].mean())) for drawing in drawings}
+    assert len(heights) == 2, "each has a camera of its own"
+    window.present.end()
+    settle()
+    assert all(other.parent() is image.surface for other in compare.others)
+    assert window.store.look().compare == document.view.compare
 
 
 # -- the scenes' own

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 import shiboken6
 from PySide6.QtCore import QPoint, Qt, QTimer
@@ -46,6 +47,7 @@ from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
+from widgets.window.pointing import Cross
 from widgets.window.settings import Settings
 
 KEY = Qt.Key
@@ -208,6 +210,17 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 1
     press(KEY.Key_Left, ALT)
     assert window.lessons.place == 0 and "You said" in texts(card)
+
+
+def test_a_scene_asks_nothing_beside_a_lesson(window: MainWindow, lesson: Path) -> None:
+    tries = window.controls.card.tries
+    assert tries.isVisible()
+    assert window.lessons.open(lesson)
+    settle()
+    assert not tries.isVisible()
+    window.lessons.close()
+    settle()
+    assert tries.isVisible()
 
 
 def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path) -> None:
@@ -779,3 +792,121 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     assert is_hidden()
     card.leave()
     assert not is_hidden()
+
+
+CLICK = """---
+title: Click
+---
+# Places {#places}
+```state
+scene=letter-f
+```
+```answer image
+Where is the middle of the right half?
+click: image
+at: 3*width/4, height/2
+wrong order: width/4, height/2
+  says: That is the left half.
+```
+```answer ndc
+Where is the corner?
+click: ndc
+at: 1, -1, 1
+```
+```answer world
+Where does the camera look?
+click: world
+at: target_x, target_y, target_z
+```
+"""
+
+
+def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    path = tmp_path / "click.md"
+    path.write_text(CLICK, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    come_to_rest(window)
+    image, ndc, world = card.blocks
+    canvas = window.panes["image"].canvas
+    x, y, width, height = window.panes["image"].drawing.picture_rectangle_px
+
+    def crosses(pane: str) -> list[QPoint]:
+        """The middles of the visible marks of a pane."""
+        found = window.panes[pane].canvas.findChildren(Cross)
+        return [mark.geometry().center() for mark in found if mark.isVisible()]
+
+    target = window.shown.projection.camera.target
+    trace = window.shown.projection.trace(target)
+    own = {"world": target, "ndc": trace.ndc, "image": trace.image[:2]}
+    for name, place in own.items():
+        drawing = window.panes[name].drawing
+        assert np.allclose(drawing.spots_of(np.array([place])), drawing.sight.seen([target]))
+
+    # By keyboard: from the button into the picture, by steps of ten, then Enter.
+    assert keyboard() is image.first
+    press(KEY.Key_Return)
+    assert keyboard() is canvas and crosses("image") == [canvas.rect().center()]
+    press(KEY.Key_Left)
+    press(KEY.Key_Right)
+    for _ in range(round(width / 40.0)):
+        press(KEY.Key_Left, Qt.KeyboardModifier.ShiftModifier)
+    press(KEY.Key_Return)
+    assert "That is the left half." in texts(image) and image.is_open
+    for _ in range(round(width / 20.0)):
+        press(KEY.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    press(KEY.Key_Return)
+    settle()
+    assert keyboard() is ndc.first, "the keys go on to the next question"
+    assert not image.is_open and "Right." in texts(image) and image.answer == "960 360"
+    (middle,) = crosses("image")
+    assert abs(middle.x() - (x + 0.75 * width)) <= 1.5, "the exact place is marked"
+    assert abs(middle.y() - (y + height / 2.0)) <= 1.5
+
+    # Any question may be answered first.
+    buttons(world)["Click in the picture: world"].click()
+    assert keyboard() is window.panes["world"].canvas and len(crosses("world")) == 1
+    # By mouse: the click places the crosshair, and follows no vertex; Check takes it.
+    canvas = window.panes["ndc"].canvas
+    places = window.panes["ndc"].drawing.spots_of(np.array([[1.0, -1.0, 1.0], [1.0, 1.0, 1.0]]))
+    right, wrong = (QPoint(*np.round(spot).astype(int).tolist()) for spot in places)
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=wrong)
+    assert not window.probe_panel.probes and len(crosses("ndc")) == 1
+    assert not crosses("image"), "only the question that is asked has a crosshair"
+    press(KEY.Key_Return)
+    assert "That is not it." in texts(ndc)
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=right + QPoint(6, 6))
+    world.check()
+    settle()
+    assert "That is not it." in texts(world), "by its own crosshair, in the middle"
+    press(KEY.Key_Return)
+    assert not ndc.is_open
+
+    # In the world the pane's own camera decides; another state must be shown again first.
+    canvas = window.panes["world"].canvas
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 1.5, 60.0)))
+    come_to_rest(window)
+    ((x, y),) = window.panes["world"].drawing.sight.seen([window.shown.projection.camera.target])
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(y)))
+    settle()
+    assert "shows something else now" in texts(world) and not crosses("world")
+    buttons(world)["Show it again"].click()
+    come_to_rest(window)
+    window.panes["world"].canvas.setFocus()
+    QTest.keyClick(window.panes["world"].canvas, KEY.Key_Left)  # turn it: no crosshair yet
+    settle()
+    ((x, y),) = window.panes["world"].drawing.sight.seen([window.shown.projection.camera.target])
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=QPoint(round(x) + 5, round(y)))
+    press(KEY.Key_Return)
+    assert not world.is_open
+    card.leave()
+    canvas = window.panes["image"].canvas
+    assert not crosses("world")
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=canvas.rect().center())
+    assert window.probe_panel.probes, "a click follows a point again"
+    card.open(path)
+    settle()
+    assert not any(block.is_open for block in card.blocks) and not crosses("image")

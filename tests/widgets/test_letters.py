@@ -19,7 +19,8 @@ from widgets.window.main_window import MainWindow
     ("letters", "expected"),
     [
         ("own", {"u": "u", "v": "v", "n": "n"}),
-        ("001", {"u": "u", "v": "v", "n": "w"}),  # w = -look
+        ("001", {"u": "u", "v": "v", "n": "w", "eye": "P"}),  # w = -look
+        ("003", {"u": "u", "v": "v", "n": "n"} | {f"object_{x}": f"O_{x}" for x in "xyz"}),
         ("004", {"u": "u", "v": "v", "n": "n", "up": "V", "eye": "T\u2080", "target": "T\u2081"}),
     ],
 )

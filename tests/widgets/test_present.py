@@ -13,6 +13,7 @@ from PySide6.QtGui import QEnterEvent, QFontInfo, QHelpEvent, QIcon, QPixmap
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip, QWidget
 
+from app.document.settings import set_values
 from app.drawings.style import LIGHT
 from tests.support.drawings import labels_of
 from tests.support.layout import cut
@@ -194,6 +195,19 @@ def test_the_strip_has_the_controls_that_a_step_names(window: MainWindow) -> Non
     assert window.controls.rows["near"].isVisible()
     order = [card.layout().indexOf(row) for row in card.rows.values()]
     assert order == sorted(order)
+
+
+def test_a_row_that_comes_into_the_strip_has_the_value_of_the_document(window: MainWindow) -> None:
+    """The card of the scene is hidden then, and shows its values only while they can be seen."""
+    begin(window)
+    document = set_values(
+        window.store.document,
+        ["scene=view-volumes", "settings.volume=box", "view.controls=settings.volume"],
+    )
+    assert window.store.open(document, is_work=False)
+    settle()
+    (row,) = window.control_strip.rows
+    assert row.isVisible() and row.value() == "box"
 
 
 def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(

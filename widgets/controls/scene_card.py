@@ -88,6 +88,7 @@ class SceneCard(QWidget, RowHolder):
         self._why_not: dict[QWidget, str] = {}
         self._without_effect: set[str] = set()
         self._found: set[QWidget] | None = None
+        self._is_guided = False
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.players: dict[str, Player] = {}
@@ -191,14 +192,20 @@ class SceneCard(QWidget, RowHolder):
     def _is_seen(self) -> bool:
         return self.isVisible() or any(self.rows[name].isVisible() for name in self._lent)
 
+    def set_guided(self, guided: bool) -> None:
+        """Leave the scene's own questions out beside a lesson, which asks others."""
+        self._is_guided = guided
+        self.show_some(self._found)
+
     def show_some(self, found: set[QWidget] | None) -> None:
         """Show only the found rows; None shows the whole card."""
         self._found = found
         for name, row in self.rows.items():
             there = name not in self._without_effect if found is None else row in found
             row.setVisible(there)
-        for part in (self.title, self.tries, self.readout):
+        for part in (self.title, self.readout):
             part.setVisible(found is None)
+        self.tries.setVisible(found is None and not self._is_guided)
         self.warning.setVisible(found is None and bool(self.warning.text()))
         for button, offered in self._offered.items():
             button.setVisible(found is None and offered and not self._is_for_class)
@@ -437,6 +444,8 @@ class SceneCard(QWidget, RowHolder):
         return self.tr("Only with “{0}”: {1}.").format(label, text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden
+            self._readable.settle()
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:

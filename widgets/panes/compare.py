@@ -1,6 +1,7 @@
 """Pictures beside that of the image pane: held ones, or others that follow the document.
 
-Each of the others is a pane inside the image pane, which draws off the screen and keeps its pixels:
+A class can see the worlds of those states instead. Each of the others is a pane inside the pane
+that is compared in, which draws off the screen and keeps its pixels:
 cut at dividers that the user drags, or side by side, where the live picture becomes smaller. A held
 picture is not drawn again. Mouse, handles and probes work in the live picture only.
 """
@@ -26,7 +27,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.document.compare import Picture, Written, in_words, names_in
 from app.document.settings import name_of, pictured
-from app.drawings.side_by_side import cells
+from app.drawings.side_by_side import places_of
 from app.drawings.style import Style
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -209,7 +210,7 @@ class _Words(Label):
 
 
 class Compare(QObject):
-    """The pictures in the image pane; `smoothing` returns the smoothing of a pane at rest."""
+    """The pictures in a pane, at first the image's; `smoothing` returns that of a pane at rest."""
 
     changed = Signal()
     """The pictures or the dividers have changed."""
@@ -244,7 +245,26 @@ class Compare(QObject):
         self.bar.hide()
         self._name_way()
         pane.add_below(self.bar)
-        pane.marked.connect(self.refresh)
+        self._known: set[Pane] = set()
+        self._know(pane)
+
+    def _know(self, pane: Pane) -> None:
+        """Follow the probes of a pane."""
+        if pane not in self._known:
+            self._known.add(pane)
+            pane.marked.connect(self.refresh)
+
+    def move_to(self, pane: Pane) -> None:
+        """Compare in another pane from now on."""
+        if pane is self._pane:
+            return
+        pictures, dividers = self.pictures, self.dividers
+        self._show((), ())
+        pane.surface.beside = self._pane.surface.beside
+        self._pane = pane
+        self._know(pane)
+        self._show(pictures, dividers)
+        self.refresh()
 
     def set_presenting(self, on: bool, screen_px: float) -> None:
         """Show a class the pictures and their names alone, the names as large as labels."""
@@ -266,7 +286,12 @@ class Compare(QObject):
     @property
     def is_divided(self) -> bool:
         """Whether the pictures lie over each other, which they never do with two shapes."""
-        return bool(self.dividers) and not self._has_two_shapes
+        return bool(self.dividers) and not self._has_two_shapes and self._is_image
+
+    @property
+    def _is_image(self) -> bool:
+        drawing = self._pane.drawing
+        return drawing is None or drawing.pane == "image"
 
     @property
     def _has_two_shapes(self) -> bool:
@@ -274,8 +299,11 @@ class Compare(QObject):
 
     def show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
         """Compare these pictures; `refresh` draws them."""
-        if tuple(pictures) == self.pictures and tuple(dividers) == self.dividers:
-            return
+        if tuple(pictures) != self.pictures or tuple(dividers) != self.dividers:
+            self._show(pictures, dividers)
+            self.changed.emit()
+
+    def _show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
         if tuple(pictures) != self.pictures:
             self.close_canvases()
             for widget in (*self.others, *self.captions):
@@ -303,7 +331,6 @@ class Compare(QObject):
         self._name_way()
         self._laid_out = []
         self._lay_out()
-        self.changed.emit()
 
     def toggle_way(self) -> None:
         """Change between side by side and over each other."""
@@ -447,11 +474,12 @@ class Compare(QObject):
         return [round(place.left() + part * place.width()) for part in self.dividers]
 
     def _cells(self) -> list[QRect]:
-        """Places beside or above each other, whichever gives larger pictures of one height."""
+        """Places beside each other, or also above each other if that makes images larger."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
         em = max(em, LABEL_SHARE * self._screen_px)
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
-        found = cells(whole.width(), whole.height(), aspects, em)
+        pane = "image" if self._is_image else "world"
+        found = places_of(pane, whole.width(), whole.height(), aspects, em)
         return [QRect(*cell) for cell in found]
 
     # -- dividers

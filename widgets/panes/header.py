@@ -48,8 +48,8 @@ class Header(QWidget):
     @property
     def room(self) -> tuple[int, int]:
         """The free part of the row, in pixels from the pane's left."""
-        hidden = self.tools.isHidden()
-        return self.x() + self.width(), self._pane.width() if hidden else self.tools.x()
+        left = 0 if self.isHidden() else self.x() + self.width()
+        return left, self._pane.width() if self.tools.isHidden() else self.tools.x()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Hide the buttons from a class, and a title that it does not need to be `named` by."""

@@ -151,6 +151,8 @@ class Pane(QFrame):
     enlarge_requested = Signal()
     clicked = Signal(QPointF)
     """A place in the canvas, in device pixels from its top left."""
+    aimed = Signal(QPointF)
+    """Likewise, while `is_aimed_at`, instead of `clicked`."""
     double_clicked = Signal()
     """The canvas was double-clicked: the click before does not count."""
     float_requested = Signal()
@@ -212,9 +214,11 @@ class Pane(QFrame):
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
         self.hand.moved.connect(self._view_moved)
-        self.hand.clicked.connect(self.clicked)
+        self.hand.clicked.connect(self._clicked)
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
+        self.is_aimed_at = False
+        """Whether a question asks for a place in the picture."""
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
         self._has_changed = True
@@ -282,7 +286,8 @@ class Pane(QFrame):
         elif shown is not self.shown:
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
-        self.ask("names", other._asked["names"])
+        for what in ("names", "fixed", "step"):
+            self.ask(what, other._asked[what])
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
@@ -362,6 +367,9 @@ class Pane(QFrame):
             self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
             self.request_repaint()
+
+    def _clicked(self, place: QPointF) -> None:
+        (self.aimed if self.is_aimed_at else self.clicked).emit(place)
 
     def _point_at(self, place: QPointF | None = None) -> None:
         highlighted = NOTHING
@@ -611,6 +619,6 @@ class Pane(QFrame):
         bars = self.header, self.header.tools
         if any(bar.geometry().contains(place) for bar in bars):
             self.enlarge_requested.emit()
-        else:
+        elif not self.is_aimed_at:
             self.double_clicked.emit()
             self.reset_view()

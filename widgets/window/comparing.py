@@ -9,6 +9,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from PySide6.QtCore import QObject
 
 from app.document.compare import Picture
@@ -35,7 +37,7 @@ class Comparing(QObject):
 
     def __init__(
         self,
-        image: Pane,
+        panes: Mapping[str, Pane],
         look: Look,
         store: Store,
         slots: Slots,
@@ -43,7 +45,9 @@ class Comparing(QObject):
         menus: Actions,
         messages: MessageBar,
     ) -> None:
+        image = panes["image"]
         super().__init__(image)
+        self._panes = panes
         self._store, self._slots, self._menus, self._messages = store, slots, menus, messages
         self._was_large: str | None = None
         """The pane that had the large slot before the comparison."""
@@ -59,6 +63,13 @@ class Comparing(QObject):
         look.built.connect(self.pictures.refresh)
         self.pictures.end_wanted.connect(self.end)
         self.pictures.changed.connect(self._mark)
+        slots.rearranged.connect(self._choose_pane)
+
+    def _choose_pane(self) -> None:
+        """Compare in the world if that is the slide of a class, else in the image."""
+        slide = self._slots.slide
+        name = "world" if "world" in slide and "image" not in slide else "image"
+        self.pictures.move_to(self._panes[name])
 
     @property
     def is_on(self) -> bool:

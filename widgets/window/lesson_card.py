@@ -88,6 +88,9 @@ class LessonCard(QFrame):
     """The answers of the lesson with this title were deleted; the callable restores them."""
     hidden = Signal(object)
     """What must not be seen now, because it would show the answer of an exercise."""
+    aimed = Signal(object, object)
+    """The `BlockView`s whose questions are to be answered in a picture, and the one that has just
+    been answered so, or None."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -280,7 +283,10 @@ class LessonCard(QFrame):
         self.went_on.emit()
 
     def _hide(self) -> None:
-        """Hide what would show the answer of an exercise that is open."""
+        """Hide what would show the answer of an open exercise; take clicks for a question."""
+        aims = [view for view in (block.aims for block in self.blocks) if view is not None]
+        asked, answered = ([v for v in aims if v.is_open == is_open] for is_open in (True, False))
+        self.aimed.emit(asked, answered[-1] if answered else None)
         hides = frozenset[str]().union(*(block.hides for block in self.blocks))
         if hides != self._hides:
             self._hides = hides
@@ -303,6 +309,7 @@ class LessonCard(QFrame):
         self._unfold()
         self._area.setWidget(page)
         self._area.verticalScrollBar().setValue(0)
+        self._hide()
         self._show_marks()
 
     def _unfold(self) -> None:
@@ -351,11 +358,11 @@ class LessonCard(QFrame):
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
     def _settled(self, view: BlockView, answer: str) -> None:
-        self._hide()
         self._note(view.block.name, answer)
         self._notice.hide()
-        had_focus = self._has_focus
+        had_focus = self._has_focus or view.aims is not None  # or in the picture
         self._unfold()
+        self._hide()
         self._show_marks()
         if had_focus:
             self._take_focus()

@@ -230,6 +230,7 @@ class Look(QObject):
     def set_letters(self, letters: Letters) -> None:
         """Name the axes by a lecture's letters."""
         names = {"up": self.tr("up"), "eye": self.tr("eye"), "target": self.tr("target")}
+        names |= {f"object_{axis}": axis for axis in "xyz"}
         self.words |= names | axis_letters(letters)
         self.rebuild()
 

@@ -66,6 +66,7 @@ from widgets.window.lesson_card import LessonCard, Side
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
+from widgets.window.pointing import Pointing
 from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
@@ -293,7 +294,7 @@ class MainWindow(QMainWindow):
             self.store, self.files.choose_scene,
         )  # fmt: skip
         self.comparing = Comparing(
-            image, self.look, self.store, self.slots, controls.card, self.menus, self.messages
+            self.panes, self.look, self.store, self.slots, controls.card, self.menus, self.messages
         )
         self.arrangement = Arrangement(
             self.panes, self.slots, WorldLook(self.panes, self.menus), self.strip, self.panels,
@@ -324,6 +325,7 @@ class MainWindow(QMainWindow):
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
         self.hiding = Hiding(self.panels, controls.card, self.cursors, self.panes)
+        self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,

@@ -103,8 +103,11 @@ def _wire_lesson(window: Any) -> None:
     menus.lesson_menu.wire(card, window.settings)
     card.begun_again.connect(window.offer_answers)
     card.hidden.connect(window.hiding.hide)
+    card.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
+    guided = window.controls.card.set_guided
+    window.lessons.opened.connect(lambda: guided(window.lessons.lesson is not None))
     for signal in (
         window.store.changed,
         window.store.view_changed,

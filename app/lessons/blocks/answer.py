@@ -1,4 +1,4 @@
-"""``answer``: a typed number, a matrix, or a choice that may be repeated."""
+"""``answer``: a typed number, a matrix, a place, or a choice that may be repeated."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import CHECKS, RIGHT, Marked, Question, Reply, Verdict, said_below
 from app.lessons.lines import LACKS, Body, refused
@@ -15,7 +16,7 @@ from app.model.formula import latex
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
-WAYS = ("value", "matrix", "choice")
+WAYS = ("value", "matrix", "click", "choice")
 """The keys by which an answer may be given."""
 
 
@@ -27,15 +28,20 @@ class Answer(Marked):
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        text, items = body.items("value", "matrix", "unit", "wrong", *CHECKS, choices=True)
+        keys = ("value", "matrix", "click", "at", "within", "unit", "wrong", *CHECKS)
+        text, items = body.items(*keys, choices=True)
         ways = [item for item in items if item.key in WAYS]
         if not ways:
-            raise refused(body.line, LACKS, "“value: FORMULA”, “matrix: CELLS”, or choices")
+            raise refused(
+                body.line, LACKS, "“value: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
+            )
         other = next((item for item in ways if item.key != ways[0].key), None)
         if other is not None:
-            raise refused(other.line, EITHER, "value, matrix and choices")
+            raise refused(other.line, EITHER, "value, matrix, click and choices")
         if ways[0].key == "choice":
             return Choices.of(body, text, items)
+        if ways[0].key == "click":
+            return Click.of(body, text, items)
         if ways[0].key == "matrix":
             return Matrix.of(body, text, items)
         value = items.single("value")

@@ -11,7 +11,7 @@ from typing import TypeVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
-from app.lessons.lines import Body, Item, Items, on_line, refused
+from app.lessons.lines import Body, Item, Items, on_line, refused, split
 from app.lessons.marking import Typed
 from app.model.formula import Formula, latex, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -185,22 +185,10 @@ def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:
 
 def _cells(item: Item) -> tuple[int, int, tuple[Formula, ...]]:
     """Read the rows and columns of a matrix, and its formulas row after row."""
-    rows = [_split(row) for row in item.text.split(";")]
+    rows = [split(row) for row in item.text.split(";")]
     count, width = len(rows), len(rows[0])
     is_even = all(len(row) == width for row in rows)
     if not is_even or max(count, width) > MOST or count * width < 2:
         raise refused(item.line, A_MATRIX, MOST, value=item.text[:60])
     with on_line(item.line, item.key):
         return count, width, tuple(parse(cell.strip()) for row in rows for cell in row)
-
-
-def _split(row: str) -> list[str]:
-    """Split a row at its commas outside brackets."""
-    cells, depth = [""], 0
-    for letter in row:
-        depth += (letter == "(") - (letter == ")")
-        if letter == "," and not depth:
-            cells.append("")
-        else:
-            cells[-1] += letter
-    return cells

@@ -147,7 +147,7 @@ class Question(Asked):
         """Return the quantities for its formulas: of the state that it shows, if it shows one."""
         return here.quantities(here.shown_by(self.show) if self.show is not None else None)
 
-    def values(self, here: Here, formulas: Sequence[Formula], line: int) -> Value:
+    def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
         """Return the values of some of its formulas; a `Refusal` names the line."""
         known = self.known(here)
         with on_line(line, "formula"):

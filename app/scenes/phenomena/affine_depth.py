@@ -163,7 +163,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
     bows: list[Mark] = [
-        Line(each, "u", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
+        Line(each, "leader", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
     ]
     at = None
     if not own.any():
@@ -253,4 +253,5 @@ PHENOMENON = Phenomenon(
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
     cube_side=(75.0, 10.0),
     leaves_out=frozenset({"near-picture"}),
+    pale=frozenset({"ndc"}),
 )

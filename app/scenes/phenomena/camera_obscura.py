@@ -78,6 +78,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         world += [segment(*ends, "accent", 1.0) for ends in zip(arrow, on_film, strict=True)]
         world += [Line(each, "accent", 3.0) for each in (arrow, on_film, on_front)]
         world += [Dot(on_front[1], "accent", 1.3), named("h", arrow[1]), named("h'", on_film[1])]
+        axis = world_from_view(projection, np.array([(0.0, 0.0, d), (0.0, 0.0, -z)]))
+        for name, end, colour in zip("dz", axis, ("v", "muted"), strict=True):
+            world += [segment(hole, end, colour, 1.0), Text(name, (hole + end) / 2.0, colour)]
         diagrams = (_diagram(d, z, y * z),)
         slab *= z
         image += seen_lines(projection, trace.clip[None], ("accent",), 3.0)

@@ -66,6 +66,7 @@ _SHEAR = math.radians(45.0) - _TURN  # checks as large on the letter's front as 
 
 _LONGEST = 0.12  # of the picture's height, and of the scene's size: what arrows are enlarged to
 _HEAD = 0.3  # of an arrow
+_LEAST_ARROW = 0.03  # of the longest: a shorter one would be a speck
 _LEAST_SHOWN = 1e-9  # of the same: nothing shorter is enlarged
 
 
@@ -235,10 +236,11 @@ def _errors_in_picture(
     projection: Projection, trace: Trace, px: Array, here: NDArray[np.bool_]
 ) -> tuple[Marks, float | None]:
     """An arrow for each error at a vertex that can be seen, and how much it is enlarged."""
-    factor = enlargement(_largest(px[here]) or 0.0, _LONGEST * projection.image_size[1])
+    longest = _largest(px[here]) or 0.0
+    factor = enlargement(longest, _LONGEST * projection.image_size[1])
     if factor is None:
         return Marks(), None
-    rows = here & _on_front(trace) & np.isfinite(px).all(axis=1)
+    rows = here & _on_front(trace) & (np.linalg.norm(px, axis=1) > _LEAST_ARROW * longest)
     steps = factor * px[rows]
     arrows = _arrows(trace.image[rows], steps, steps[:, ::-1] * (-1.0, 1.0))
     inside = ((arrows >= 0.0) & (arrows <= projection.image_size)).all(axis=(1, 2))

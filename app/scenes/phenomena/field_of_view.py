@@ -194,11 +194,14 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     at_squares = []
     if ratio is not None:
         # Two squares of one size at the subject's nearest and farthest depth.
-        for depth, name, colour in ((w_near, "nearest", "near"), (w_far, "farthest", "far")):
+        # From afar they are nearly one: the names stand at different corners.
+        squares = (w_near, "nearest", "near", 2), (w_far, "farthest", "far", 1)
+        for depth, name, colour, corner in squares:
             square = _square(camera, 0.45 * height, depth)
             lines.append(Line(square, colour, 1.5, (), name))
-            at_squares.append(Text(name, square[2], colour, text=WORDS[name]))
+            at_squares.append(Text(name, square[corner], colour, text=WORDS[name]))
     texts += at_squares
+    ends = np.array([camera.eye, camera.target])
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
     places = [text.point for text in texts]
@@ -212,9 +215,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             *_angles(projection),
         ),
         world=Marks.of(
-            Line(np.array([camera.eye, camera.target]), "accent", name="d"),
+            Line(ends, "accent", name="d"),
             *lines,
-            Text("d", np.array(camera.target), "accent", text=f"d = {distance:.4g}"),
+            Text("d", ends.mean(axis=0), "accent", text=f"d = {distance:.4g}"),
             *at_squares,
         ),
         image=Marks.of(

@@ -327,7 +327,7 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.fov_y_deg",),
     own_mesh=True,
-    names=("sharp-from", "in-focus", "sharp-to"),
+    names=("eye", "sharp-from", "in-focus", "sharp-to"),
     side=(45.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

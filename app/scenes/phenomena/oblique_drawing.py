@@ -262,6 +262,6 @@ PHENOMENON = Phenomenon(
     found=_found,
     own_mesh=True,
     names=_SCALE_NAMES,
-    side=(20.0, 55.0),
+    side=(55.0, 40.0),
     leaves_out=frozenset({"near-picture"}),
 )

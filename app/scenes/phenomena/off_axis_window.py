@@ -18,7 +18,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Line, Mark, Marks, Text, plate, segment
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.readout import Phrase, Reading, figure
+from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.words import Words
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
@@ -150,9 +150,15 @@ def _join_readings(
 def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
     """The window in the plane through the target, and the frusta from the eye to its screens.
 
-    And, on the near plane, the four numbers that glFrustum takes of it (lecture 003).
+    And, on the near plane, the sides that glFrustum takes the numbers of (lecture 003).
     """
-    marks: list[Mark] = _near_rectangle(projection)
+    left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
+    marks: list[Mark] = [
+        segment(left_bottom, left_top, "near", 1.5, ("left",)),
+        segment(right_bottom, right_top, "near", 1.5, ("right",)),
+        segment(left_bottom, right_bottom, "near", 1.5, ("bottom",)),
+        segment(left_top, right_top, "near", 1.5, ("top",)),
+    ]
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         corners = section(screen, screen.camera.distance)
         starts = section(screen, screen.lens.near)
@@ -164,24 +170,6 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
     if (right := screens.get("right")) is not None:
         marks.append(Line(section(right, right.camera.distance)[[0, 3]], "accent", 2.0))
     return Marks.of(*marks)
-
-
-def _near_rectangle(projection: Projection) -> list[Mark]:
-    """The near plane's window, with l, r, b and t written at their sides."""
-    left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
-    ends = {
-        "left": (left_bottom, left_top),
-        "right": (right_bottom, right_top),
-        "bottom": (left_bottom, right_bottom),
-        "top": (left_top, right_top),
-    }
-    marks: list[Mark] = []
-    middle = (left_bottom + right_top) / 2.0
-    for (side, (start, end)), value in zip(ends.items(), projection.window, strict=True):
-        marks.append(segment(start, end, "near", 1.5, (side,)))
-        text = f"{{{side[0]}}} = {figure(value, 4)}"
-        marks.append(Text(side[0], (start + end) / 2.0, "near", (side,), middle, text))
-    return marks
 
 
 def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:

@@ -28,7 +28,6 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
-    Dot,
     Grip,
     Line,
     Mark,
@@ -151,7 +150,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         warning = WORDS.phrase("in-the-object")
     elif place is None:
         warning = note
-    marked = [each for each in (place, shadow) if each is not None]
+    pair = {"P": place, "P'": shadow}
+    marked = [each for each in pair.values() if each is not None]
+    names = [name for name, each in pair.items() if each is not None]
     trace = projection.trace(np.reshape(marked, (-1, 3)))
     measured = None if met is None else shadow
     off = None if measured is None else float(np.linalg.norm(measured - met))
@@ -167,7 +168,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
         world=_world_marks(settings, subject, light, marked),
-        image=Marks.of(*(Dot(at, "accent", 1.2) for at in trace.image[seen(trace)])),
+        image=Marks.of(
+            *(
+                named(name, at, size=1.2)
+                for name, at, here in zip(names, trace.image, seen(trace), strict=True)
+                if here
+            )
+        ),
         copies=tuple(copies),
         warning=warning,
         grips=(_grip(light, subject),),

@@ -60,6 +60,10 @@ class Practises(BlockView):
         is_asked = self.asked is not None and self.asked.is_open
         return self.exercise.hides if is_asked else frozenset()
 
+    @property
+    def aims(self) -> BlockView | None:
+        return None if self.asked is None else self.asked.aims
+
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
         self.seed.setText(seed)

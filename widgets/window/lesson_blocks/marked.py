@@ -33,6 +33,9 @@ class Attempts(BlockView):
     def _close(self) -> None:
         """Accept no further answer."""
 
+    def _mark(self, typed: str) -> Verdict:
+        return self.question.mark(self.here, typed)
+
     def _show_verdict(self, verdict: Verdict) -> None:
         """Show the verdict where the answer is, besides the sentences below."""
 
@@ -54,7 +57,7 @@ class Attempts(BlockView):
         """Mark an answer, and say whether it is right."""
         self._hush()
         try:
-            verdict = self.question.mark(self.here, typed)
+            verdict = self._mark(typed)
         except Refusal as error:
             self._refuse(error)
             self._announce(sentence(error))

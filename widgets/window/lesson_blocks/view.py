@@ -117,6 +117,11 @@ class BlockView(QFrame):
         return frozenset()
 
     @property
+    def aims(self) -> BlockView | None:
+        """Return the view of a question about a place that is asked, or has just been answered."""
+        return None
+
+    @property
     def first(self) -> QWidget | None:
         """Return the widget that gets the focus first."""
         return None

@@ -1,0 +1,131 @@
+"""``click:`` in an ``answer``: a place that the student points at in a picture."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from app.document.view import PANES
+from app.lessons import marking
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
+from app.lessons.lines import LACKS, Body, Item, Items, number_in, on_line, refused, split
+from app.model.formula import Formula, latex, parse
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+WITHIN_PX = 12.0
+"""Largest distance of a click that counts, unless the question says another one."""
+PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
+"""Width of a small image pane; a unit of the cube, and the way from the eye to its target, in small
+panes. A check uses them to compare places without a window."""
+
+COORDINATES = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
+OUTSIDE = QT_TRANSLATE_NOOP("Refusal", "has the place ({0}), which is not in the picture")
+A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by spaces")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Click(Marked):
+    """A question whose answer is a place in a picture.
+
+    Attributes
+    ----------
+    pane : str
+        One of `PANES`. Places are in world coordinates, in those of the NDC cube, or in the image's
+        pixels from its upper left.
+    within_px : float
+        How far from a place a click may be, on a screen with scale 1.
+    """
+
+    kind = "answer"
+    pane: str
+    within_px: float
+
+    @classmethod
+    def of(cls, body: Body, text: str, items: Items) -> Click:
+        click, at, within = (items.single(key) for key in ("click", "at", "within"))
+        assert click is not None
+        if click.text not in PANES:
+            raise refused(click.line, ONE_OF, ", ".join(PANES), value=click.text)
+        if at is None:
+            raise refused(click.line, LACKS, "“at: FORMULA, FORMULA”")
+        count = 2 if click.text == "image" else 3
+        return cls(
+            **cls.fields(body, text, items),
+            replies=tuple(
+                Reply(line=w.line, formulas=_place(w, count), idea=w.about, **said_below(w))
+                for w in items
+                if w.key == "wrong"
+            ),
+            right=_place(at, count),
+            right_line=at.line,
+            pane=click.text,
+            within_px=number_in(within.text, within.line, 2, 100) if within else WITHIN_PX,
+        )
+
+    def answer(self, here: Here) -> Value:
+        return self.values(here, *self.key)
+
+    def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
+        found = super().values(here, formulas, line)
+        sides = here.document.projection.image_size
+        inside = {"image": [0.0 <= x <= side for x, side in zip(found, sides, strict=False)],
+                  "ndc": [abs(x) <= 1.0 for x in found]}  # fmt: skip
+        if not all(inside.get(self.pane, ())):
+            raise refused(line, OUTSIDE, ", ".join(f"{x:.4g}" for x in found))
+        return found
+
+    def are_alike(self, here: Here, one: Value, other: Value) -> bool:
+        return self._away(here, one, other) < 2.0 * self.within_px
+
+    def _away(self, here: Here, one: Value, other: Value) -> float:
+        """Return about how many pixels two places are apart in a small window."""
+        projection = here.document.projection
+        per_unit = {
+            "image": PICTURE_PX / projection.image_size[0],
+            "ndc": PER_NDC_PX,
+            "world": DISTANCE_PX / projection.camera.orbit.distance,
+        }
+        return math.dist(one, other) * per_unit[self.pane]
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        """Return the verdict on a place that is given by its coordinates."""
+        parts = typed.split()
+        if len(parts) != len(self.right):
+            raise Refusal("place", typed, A_CLICK, len(self.right))
+        place = tuple(float(marking.read(part).value) for part in parts)
+        return self.verdict_at(here, lambda other: self._away(here, place, other))
+
+    def verdict_at(self, here: Here, away_px: Callable[[Value], float]) -> Verdict:
+        """Return the verdict on a click, whose distance from any place `away_px` returns."""
+        if away_px(self.answer(here)) <= self.within_px:
+            return Verdict(True, says=self.why)
+        for wrong in self.replies:
+            if away_px(self.values(here, wrong.formulas, wrong.line)) <= self.within_px:
+                return wrong.verdict(here)
+        return Verdict(False)
+
+    def verdict(self, here: Here, sample: str, line: int) -> str:
+        with on_line(line):
+            return super().verdict(here, sample, line)
+
+    def solution(self, here: Here) -> str:
+        numbered = self.numbered(here)
+        if numbered is None:
+            return ""
+        sides = (", ".join(latex(each, {}) for each in side) for side in (self.right, numbered))
+        values = ", ".join(f"{value:.4g}" for value in self.answer(here))
+        return f"${' = '.join(f'({side})' for side in (*sides, values))}$"
+
+    def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
+        return f"({', '.join(map(write, self.answer(here)))})"
+
+
+def _place(item: Item, count: int) -> tuple[Formula, ...]:
+    parts = split(item.text)
+    if len(parts) != count:
+        raise refused(item.line, COORDINATES, count, value=item.text[:60])
+    with on_line(item.line, item.key):
+        return tuple(parse(part.strip()) for part in parts)

@@ -1,0 +1,79 @@
+"""The view of a question that is answered by pointing at a place in a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from app.lessons.blocks.click import Click
+from app.lessons.blocks.question import Value, Verdict
+from app.lessons.course import AtStep
+from widgets.parts.layouts import FREE
+from widgets.window.lesson_blocks.marked import Attempts
+from widgets.window.lesson_blocks.view import BlockView, button, on_holder
+
+
+class Points(Attempts):
+    """A place in a picture; `Pointing` shows the crosshair there, and says where it is."""
+
+    wanted = Signal()
+    """The user wants to move the crosshair."""
+    question: Click
+
+    def __init__(self, here: AtStep, question: Click) -> None:
+        super().__init__(here, question)
+        self._away_px: Callable[[Value], float] | None = None
+        self._is_told = False
+        pictures = {
+            "world": self.tr("world"), "ndc": self.tr("NDC cube"), "image": self.tr("image")
+        }  # fmt: skip
+        name = self.tr("Click in the picture: {0}").format(pictures[question.pane])
+        tip = self.tr("Click there; or here, then move the crosshair with the arrow keys (Enter)")
+        self._go = button(name, tip, self.wanted.emit)
+        self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
+        self._check.setEnabled(False)
+        self._insert(on_holder(self._go, self._check, FREE, gap=5))
+
+    @property
+    def first(self) -> QWidget | None:
+        return self._check if self._check.isEnabled() else self._go
+
+    @property
+    def aims(self) -> BlockView | None:
+        return self if self.is_open or self._is_told else None
+
+    def take(self, away_px: Callable[[Value], float]) -> None:
+        """Take the place of the crosshair, as a function for its distance from others."""
+        self._away_px = away_px
+        self._check.setEnabled(self.is_open)
+
+    def check(self) -> None:
+        """Say whether the crosshair is at the right place."""
+        if self.is_open and self._away_px is not None:
+            # Kept as the right place: a click in the world has no coordinates of its own.
+            values = self.question.answer(self.here)
+            self._submit(" ".join(f"{value:.6g}" for value in values))
+
+    def say_other(self) -> None:
+        """Say that the picture shows another state, in which the answer would be another one."""
+        self._warn(self.tr("The picture shows something else now."))
+        name, tip = self.tr("Show &it again"), self.tr("Show the state of the question")
+        self._offer_state(self.here.document, name, tip)
+        self._announce(self.tr("The picture shows something else now."))
+
+    def _mark(self, typed: str) -> Verdict:
+        assert self._away_px is not None
+        return self.question.verdict_at(self.here, self._away_px)
+
+    def _settle(self, answer: str) -> None:
+        self._is_told = True
+        super()._settle(answer)
+
+    def _show(self, typed: str) -> None:
+        """Show nothing: the picture may show another state by now."""
+
+    def _close(self) -> None:
+        self._go.hide()
+        self._check.hide()
