@@ -32,9 +32,7 @@ def pixel(seen: Projection, point: Any) -> list[Any]:
     n = (eye - target) / mp.norm(eye - target)
     u = mp.matrix([n[2], 0, -n[0]])  # (0, 1, 0) x n
     u /= mp.norm(u)
-    v = mp.matrix(
-        [n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]]
-    )
+    v = mp.matrix([n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]])
     offset = mp.matrix(point) - eye
     x, y, z = ((axis.T * offset)[0] for axis in (u, v, n))
     width, height = seen.image_size
