@@ -187,6 +187,10 @@ class Drawing(Protocol):
         """Highlight a handle, and keep it visible while it moves."""
         return
 
+    def call_handles(self, names: frozenset[str]) -> None:
+        """Show the handles with these names or settings, though nothing is on them."""
+        return
+
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         """Return the handle at a pixel, counted from the pane's top left."""
         return None

@@ -43,14 +43,15 @@ _AWAY_PX = -1e4
 class HandleMarks:
     """The marks of the handles in one pane.
 
-    Only the mark that is `held`, under the pointer or with the keyboard's focus, is drawn, unless
-    `draws_all`; both hold from the next `show` on. `shown` are the handles that can be taken, in
-    pixels from the pane's top left.
+    Only the mark that is `held`, under the pointer or with the keyboard's focus, is drawn, and
+    those that are `called`, by name or setting; with `draws_all` all are. These hold from the next
+    `show` on. `shown` are the handles that can be taken, in pixels from the pane's top left.
     """
 
     def __init__(self, canvas: Canvas) -> None:
         self.held: Handle | None = None
         self.draws_all = False
+        self.called = frozenset[str]()
         self.shown: list[tuple[Handle, Spot]] = []
         style = canvas.style
         fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
@@ -79,7 +80,8 @@ class HandleMarks:
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
             out = handle == self.held
-            if not (math.isfinite(x) and math.isfinite(y) and (out or self.draws_all)):
+            is_drawn = out or self.draws_all or bool({handle.name, handle.setting} & self.called)
+            if not (math.isfinite(x) and math.isfinite(y) and is_drawn):
                 x, y = _AWAY_PX, _AWAY_PX
             kind = handle.setting if handle.name == "object" else handle.name
             self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)

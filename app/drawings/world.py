@@ -790,6 +790,11 @@ class WorldDrawing(Drawing):
                 self._show_named()
                 self._place_labels(afresh=False)
 
+    def call_handles(self, names: frozenset[str]) -> None:
+        if self.handles is not None:
+            self.handles.called = names
+            self._place_handles()
+
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         found = nearest(self.handles_shown, pixel, within_px)
         if found is None and self.own.fixed in ("side", "top") and self.handles_shown:

@@ -432,6 +432,11 @@ class Condition:
             return cls(text, sign, path=left, word=right)
         return cls(text, sign, formula.parse(left), formula.parse(right))
 
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The names in it."""
+        return tuple(name for side in (self.left, self.right) if side for name in side.letters)
+
     def holds(self, known: Quantities) -> bool:
         """Whether the condition holds; it does not if a quantity is missing."""
         if self.left is None or self.right is None:

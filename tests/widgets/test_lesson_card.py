@@ -21,10 +21,12 @@ from PySide6.QtWidgets import (
     QToolButton,
     QWidget,
 )
+from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
 from app.lessons.lesson import Step, read
@@ -37,6 +39,7 @@ from tests.support.window import (
     arrive,
     enter,
     go_to,
+    pixels,
     present,
     seen,
     settle,
@@ -910,3 +913,37 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     card.open(path)
     settle()
     assert not any(block.is_open for block in card.blocks) and not crosses("image")
+
+
+def test_the_handles_of_a_task_are_shown_as_its_step_opens(
+    window: MainWindow, lesson: Path, qtbot: QtBot
+) -> None:
+    activate(window)
+    window.settings.reduce_motion = True
+    drawing = window.panes["world"].drawing
+    window.lesson_card.open(lesson)
+    settle()
+    assert drawing is not None and not drawing.handles.called
+    go_to(window.lessons, 1)  # the task: until near < was_near
+    settle()
+    drawing = window.panes["world"].drawing
+    assert drawing.handles.called == {"near"}
+    with_handle = pixels(window)
+    qtbot.waitUntil(lambda: not drawing.handles.called)
+    without = pixels(window)
+    (near,) = (at for handle, at in drawing.handles_shown if handle.name == "near")
+    changed = np.argwhere((with_handle != without).any(axis=2))
+    assert len(changed), "a mark was there"
+    assert np.abs(changed[:, ::-1] - near).max() < 30, "and no other"
+
+
+def test_a_task_needs_the_handles_of_what_it_names() -> None:
+    task = "Do.\nuntil: {}\n"
+    for condition, handles in (
+        ("near < was_near", {"near"}), ("distance = 3*was_distance", {"eye"}),
+        ("(right + left)/(right - left) = 0.5", {"corner"}), ("settings_light_y > 5", {"light"}),
+        ("settings_distance < eye_z", {"distance", "eye"}), ("lens.kind = oblique", set()),
+        ("abs(ndc_x) < far", {"far"}),
+    ):  # fmt: skip
+        body = Body("task", "t", 1, list(enumerate(task.format(condition).splitlines(), 2)))
+        assert Task.read(body).handles == handles, condition

@@ -68,6 +68,7 @@ AS_BUILT: dict[str, Any] = {
     "step": None,
     "fixed": "",
     "object_axes": False,
+    "handles": frozenset(),
     "highlight": NOTHING,
 }
 """What a drawing can be asked to show, and what a new drawing shows, in the order of the calls."""
@@ -79,6 +80,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "step": lambda drawing, step: drawing.show_step(step),
     "fixed": lambda drawing, view: drawing.show_fixed(view),
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
+    "handles": lambda drawing, names: drawing.call_handles(names),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
 """How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
@@ -331,6 +333,7 @@ class Pane(QFrame):
         None for the scene's own. ``"stage"``: a position on the stage
         strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
+        ``"handles"``: the names or settings of handles that are shown though nothing is on them.
         """
         if wanted == self._asked[what]:
             return False

@@ -48,7 +48,7 @@ from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.plain import Label
 from widgets.window.lesson_blocks import view_of
-from widgets.window.lesson_blocks.task import DONE
+from widgets.window.lesson_blocks.task import DONE, Tries
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.settings import Progress, Settings
@@ -62,6 +62,8 @@ MOST_MARKS = 10
 """Most steps for which each has a mark."""
 LATE_MS = 1000
 """Delay before the current step is saved: writing the file takes as long as a frame."""
+CALL_MS = 1500
+"""How long the handles of a task are shown as its step opens."""
 WHILE_MOVING_MS = 50
 """Interval at which tasks are checked while the model moves."""
 TOUR = CONTENT / "tour.md"
@@ -91,6 +93,8 @@ class LessonCard(QFrame):
     aimed = Signal(object, object)
     """The `BlockView`s whose questions are to be answered in a picture, and the one that has just
     been answered so, or None."""
+    handles_called = Signal(object)
+    """The names or settings of handles that an open task needs, for a short time; then none."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -138,6 +142,8 @@ class LessonCard(QFrame):
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
         lessons.complained.connect(self._show_mistakes)
+        self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
+        self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
         self.hide()
 
     def _foot(self) -> QHBoxLayout:
@@ -225,7 +231,14 @@ class LessonCard(QFrame):
                 self._fill()
         self._aside = None
         self._notice.hide()
+        self._call_handles()
         self.look_again()
+
+    def _call_handles(self) -> None:
+        """Show for a moment what an open task of the step may be solved with."""
+        tasks = [view.task for view in self.blocks if isinstance(view, Tries) and view.is_open]
+        self.handles_called.emit(frozenset().union(*(task.handles for task in tasks)))
+        self._calling.start()
 
     def _fill(self) -> None:
         """Make the page of the step; it takes the focus unless the user types elsewhere."""

@@ -106,6 +106,7 @@ def _wire_lesson(window: Any) -> None:
     card.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
+    card.handles_called.connect(partial(window.panes["world"].ask, "handles"))
     guided = window.controls.card.set_guided
     window.lessons.opened.connect(lambda: guided(window.lessons.lesson is not None))
     for signal in (

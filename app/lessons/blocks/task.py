@@ -16,6 +16,11 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 _PANES = "view.panes="
+_MOVED_BY = {
+    "near": "near", "far": "far", "eye": "eye", "distance": "eye", "target": "target",
+    "left": "corner", "right": "corner", "bottom": "corner", "top": "corner",
+}  # fmt: skip
+"""Which handle of the world moves what a name stands for."""
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -33,6 +38,16 @@ class Task(Asked):
         if not until:
             raise refused(body.line, LACKS, "“until: CONDITION”")
         return cls(**cls.fields(body, text, items), until=until, done=items.text("done"))
+
+    @property
+    def handles(self) -> frozenset[str]:
+        """The handles of the world that change what the task is about, by name or setting."""
+        found = set()
+        for name in (name for _, condition in self.until for name in condition.letters):
+            head, _, rest = name.removeprefix("was_").partition("_")
+            setting = rest.rpartition("_")[0] or rest
+            found.add(setting if head == "settings" else _MOVED_BY.get(head, ""))
+        return frozenset(found - {""})
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
         """Whether the window's current state fulfils the task; a `Refusal` names the line."""
