@@ -174,3 +174,8 @@ def test_formulas_break_at_wide_spaces_and_tables_may_lack_headings() -> None:
     assert "<th" not in html and html.count("<tr>") == 1 and found == ("x",)
     html, _ = html_of(rows.format("a", ""))
     assert html.count("<th") >= 2 and html.count("<tr>") == 2
+
+
+def test_a_minus_after_a_comma_is_a_sign() -> None:
+    minus = outline("(-2)").width - outline("(2)").width
+    assert outline("(1, -2)").width == pytest.approx(outline("(1, 2)").width + minus, abs=0.01)
