@@ -20,6 +20,9 @@ from tests.support.commands import one_sentence, run, run_here
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
 
+pytestmark = pytest.mark.usefixtures("display")
+"""A check measures texts; it would otherwise begin Qt on the platform without a screen."""
+
 TALK = """---
 title: From <b> to $x$
 letters: 001
