@@ -151,6 +151,7 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
     # Upper edges first, and of them the longest: there is most room.
     mids = ends.mean(axis=1)
     order = np.argsort(-(mids[:, 1] - middle[1] + 0.1 * lengths), kind="stable")
+    round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
     order = order[lengths[order] >= 1.0]
     ends, ways, lengths, mids = ends[order], ways[order], lengths[order], mids[order]
     across = ways / lengths[:, None]
@@ -165,7 +166,7 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
     centres = anchors + np.tile(away[:, None] * outs, (3, 1))
     turns = np.tile(np.where(is_turned, turns, 0.0), 3)
     places = Places(centres, turns, anchors, np.full(count, 0.35 * em))
-    return joined(places, around(mids, size, em))
+    return joined(places, round_mids)
 
 
 def joined(*places: Places) -> Places:

@@ -36,7 +36,7 @@ from app.model.formula import ARROW
 from app.model.projection import Array
 
 # Which label has a place first.
-PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
+PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, SIDE, NUMBER = map(float, range(9))
 MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4

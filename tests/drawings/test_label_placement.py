@@ -149,6 +149,13 @@ def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
     assert places.turns[0] == pytest.approx(math.atan2(40.0, 200.0))
 
 
+def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:
+    point = np.full((4, 2, 2), 200.0)
+    places = along(point, (200.0, 200.0), (80.0, 14.0), EM)
+    assert len(places.centres) > 0 and np.isfinite(places.centres).all()
+    assert (np.abs(places.centres - 200.0) > (40.0, 7.0)).any(axis=1).all()
+
+
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
 def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, float]]) -> None:
     parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)
