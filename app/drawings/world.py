@@ -62,6 +62,8 @@ _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
 _WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
+# Sides of the window that cover each other in a flat view, all along it: named only if asked for.
+_ONE_OVER_THE_OTHER = {"side": frozenset("lr"), "top": frozenset("bt")}
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
 _FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
 
@@ -174,9 +176,15 @@ class WorldDrawing(Drawing):
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self._hidden = hidden
+        before = self.own.around
         self._look_around()
         self._switch_layers()
-        self._follow_pane(afresh=True)
+        # A camera that is shown again has to be in view; when it is hidden, nothing else moves.
+        if self.own.around > before and not (self.own.was_moved or self.own.is_turned):
+            self.own.place(self._framed())
+            self.reset_clipping_range()
+        else:
+            self._follow_pane(afresh=True)
 
     def _switch_layers(self) -> None:
         # The pane looks through the camera, or it stands in front of the picture. From the eye the
@@ -435,6 +443,8 @@ class WorldDrawing(Drawing):
             written = self._dimensions.written(measured)
         unnamed = {name for name in ("eye", "target", "near", "far") if name not in names}
         unnamed |= {a for a, side in WINDOW.items() if a not in names and side not in names}
+        if names.all:
+            unnamed |= _ONE_OVER_THE_OTHER.get(self.own.fixed, frozenset())
         has_window = self.frustum.seen and lens.planes is not None
         named = Named(
             at.eye, at.target, arrows, ends, self.camera.box, self._corners_seen, lens.planes,

@@ -272,7 +272,8 @@ def test_the_heads_of_the_axes_are_as_long_in_half_a_cube(
     assert abs(tip[2] - start[2]) == pytest.approx(0.28 * abs(z_far - z_near))
     pixels_per_unit = 400 / 3.2
     column, row = round(200.0 + pixels_per_unit * tip[2]), round(200.0 - pixels_per_unit * tip[1])
-    head = lit(screen.pixels(), LIGHT.n)[row - 6 : row + 7, column - 12 : column + 13]
+    # The head ends at the tip, and reaches 0.14 back from it.
+    head = lit(screen.pixels(), LIGHT.n)[row - 6 : row + 7, column - 24 : column + 25]
     long = (head.sum(axis=0) > 4).sum()  # the shaft is thinner
     assert 0.05 * pixels_per_unit < long < 0.12 * pixels_per_unit
 
