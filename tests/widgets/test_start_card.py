@@ -134,12 +134,12 @@ def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
     window.settings.keep_progress("l03-field-of-view", kept)
     window.settings.keep_progress("l04-view-volumes", Progress(done=6, of=6))
     card = opened(window)
-    for text, count in (("Lessons", 24), ("Talks", 5)):
+    for text, count in (("Lessons", 25), ("Talks", 5)):
         menu = button(card, text).menu()
         menu.aboutToShow.emit()
         assert len(menu.actions()) == count
     lessons = button(card, "Lessons").menu().actions()
-    heads = [read(path) for path in contained()[:24]]
+    heads = [read(path) for path in contained()[:25]]
     assert [action.text().partition("\t")[0] for action in lessons] == [
         f"{head.topics[0]} {head.title}" for head in heads
     ]

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from app.drawings.pane_view import Pose
-from tests.support.window import activate, arrive, pixels, present, settle, tick
+from app.model.projection import Perspective
+from tests.support.window import activate, arrive, pixels, present, seen, settle, tick
 from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
@@ -175,7 +176,7 @@ def test_the_next_step_ends_a_transition(window: MainWindow) -> None:
 
 def test_a_change_by_hand_ends_a_transition(window: MainWindow) -> None:
     assert window.lessons.go(2) and window.lessons.is_moving
-    window.store.undo()
+    window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
     assert not window.lessons.is_moving and light_of(window) == 1.0
 
 
