@@ -36,7 +36,7 @@ from app.model.formula import ARROW
 from app.model.projection import Array
 
 # Which label has a place first.
-PROBE, LENGTH, SCENE, AXIS, EYE, PLANE, TARGET, SIDE, NUMBER = map(float, range(9))
+PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
 MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4
@@ -100,7 +100,15 @@ class Board:
 
         If not `afresh`, labels stay where they are as long as possible.
         """
-        placed = place(self._wishes, ground, None if afresh else self._kept)
+        kept, taken = None if afresh else self._kept, len(ground.taken)
+        placed = place(self._wishes, ground, kept)
+        if any(wish.rank in (PLANE, TARGET) and wish.key not in placed for wish in self._wishes):
+            # The window's sides stand back: the planes and the target are named before them.
+            later = [wish._replace(rank=TARGET + 0.5) for wish in self._wishes if wish.rank == SIDE]
+            if later:
+                del ground.taken[taken:]
+                first = [wish for wish in self._wishes if wish.rank != SIDE]
+                placed = place([*first, *later], ground, kept)
         texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
