@@ -11,12 +11,11 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from app.lessons.quantities import FUNCTIONS
-from app.model.formula import Arithmetic, parse
+from app.lessons.quantities import RATIONAL
+from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
@@ -156,13 +155,6 @@ def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
     return plain, Fraction(1)
 
 
-def _call(name: str, arguments: Sequence[Fraction]) -> Fraction:
-    return Fraction(FUNCTIONS[name](*map(float, arguments)))
-
-
-_ARITHMETIC = Arithmetic(Fraction, _call)
-
-
 def _value(text: str, plain: str) -> Fraction:
     """Return the value of an expression without letters but pi."""
     mixed = _MIXED.fullmatch(plain)
@@ -181,7 +173,7 @@ def _value(text: str, plain: str) -> Fraction:
         if letter != "pi":
             raise Refusal("answer", text, NO_LETTER, letter)
     try:
-        value: Fraction = found.value({"pi": Fraction(math.pi)}, _ARITHMETIC)
+        value: Fraction = found.value({"pi": Fraction(math.pi)}, RATIONAL)
     except KeyError as error:
         raise Refusal("answer", text, NO_LETTER, str(error.args[0])) from error
     except ZeroDivisionError as error:

@@ -13,6 +13,7 @@ import operator
 import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -92,6 +93,16 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
     "min": min,
     "max": max,
 }
+
+
+def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
+    if name not in FUNCTIONS:
+        raise KeyError(name)
+    return Fraction(FUNCTIONS[name](*map(float, arguments)))
+
+
+RATIONAL = Arithmetic(Fraction, _rational)
+"""Rationals, with the functions in float64; a `KeyError` names an unknown one."""
 
 
 class Quantities:

@@ -21,9 +21,9 @@ from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.question import Question, are_alike
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, on_line, refused
-from app.lessons.quantities import FUNCTIONS, NO_NAME, Condition
+from app.lessons.quantities import NO_NAME, RATIONAL, Condition
 from app.lessons.state import State, read_state
-from app.model.formula import Arithmetic, parse
+from app.model.formula import parse
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -225,21 +225,12 @@ def _readings(variant: Variant) -> set[str]:
 # --------------------------------------------------------------------------- numbers
 
 
-def _call(name: str, arguments: Sequence[Fraction]) -> Fraction:
-    if name not in FUNCTIONS:
-        raise KeyError(name)
-    return Fraction(FUNCTIONS[name](*map(float, arguments)))
-
-
-_ARITHMETIC = Arithmetic(Fraction, _call)
-
-
 def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
     """Return the value of a formula of numbers and of the names that are varied."""
     with on_line(line, "formula"):
         formula = parse(text.strip())
         try:
-            value: Fraction = formula.value(numbers, _ARITHMETIC)
+            value: Fraction = formula.value(numbers, RATIONAL)
         except KeyError as error:
             near = ", ".join(numbers) or "none"
             raise Refusal("formula", text.strip(), NO_NAME, str(error.args[0]), near) from error
