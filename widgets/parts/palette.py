@@ -94,6 +94,11 @@ QLineEdit, QComboBox {{ border: {edge:.0f}px solid {frame}; border-radius: {roun
     selection-color: {HighlightedText}; selection-background-color: {Highlight}; }}
 QComboBox {{ padding: {edge:.0f}px {beside:.0f}px; }}
 QLineEdit:focus, QComboBox:focus {{ border-color: {Highlight}; }}
+QRadioButton::indicator {{ width: {dot:.0f}px; height: {dot:.0f}px;
+    border: {edge:.0f}px solid {muted}; border-radius: {half_dot:.0f}px; background: {Base}; }}
+QRadioButton::indicator:checked {{ background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5,
+    fx: 0.5, fy: 0.5, stop: 0 {Highlight}, stop: 0.5 {Highlight}, stop: 0.6 {Base}); }}
+QRadioButton::indicator:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
 QComboBox::down-arrow {{ image: none; }}
 """
@@ -108,11 +113,11 @@ QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
 def _growing(em: float, *, presenting: bool, **colours: str) -> str:
     """Return the part of the style sheet that grows with the letters (`em`: pixels)."""
     groove, edge = max(4, round(0.22 * em)), max(1, round(0.06 * em))
-    beside = max(4, round(0.22 * em))
+    beside, half_dot = max(4, round(0.22 * em)), round(0.5 * em)
     return (_GROWING + _FOR_A_CLASS * presenting).format(
         groove=groove, half_groove=groove // 2, beside=beside, slider=groove + 2 * beside + 2,
         thumb=groove + 2 * beside - 2 * edge, edge=edge, round=max(2.0, 0.15 * em), box=0.9 * em,
-        arrow=em, **colours,
+        arrow=em, dot=2 * (half_dot - edge), half_dot=half_dot, **colours,
     )  # fmt: skip
 
 
