@@ -171,6 +171,6 @@ def test_an_answer_that_the_scene_shows_must_be_hidden() -> None:
     assert faults(FILM + "hide: numbers\n") == ""
     assert faults(FILM.replace("5*d/9", "5*d/8")) == ""
     assert exercise(FILM + "hide: world, numbers\n")[0].hides == {"world", "numbers"}
-    assert "line 10 = 'film': must be one of numbers, world, ndc, image" in faults(
+    assert "line 10 = 'film': must be one of numbers, lens, world, ndc, image" in faults(
         FILM + "hide: film\n"
     )
