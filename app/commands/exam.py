@@ -63,7 +63,7 @@ def print_tests(found: argparse.Namespace) -> int:
     variants: list[tuple[int, Sequence[Numbered]]] = []
     with _cancel() as check:
         for number, (seed, out) in enumerate(zip(seeds, outs, strict=True), 1):
-            numbered = _numbered(posed, seed)
+            numbered = with_numbers(posed, seed)
             _write(out, exam(title, seed, numbered, check), f"{number} of {len(outs)}")
             variants.append((seed, numbered))
         if found.key:
@@ -127,7 +127,8 @@ def _exercises(topic: str, path: os.PathLike[str]) -> Iterator[Posed]:
                 yield Posed(title, course.at(place), part)
 
 
-def _numbered(posed: Sequence[Posed], seed: int) -> list[Numbered]:
+def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
+    """Return exercises with the numbers of a variant."""
     from widgets.program.exam import Numbered
 
     return [

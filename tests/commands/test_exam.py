@@ -85,7 +85,7 @@ def exercises(seed: int, text: str = LESSON) -> list[Numbered]:
     """The exercises of a variant that can be solved on paper."""
     here = Course(parse_lesson(text, Path("l.md"))).at(0)
     posed = [Posed(f"About {e.name}", here, e) for e in here.asked.values()]  # type: ignore[arg-type]
-    return command._numbered([each for each in posed if each.exercise.is_on_paper], seed)
+    return command.with_numbers([each for each in posed if each.exercise.is_on_paper], seed)
 
 
 def said_in(pdf: Path) -> str:
