@@ -753,7 +753,7 @@ vary d: 2..6 step 0.1
 state: settings.distance={=d}
 The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
 value: 5*d/9
-hide: numbers, world
+hide: numbers, lens, world
 ```
 
 ---
@@ -771,6 +771,8 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     card, panels, scene = window.lesson_card, window.panels, window.controls.card
     names = window.panels.names.findChildren(QToolButton)
     cursor, canvas = window.cursors["image"], window.panes["image"].canvas
+    more = window.controls.sections["more_lens"]
+    more.set_open(True)
 
     def is_hidden() -> bool:
         """Whether every place where numbers are is closed."""
@@ -785,6 +787,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
             not scene.explanation.isEnabled(),
             cursor.text == why,
             why in texts(window.panes["world"]),
+            not more.is_open and why in more.heading.toolTip(),
         ]
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]
