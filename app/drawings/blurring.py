@@ -20,7 +20,7 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
 
 from app.drawings.actors import Canvas, identity_camera, lifted, unlit_actor
-from app.drawings.off_screen import OffScreen, pixels_of
+from app.drawings.off_screen import OffScreen, pixels_of, take_screen
 from app.drawings.precision import ModelActors
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
@@ -112,7 +112,7 @@ class Blurring:
 
     def close(self) -> None:
         if self._screen is not None:
-            self._screen.close()
+            self._screen.give_back()
             self._screen = None
 
     def _add(self, projection: Projection, aperture: Aperture, transparent: bool) -> None:
@@ -134,8 +134,7 @@ class Blurring:
 
     def _ready(self, transparent: bool) -> Any:
         if self._screen is None:
-            self._screen = OffScreen(*self._size)
-            self._screen.render_window.SetAlphaBitPlanes(1)
+            self._screen = take_screen(*self._size)
             renderer = self._screen.renderer
             Canvas.make_ready(renderer)
             renderer.SetActiveCamera(identity_camera())

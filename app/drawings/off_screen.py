@@ -54,14 +54,18 @@ class OffScreen:
         ):  # or there is a window after all, which only the main thread may use
             self.render_window.SetConnectContextToNSView(False)
         self.clear(width, height)
+        self.render_window.SetAlphaBitPlanes(1)
         self.render_window.Initialize()  # an X window crashes without it when it is released
 
     def clear(self, width: int, height: int) -> None:
         """Return to the first state, in another size, but keep the compiled shaders."""
         window = self.render_window
+        window.RemoveAllObservers()
         for renderer in list(window.GetRenderers()):
             window.RemoveRenderer(renderer)
+        window.SetNumberOfLayers(1)
         window.SetMultiSamples(0)
+        window.SwapBuffersOn()
         window.SetSize(width, height)
         self.renderer: Any = vtkRenderer()
         self.renderer.SetActiveCamera(vtkCamera())
@@ -70,35 +74,44 @@ class OffScreen:
     def close(self) -> None:
         self.render_window.Finalize()
 
+    def give_back(self) -> None:
+        """Keep the window for the next screen, or close it if enough are kept."""
+        if len(_kept) == _MOST_KEPT:
+            self.close()
+            return
+        self.clear(*_SMALL_PX)
+        self.render_window.Render()  # which gives the large picture's memory back
+        self.render_window.ReleaseCurrent()
+        _kept.append(self)
 
+
+_MOST_KEPT = 3
+"""As many as a window has panes."""
 _kept: list[OffScreen] = []
-"""At most one."""
+
+
+def take_screen(width: int, height: int) -> OffScreen:
+    """Return a screen that was given back, or a new one.
+
+    To create a window and its shaders takes longer than to draw a picture.
+    """
+    if not _kept:
+        return OffScreen(width, height)
+    screen = _kept.pop()
+    screen.clear(width, height)
+    return screen
 
 
 @contextmanager
 def off_screen(width: int, height: int) -> Iterator[OffScreen]:
-    """Draw off the screen; the window is kept for the next figure, unless an exception occurs.
-
-    To create a window and its shaders takes longer than to draw a figure.
-    """
-    if _kept:
-        screen = _kept.pop()
-        screen.clear(width, height)
-    else:
-        screen = OffScreen(width, height)
-        screen.render_window.SetAlphaBitPlanes(1)
+    """Draw off the screen; give the screen back afterwards, unless an exception occurs."""
+    screen = take_screen(width, height)
     try:
         yield screen
     except BaseException:
         screen.close()
         raise
-    screen.clear(*_SMALL_PX)
-    screen.render_window.Render()  # which gives the large picture's memory back
-    screen.render_window.ReleaseCurrent()
-    if _kept:
-        screen.close()
-    else:
-        _kept.append(screen)
+    screen.give_back()
 
 
 @atexit.register

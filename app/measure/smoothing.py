@@ -160,7 +160,6 @@ def pane(
     # A new window: the first frame is quicker in one that already has its shaders.
     with closing(OffScreen(width, height)) as screen:
         window = screen.render_window
-        window.SetAlphaBitPlanes(1)
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
         drawing = ImageDrawing(screen, scene, WORDS, style, framed=False)

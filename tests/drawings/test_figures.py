@@ -28,7 +28,7 @@ from app.document.files import read
 from app.document.view import PANES
 from app.drawings import WORDS, figures
 from app.drawings.figures import png_bytes, render, write_png
-from app.drawings.off_screen import off_screen
+from app.drawings.off_screen import off_screen, take_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.model.projection import Camera, Perspective
@@ -239,24 +239,40 @@ def test_figures_leave_nothing_behind() -> None:
     for _ in range(3):
         render(scene, scene.start, PANES, (300, 100))
     assert count() == before
+    screens = [take_screen(8, 8) for _ in range(9)]
+    while screens:
+        screens.pop().give_back()
+    assert count() <= max(before, 3), "as many are kept as a window has panes"
 
 
 def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:
-    """Also after figures with few depth bits, textures, several layers and no background."""
+    """Also after figures with few depth bits, textures, several layers and no background.
+
+    And after a pane, which adds observers, layers and samples, and swaps no buffers.
+    """
     scenes = [load(name) for name in ("depth-buffer", "interpolation", "focus")]
     kinds = [(scene, pane) for scene in scenes for pane in PANES]
     new = []
     for scene, pane in kinds:
-        with off_screen(8, 8), off_screen(8, 8):  # of which one, at most, had been kept
+        with off_screen(8, 8), off_screen(8, 8), off_screen(8, 8):  # all that had been kept
             new.append(render(scene, scene.start, (pane,), (160, 120)))
     for scene in scenes:
         render(scene, scene.start, PANES, (600, 90), transparent=True, style=DARK)
+    heard: list[str] = []
+    for _ in range(3):
+        with off_screen(64, 64) as screen:
+            assert list(screen.render_window.GetRenderers()) == [screen.renderer]
+            screen.render_window.SetMultiSamples(4)
+            screen.render_window.SetNumberOfLayers(2)
+            screen.render_window.SwapBuffersOff()
+            screen.render_window.Render()
+            screen.render_window.AddObserver("StartEvent", lambda _, event: heard.append(event))
     with off_screen(64, 64) as screen:
-        assert list(screen.render_window.GetRenderers()) == [screen.renderer]
-        screen.render_window.SetMultiSamples(4)
-        screen.render_window.Render()
+        assert screen.render_window.GetSwapBuffers()
+        assert screen.render_window.GetNumberOfLayers() == 1
     for (scene, pane), expected in zip(kinds, new, strict=True):
         assert np.array_equal(render(scene, scene.start, (pane,), (160, 120)), expected)
+    assert heard == []
 
 
 def test_the_environment_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> None:

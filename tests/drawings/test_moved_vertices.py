@@ -11,7 +11,6 @@ import pytest
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
@@ -20,7 +19,7 @@ from app.scenes.phenomena.cheap_arithmetic import PHENOMENON
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Vertices
 from app.scenes.scene import load
-from tests.support.drawings import heard, rendered
+from tests.support.drawings import OffScreen, heard, rendered
 
 SIZE = (480, 360)
 SCENE = load("cheap-arithmetic")

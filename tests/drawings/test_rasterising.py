@@ -16,7 +16,6 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import OffScreen
 from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -36,7 +35,7 @@ from app.scenes.phenomena import depth_buffer, interpolation, popping
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Reading
 from app.scenes.scene import Scene, load
-from tests.support.drawings import heard, rendered
+from tests.support.drawings import OffScreen, heard, rendered
 
 Pixels = NDArray[np.uint8]
 SIZE = (480, 270)

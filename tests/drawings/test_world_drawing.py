@@ -18,7 +18,6 @@ from app.drawings import WORDS
 from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
 from app.drawings.near_picture import SLAB, flatten, flatten_free
-from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.typed_matrix import with_cell
@@ -39,6 +38,7 @@ from app.scenes.scene import Scene, load
 from tests.support.cameras import random_projections
 from tests.support.drawings import (
     MakeScreen,
+    OffScreen,
     boxes_of,
     colours_of,
     drawn,

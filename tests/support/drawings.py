@@ -16,9 +16,9 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 
 from app.drawings import WORDS
-from app.drawings import off_screen as app_off_screen
 from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, LabelActor
+from app.drawings.off_screen import take_screen
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
@@ -29,12 +29,16 @@ Box = tuple[float, float, float, float]
 """Left, bottom, right, top, in pixels from the bottom left."""
 
 
-class OffScreen(app_off_screen.OffScreen):
+class OffScreen:
     """A window on no screen, and the picture in it."""
 
-    @property
-    def window(self) -> Any:
-        return self.render_window
+    def __init__(self, width: int, height: int) -> None:
+        self._screen = take_screen(width, height)
+        self.window = self.render_window = self._screen.render_window
+        self.renderer = self._screen.renderer
+
+    def close(self) -> None:
+        self._screen.give_back()
 
     def pixels(self) -> Pixels:
         return rendered(self.render_window)

@@ -17,7 +17,6 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.model.projection import (
@@ -32,6 +31,7 @@ from app.model.projection import (
 from app.picking.handles import EYE, TARGET, Handle
 from app.scenes.phenomena.readout import Reading
 from app.scenes.scene import load
+from tests.support.drawings import OffScreen
 from tests.support.window import (
     LEFT,
     MakeWindow,

@@ -17,13 +17,12 @@ from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 
 import app.drawings.stage as stage_drawing
 from app.drawings import WORDS
-from app.drawings.off_screen import OffScreen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
-from tests.support.drawings import labels_of, rendered
+from tests.support.drawings import OffScreen, labels_of, rendered
 from tests.support.lenses import LENSES
 from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip

@@ -54,7 +54,7 @@ class Ahead:
         old = [each for each in self._drawn if each.args not in wanted]
         self._drawn = [each for each in self._drawn if each.args in wanted]
         for screen, _ in (*self._replaced, *((each.screen, each.drawing) for each in old)):
-            screen.close()
+            screen.give_back()
         self._replaced.clear()
 
     def take(

@@ -178,10 +178,10 @@ class RasterCanvas(_Canvas):
         self._take(self.screen_ahead())
 
     def screen_ahead(self) -> OffScreen:
-        """Return another screen, which can be drawn before it is shown; the caller closes it."""
-        from app.drawings.off_screen import OffScreen
+        """Return another screen to draw before it is shown; the caller gives it back."""
+        from app.drawings.off_screen import take_screen
 
-        screen = OffScreen(*self._size_px)
+        screen = take_screen(*self._size_px)
         screen.render_window.SwapBuffersOff()
         return screen
 
@@ -243,7 +243,8 @@ class RasterCanvas(_Canvas):
     def closeEvent(self, event: QCloseEvent) -> None:
         if self._screen is not None:
             self._image = QImage()
-            self._screen.close()
+            self._screen.give_back()
+            self._screen = None
         super().closeEvent(event)
 
 
