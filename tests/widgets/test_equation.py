@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -26,14 +25,12 @@ $$n + \\vec n$$
 
 
 @pytest.fixture
-def window(window: MainWindow) -> Iterator[MainWindow]:
+def window(window: MainWindow) -> MainWindow:
     """Presenting."""
     activate(window)
     window.present.begin()
     give_room(window, window.screen().geometry())
-    yield window
-    window.present.end()
-    settle()
+    return window
 
 
 def inked(window: MainWindow) -> QRect:

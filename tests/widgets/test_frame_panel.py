@@ -534,4 +534,3 @@ def test_the_part_about_up_is_fully_visible_while_presenting(window: MainWindow)
         assert area is not None
         seen = place(widget, area.viewport())
         assert seen.left() >= 0 and seen.right() < area.viewport().width()
-    window.present.end()

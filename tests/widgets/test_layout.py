@@ -57,7 +57,6 @@ def test_with_each_panel_open_and_presented(window: MainWindow) -> None:
     assert found == {name: [] for name in found}
     present(window)
     assert wrong(window) == []
-    window.present.end()
 
 
 def test_it_can_be_used_at_1024_x_768_where_the_dock_folds_away(window: MainWindow) -> None:
@@ -131,7 +130,6 @@ def test_the_pictures_have_their_share(make_window: MakeWindow) -> None:
     assert window.slots.large == "image" and share() >= 0.40
     present(window)
     assert share() >= 0.75
-    window.present.end()
 
 
 @pytest.mark.parametrize("presents", [False, True])
@@ -150,5 +148,3 @@ def test_the_drawing_of_the_world_has_its_share(window: MainWindow, presents: bo
         rows, columns = np.nonzero(drawn)
         area = (np.ptp(rows) + 1) * (np.ptp(columns) + 1) / pane.canvas.pixel_ratio**2
         assert area >= 0.15 * window.width() * window.height(), scene
-    if presents:
-        window.present.end()

@@ -487,7 +487,6 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     present(window)
     window.talks.reveal()
     assert "Which number? It is 7." in window.slide.question.accessibleName()
-    window.present.end()
 
 
 # --------------------------------------------------------------------------- the keyboard alone

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -52,16 +51,13 @@ def talk(tmp_path: Path) -> Path:
 
 
 @pytest.fixture
-def window(window: MainWindow, talk: Path) -> Iterator[MainWindow]:
+def window(window: MainWindow, talk: Path) -> MainWindow:
     window.settings.speaker_window = False
     window.settings.reduce_motion = True
     assert window.lessons.open(talk)
     activate(window)
     present(window)
-    yield window
-    window.present.end()
-    window.lessons.close()
-    settle()
+    return window
 
 
 def draw(window: MainWindow, *places: tuple[int, int]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -41,13 +41,11 @@ NO_BUTTON = Qt.MouseButton.NoButton
 
 
 @pytest.fixture
-def window(window: MainWindow) -> Iterator[MainWindow]:
+def window(window: MainWindow) -> MainWindow:
     """With the keyboard, and in the size it opens in."""
     activate(window)
     settle()
-    yield window
-    window.present.end()
-    settle()
+    return window
 
 
 def press(window: MainWindow, key: Qt.Key) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from pathlib import Path
 
 import numpy as np
@@ -59,7 +58,7 @@ minutes: 1
 
 
 @pytest.fixture
-def window(window: MainWindow, tmp_path: Path) -> Iterator[MainWindow]:
+def window(window: MainWindow, tmp_path: Path) -> MainWindow:
     """Presenting a talk at its first step, as far as the system is asked with motion."""
     path = tmp_path / "talk.md"
     path.write_text(TALK)
@@ -68,10 +67,7 @@ def window(window: MainWindow, tmp_path: Path) -> Iterator[MainWindow]:
     assert window.lessons.open(path)
     activate(window)
     present(window)
-    yield window
-    window.present.end()
-    window.lessons.close()
-    settle()
+    return window
 
 
 def camera_of(window: MainWindow) -> np.ndarray:

@@ -167,6 +167,9 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     application.setFont(font)
     em = QFontInfo(font).pixelSize()
     growing = _growing(em, presenting=screen_px > 0.0, **colours)
+    # Changing one style sheet into another styles hidden widgets too, which takes several times as
+    # long as these two; hidden ones get their style when they are shown.
+    application.setStyleSheet("")
     application.setStyleSheet(growing + _STYLE_SHEET.format(large=1.5 * em, **colours))
     worn = [dark, screen_px, application.font().toString(), application.styleSheet()]
     application.setProperty("frustumLabDress", worn)

@@ -586,7 +586,8 @@ class MainWindow(QMainWindow):
             return
         self._is_closed = True
         geometry = self.present.geometry_before or self.saveGeometry()
-        self.present.end()
+        self.present.blockSignals(True)  # nobody sees this window as an ordinary one again
+        dress(self.settings)
         self.talks.close_speaker()
         self.history.stand_still()
         self.strip.pause()
