@@ -196,7 +196,7 @@ def _middle_depth(z_min: mpf, z_max: mpf) -> mpf:
 
 
 def _x_2(times: int) -> Of:
-    """The right end of a window that is widened about its middle, by a multiple of what it lacks."""
+    """The right end of a window that is widened about its middle by a multiple of what it lacks."""
 
     def right(**g: mpf) -> mpf:
         has = g["x_max"] - g["x_min"]
