@@ -118,6 +118,14 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     )
 
 
+def test_the_solution_has_whole_numbers_with_all_their_digits() -> None:
+    asked, here = exercise("vary m: 16777215 .. 16777240\nHow many over three?\nvalue: m/3\n")
+    variant = asked.variant(here, 1)
+    (m,) = map(int, variant.numbers.values())
+    solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
+    assert rf"\frac{{{m}}}{{3}}" in solution
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
