@@ -79,6 +79,15 @@ def test_state_text_and_formulas_use_the_numbers() -> None:
         assert variant.question.why == f"Its half is {fov / 2:g}°."
 
 
+def test_the_exercises_own_lines_continue_on_indented_ones() -> None:
+    body = WIDE.replace("; image.width", ";\n  image.width").replace(", 1.5,", ",\n  1.5,")
+    (asked, here), (before, there) = exercise(body), exercise(WIDE)
+    for seed in range(1, 9):
+        one, other = asked.variant(here, seed), before.variant(there, seed)
+        assert one.here.document == other.here.document
+        assert one.question.text == other.question.text
+
+
 def test_a_task_of_an_exercise_is_done_in_the_window() -> None:
     asked, here = exercise(SET)
     variant = asked.variant(here, 5)
@@ -152,7 +161,7 @@ def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: st
 def test_numbers_are_written_for_a_reader() -> None:
     for value, text in (
         (Fraction(1, 2), "0.5"), (Fraction(4, 3), "4/3"), (Fraction(-7), "-7"),
-        (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"),
+        (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"), (Fraction(480, 31), "15.48"),
     ):  # fmt: skip
         assert written_number(value) == text
 
