@@ -287,4 +287,5 @@ def written_number(value: Fraction) -> str:
     short = f"{float(value):.10g}"
     if Fraction(short) == value:
         return short
-    return str(value) if value.denominator < 13 else f"{float(value):.4g}"
+    is_common = value.denominator < 10 and abs(value.numerator) <= 16
+    return str(value) if is_common else f"{float(value):.4g}"
