@@ -94,6 +94,8 @@ class Attempts(BlockView):
         self._show_verdict(verdict)
         self._close()
         self._praise(verdict)
+        if not verdict.says:
+            self._say("", "", self.question.solution(self.here))
 
     def _give_away(self) -> None:
         self._hush()
