@@ -173,7 +173,7 @@ class AtStep:
         given: Mapping[str, float] | None = None,
     ) -> None:
         self.course, self.place = course, place
-        self._own, self._given = own, given or {}
+        self._own, self.given = own, given or {}
 
     @property
     def step(self) -> Step:
@@ -207,7 +207,7 @@ class AtStep:
         return AtStep(self.course, self.place, own, given)
 
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
-        own, given = self.document, self._given
+        own, given = self.document, self.given
         before = Quantities(own, lambda: scene_of(own), given=given)
         if now is None:
             return before

@@ -47,7 +47,7 @@ from tests.support.window import (
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.task import DONE
-from widgets.window.lesson_blocks.view import BlockView
+from widgets.window.lesson_blocks.view import TOLD, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
@@ -128,6 +128,11 @@ def texts(widget: QWidget) -> str:
     found = [text.accessibleName() for text in widget.findChildren(LessonText) if text.isVisible()]
     found += [label.text() for label in widget.findChildren(QLabel) if label.isVisible()]
     return "\n".join(found)
+
+
+def said_by(view: BlockView) -> str:
+    """All texts of a block as they were written, with their TeX."""
+    return "\n".join(text._text for text in view.findChildren(LessonText) if text.isVisible())
 
 
 def buttons(widget: QWidget) -> dict[str, QPushButton]:
@@ -279,6 +284,10 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert idea is not None
     for typed, said in (
         ("wide", "must be a number"), ("98", "three significant digits"),
+    ):  # fmt: skip
+        assert said in answered(window, typed) and card.blocks[0].is_open, typed
+        assert "Show the answer" not in buttons(card), "nothing was tried yet"
+    for typed, said in (
         ("77", "not it. It is too small, by a factor of about 1.3."),
     ):  # fmt: skip
         assert said in answered(window, typed) and card.blocks[0].is_open, typed
@@ -288,7 +297,6 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert "Take the tangent." in texts(card) and "Of half the angle." in texts(card)
     assert not card.hint.isEnabled()
     assert idea.title.rstrip(".") in answered(window, "120")
-    assert "Show the answer" not in buttons(card)
     press(KEY.Key_W, ALT)
     come_to_rest(window)
     assert window.store.document == idea.state
@@ -297,6 +305,7 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert "The answer is 98.21°. It is 98.2." in texts(card)
     assert not card.blocks[0].is_open
     which = card.blocks[2]
+    assert "Show the answer" not in buttons(which)
     for choice, said in zip(
         reversed(which.findChildren(QRadioButton)), ("That is another.", "Right."), strict=True
     ):
@@ -305,7 +314,59 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
         buttons(which)["Check"].click()
         settle()
         assert said in texts(which)
+        assert ("Show the answer" in buttons(which)) is which.is_open
     assert not which.is_open
+
+
+HINTS = """---
+title: Hints
+---
+# Two {#two}
+```state
+scene=letter-f
+```
+```answer one
+Half?
+value: 1/2
+hint: One by two.
+```
+```answer other
+A third?
+value: 1/3
+hint: One by three.
+```
+```answer bare
+Four?
+value: 4
+```
+```task near
+Closer.
+until: near < 0.5
+hint: Drag it.
+```
+"""
+
+
+def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "hints.md"
+    path.write_text(HINTS, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    come_to_rest(window)
+    one, other, bare, near = card.blocks
+    other.field.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "One by three." in texts(other) and "One by two." not in texts(card)
+    window.panes["world"].canvas.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "Drag it." in texts(near), "which no cursor can be in"
+    assert "One by two." not in texts(card) and not card.hint.isEnabled()
+    bare.field.setFocus()
+    assert not card.hint.isEnabled(), "it has none"
+    one.field.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "One by two." in texts(one) and not card.hint.isEnabled()
 
 
 def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
@@ -569,12 +630,11 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     card.open(path)
     settle()
     view, task = card.blocks
-    assert QApplication.focusWidget() is view.first and not card.hint.isEnabled()
-    assert "How wide" not in texts(view)
-    press(KEY.Key_Return, NO_KEY)
     come_to_rest(window)
     variant = view.variant
-    assert window.store.document == variant.here.document
+    assert window.store.document == variant.here.document, "it has begun by itself"
+    assert keyboard() is view.first is view.asked.field and task.variant is None
+    assert not card.again.isEnabled(), "this is what the step shows"
     assert variant.question.text in texts(view) and variant.seed == 1
     assert card.hint.isEnabled(), "the hints of its question are the card's"
     press(KEY.Key_I, ALT)
@@ -583,6 +643,11 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     QTest.keyClicks(QApplication.focusWidget(), f"{right / 2:.4g}")
     press(KEY.Key_Return, NO_KEY)
     assert "too small, by a factor of about 2." in texts(view) and view.is_open
+    window.store.set_document(set_values(window.store.document, ["lens.near=0.5"]))
+    come_to_rest(window)
+    press(KEY.Key_F7)
+    come_to_rest(window)
+    assert window.store.document == variant.here.document, "the numbers of the text again"
     QTest.keyClicks(QApplication.focusWidget(), f"{right:.4g}")
     press(KEY.Key_Return, NO_KEY)
     assert "Right." in texts(view) and view.answer == f"1 {right:.4g}"
@@ -597,19 +662,36 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_Return, NO_KEY)
     come_to_rest(window)
     assert view.variant.seed == 77
+    press(KEY.Key_I, ALT)
+    assert "Show the answer" in buttons(view), "after a hint"
+    press(KEY.Key_A, ALT)
+    assert view.asked.question.solution(view.variant.here) in said_by(view)
+    assert view.answer == f"77 {TOLD}" and "Show the answer" not in buttons(view)
+    view.seed.setText("1")
+    view.begin()
+    view.asked.field.setText(f"{right:.4g}")
+    view.asked.check()
 
     task.begin()
     come_to_rest(window)
-    assert task.is_open
+    assert task.is_open and "Show the answer" not in buttons(task)
+    wanted = float(task.variant.numbers["near_wanted"])
+    enter(window.controls.rows["near"].field, str(wanted + 0.5))
+    come_to_rest(window)
+    assert "Show the answer" in buttons(task), "after a wrong try"
+    assert task.asked.task.solution(task.variant.here) == (
+        f"$\\mathrm{{near}} = \\mathrm{{near}}_{{\\mathrm{{wanted}}}} = {wanted:g}$"
+    )
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
 
     window.lessons.close()
     card.open(path)
-    settle()
+    come_to_rest(window)
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
+    assert window.store.document == task.variant.here.document, "beside its text"
     assert task.answer == f"1 {DONE}" and not task.is_open
 
 
@@ -768,13 +850,11 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]
 
-    card.open(path)
-    come_to_rest(window)
     panels.open(window.probe_panel)
     assert not is_hidden()
-    (view,) = card.blocks
-    view.begin()
+    card.open(path)
     come_to_rest(window)
+    (view,) = card.blocks
     assert is_hidden() and panels.open_panel is None
     scene.explanation_wanted.emit()
     assert panels.open_panel is None, "by no way"
@@ -790,7 +870,6 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     come_to_rest(window)
     assert not is_hidden()
     card.go_back()
-    card.blocks[0].begin()
     come_to_rest(window)
     assert is_hidden()
     card.leave()

@@ -13,6 +13,7 @@ import os
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import cast
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import (
@@ -116,6 +117,8 @@ class LessonCard(QFrame):
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
+        self._current: BlockView | None = None
+        """The block that has the cursor, or had it last."""
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
@@ -142,6 +145,7 @@ class LessonCard(QFrame):
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
         lessons.complained.connect(self._show_mistakes)
+        cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
         self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
         self.hide()
@@ -232,6 +236,7 @@ class LessonCard(QFrame):
         self._aside = None
         self._notice.hide()
         self._call_handles()
+        self._show_hint()
         self.look_again()
 
     def _call_handles(self) -> None:
@@ -244,6 +249,11 @@ class LessonCard(QFrame):
         """Make the page of the step; it takes the focus unless the user types elsewhere."""
         takes = self._may_take_focus
         self._make_page()
+        turn = next((block for block in self.blocks if block.is_open), None)
+        if turn is None and self.blocks:
+            turn = self.blocks[-1]  # its answer is seen beside its state
+        if turn is not None:
+            turn.open_up()
         if takes:
             self._take_focus()
 
@@ -292,7 +302,7 @@ class LessonCard(QFrame):
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
         self.back.setEnabled(place > 0)
         self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
-        self.hint.setEnabled(self._hinting is not None)
+        self._show_hint()
         self.went_on.emit()
 
     def _hide(self) -> None:
@@ -306,7 +316,7 @@ class LessonCard(QFrame):
             self.hidden.emit(hides)
 
     def _clear(self) -> None:
-        self.blocks = []
+        self.blocks, self._current = [], None
         self._hide()
         page = self._area.takeWidget()
         if page is not None:
@@ -340,6 +350,7 @@ class LessonCard(QFrame):
                 view.restore(answer)
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
+            view.posed.connect(self._pose)
             view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
             self.blocks.append(view)
             self._column.addWidget(view)
@@ -348,7 +359,7 @@ class LessonCard(QFrame):
         """Scroll to a response: to all of it, or else to its beginning."""
         lay_out()
         lay_out()  # again, because a scroll bar that appears makes the text narrower
-        self.hint.setEnabled(self._hinting is not None)
+        self._show_hint()
         said = block.said if block in self.blocks else []
         for widget in (*said[-1:], *said[:1]):
             self._area.ensureWidgetVisible(widget, 0, 10)
@@ -363,7 +374,23 @@ class LessonCard(QFrame):
 
     @property
     def _hinting(self) -> BlockView | None:
-        return next((block for block in self.blocks if block.is_open and block.hints), None)
+        """Return the block that gives the next hint: the one with the cursor, or a task."""
+        found = [block for block in self.blocks if block.is_open and block.hints]
+        current = self._current
+        if current is not None and current.is_open:
+            found = [block for block in found if block is current or block.first is None]
+            found.sort(key=lambda block: block is not current)
+        return next(iter(found), None)
+
+    def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
+        """Remember in which block the cursor is, or was last."""
+        for block in self.blocks:
+            if focus is not None and block.isAncestorOf(focus):
+                self._current = block
+                self._show_hint()
+
+    def _show_hint(self) -> None:
+        self.hint.setEnabled(self._hinting is not None)
 
     def _is_done(self, step: Step) -> bool:
         """Whether all blocks of a step are answered; one without blocks is done once it is left."""
@@ -404,6 +431,10 @@ class LessonCard(QFrame):
         self._aside = document, None
         self._lessons.show(document)
 
+    def _pose(self, document: Document) -> None:
+        self._hide()  # before it is seen
+        self._lessons.pose(document)
+
     # -- navigation
 
     def go_to(self, place: int) -> None:
@@ -441,12 +472,12 @@ class LessonCard(QFrame):
         self._lessons.come_back()
 
     def give_hint(self) -> None:
-        """Show the next hint of the first open block that has one."""
+        """Show the next hint of the question that has the cursor."""
         block = self._hinting
         if block is not None:
             block.give_hint()
             self._area.ensureWidgetVisible(block)
-            self.hint.setEnabled(self._hinting is not None)
+            self._show_hint()
             self.went_on.emit()
 
     def check(self) -> None:

@@ -113,7 +113,7 @@ class Click(Marked):
 
     def solution(self, here: Here) -> str:
         numbered = self.numbered(here)
-        if numbered is None:
+        if not numbered:
             return ""
         sides = (", ".join(latex(each, {}) for each in side) for side in (self.right, numbered))
         values = ", ".join(f"{value:.4g}" for value in self.answer(here))

@@ -152,7 +152,7 @@ class Matrix(Marked):
 
     def solution(self, here: Here) -> str:
         numbered = self.numbered(here)
-        if numbered is None:
+        if not numbered:
             return ""
         sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
         values = [f"${value:.4g}$" for value in self.answer(here)]

@@ -17,7 +17,7 @@ from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.lines import Body, Item, Items, on_line, refused
 from app.lessons.quantities import FUNCTIONS, Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
-from app.model.formula import Call, Formula, Letter, Negative, Number
+from app.model.formula import Call, Formula, Letter, Negative, Number, latex
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
@@ -205,6 +205,22 @@ class Question(Asked):
             if not wrong.right and wrong.formulas:
                 yield wrong, wrong.formulas, wrong.line
 
+    def numbered(self, here: Here) -> tuple[Formula, ...]:
+        """Return the formulas of the right value with numbers for letters; none without letters."""
+        return with_numbers(self.key[0], self.known(here))
+
+    def solution(self, here: Here) -> str:
+        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
+
+        Empty if the formulas have no letters: the question itself says the numbers.
+        """
+        numbered = self.numbered(here)
+        if not numbered:
+            return ""
+        (value,) = self.values(here, *self.key)
+        sides = *(latex(each, {}) for each in (*self.key[0], *numbered)), f"{value:.4g}"
+        return f"${' = '.join(sides)}$"
+
     def _clashes(
         self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]
     ) -> Iterator[Refusal]:
@@ -245,23 +261,17 @@ class Marked(Question):
                 raise
             return "no number"
 
-    def solution(self, here: Here) -> str:
-        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
 
-        Empty if the formulas have no letters: the question itself says the numbers.
-        """
-        raise NotImplementedError
-
-    def numbered(self, here: Here) -> tuple[Formula, ...] | None:
-        """Return the formulas of the right value with numbers for letters; None without letters."""
-        known, terms = self.known(here), dict[str, Formula]()
-        for formula in self.right:
-            for part in formula:
-                is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
-                if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
-                    number = Number(abs(Fraction(f"{known.value(part):.4g}")))
-                    terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
-        return tuple(formula.where(terms) for formula in self.right) if terms else None
+def with_numbers(formulas: Sequence[Formula], known: Quantities) -> tuple[Formula, ...]:
+    """Return formulas with numbers for their letters; none if they have no letters."""
+    terms = dict[str, Formula]()
+    for formula in formulas:
+        for part in formula:
+            is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
+            if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
+                number = Number(abs(Fraction(f"{known.value(part):.4g}")))
+                terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
+    return tuple(formula.where(terms) for formula in formulas) if terms else ()
 
 
 def _figures(value: Value) -> str:

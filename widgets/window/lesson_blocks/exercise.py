@@ -71,10 +71,16 @@ class Practises(BlockView):
             self.asked.restore(given)
             self.answer = answer
 
+    def open_up(self) -> None:
+        """Show the state of the numbers; draw them first if they are not drawn yet."""
+        if self.asked is not None or self._draw():
+            assert self.variant is not None
+            self.posed.emit(self.variant.here.document)
+
     def begin(self) -> None:
         """Draw the numbers of the seed, and show their state."""
         if self._draw() and self.variant is not None and self.asked is not None:
-            self.show_wanted.emit(self.variant.here.document)
+            self.posed.emit(self.variant.here.document)
             if self.asked.first is not None:
                 self.asked.first.setFocus()
             self.spoke.emit()

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.task import Task
 from app.lessons.course import AtStep
 from app.model.refusal import Refusal
-from widgets.window.lesson_blocks.view import BlockView, Sign
+from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign
 
 DONE = "done"
 """Stored as the answer of a finished task."""
@@ -23,8 +25,30 @@ class Tries(BlockView):
         sign.show_icon("", self.tr("To do"))
 
     def restore(self, answer: str) -> None:
-        self.answer = DONE
-        self._tick()
+        self.answer = answer
+        if answer == TOLD:
+            self._tell()
+        else:
+            self._tick()
+
+    def give_hint(self) -> None:
+        super().give_hint()
+        self._offer_answer(self.give_away)
+
+    def give_away(self) -> None:
+        """Show what the numbers of an exercise ask for."""
+        self._hush()
+        self._tell()
+        self._announce(self.task.solution(self.here))
+        self._settle(TOLD)
+
+    def _tell(self) -> None:
+        self._say("help", "", self.task.solution(self.here))
+        self._say("", "", self.task.done)
+
+    def _offer_answer(self, act: Callable[[], object]) -> None:
+        if self.task.solution(self.here):
+            super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
         if not self.is_open:
@@ -39,6 +63,8 @@ class Tries(BlockView):
             self._tick()
             self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
+        elif document != self.here.document:  # tried
+            self._offer_answer(self.give_away)
 
     def _tick(self) -> None:
         self._sign.show_icon("check", self.tr("Done"))

@@ -4,6 +4,7 @@
 
     an answer counts, or a task is seen done -> view.settled(answer) -> the card keeps it
     "Show it" -> view.show_wanted(document) -> the window
+    an exercise is drawn -> view.posed(document) -> the window, as the step's own state
 
 `restore` shows a view with an earlier answer as the student left it.
 """
@@ -37,6 +38,8 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
+TOLD = "told"
+"""Stored as the answer if the program has shown it."""
 SIGN_EM = 1.15
 """Size of a sign, relative to the text height beside it."""
 
@@ -78,6 +81,8 @@ class BlockView(QFrame):
     """The block is answered; emits the answer."""
     show_wanted = Signal(object)
     """The user wants to see this `Document`, which explains an answer."""
+    posed = Signal(object)
+    """The `Document` in which the question is asked, instead of the step's own."""
     spoke = Signal()
     """A response to the answer appeared."""
 
@@ -92,6 +97,8 @@ class BlockView(QFrame):
         self.said: list[QWidget] = []
         """The widgets of the response, from the top."""
         self._said = in_column(gap=4)
+        self._offered: QWidget | None = None
+        """The button that shows the right answer, once it is offered."""
         words: QWidget = LessonText(text or block.text)
         if sign:
             words = on_holder(*((each, TOP) for each in sign), (words, 1), gap=4)
@@ -126,6 +133,9 @@ class BlockView(QFrame):
         """Return the widget that gets the focus first."""
         return None
 
+    def open_up(self) -> None:
+        """Begin, as the block whose turn it is when its step opens."""
+
     def restore(self, answer: str) -> None:
         """Show the block as the student left it with an answer."""
 
@@ -145,6 +155,8 @@ class BlockView(QFrame):
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
+        if self._offered is not None:
+            self._offered.hide()
         self.settled.emit(answer)
 
     def _hush(self) -> None:
@@ -172,8 +184,17 @@ class BlockView(QFrame):
         self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
-        indent = round(1.4 * self.fontMetrics().height())
-        self._add(on_holder(indent, button(name, tip, act), FREE, gap=0))
+        self._add(self._indented(button(name, tip, act)))
+
+    def _indented(self, widget: QWidget) -> QWidget:
+        return on_holder(round(1.4 * self.fontMetrics().height()), widget, FREE, gap=0)
+
+    def _offer_answer(self, act: Callable[[], object]) -> None:
+        """Offer the right answer below every response, until it is known."""
+        if self._offered is None and self.is_open:
+            tip = self.tr("Show the right answer, and why it is right (Alt+A)")
+            self._offered = self._indented(button(self.tr("Show the &answer"), tip, act))
+            self._column.addWidget(self._offered)
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
         if document is not None:
