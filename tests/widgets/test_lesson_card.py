@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from pytestqt.qtbot import QtBot
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
@@ -46,6 +48,8 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.click import Points
+from widgets.window.lesson_blocks.exercise import Practises
 from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import TOLD, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
@@ -545,9 +549,18 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
     """Do what is asked by the step's samples, with the focus where it has come to by itself."""
     name, store = view.block.name, window.store
     samples = [each for each in step.samples if each.block == name]
-    task = next((each for each in samples if each.verdict == "done"), None)
+    task = next((each.text for each in samples if each.verdict == "done"), None)
+    if isinstance(view, Practises):
+        seed, _, task = task.partition(" ") if task is not None else ("2", "", None)
+        view.seed.setFocus()
+        view.seed.selectAll()
+        QTest.keyClicks(view.seed, seed)
+        press(KEY.Key_Return)
+        come_to_rest(window)
+        assert view.asked is not None
+        view = view.asked
     if task is not None:
-        assignments = task.text.split()
+        assignments = task.split()
         wanted = set_values(view.here.document, assignments)
         if wanted == store.document:
             paths = (text.partition("=")[0] for text in assignments)
@@ -563,6 +576,14 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
             press(KEY.Key_Down)
         if block.right == 0:
             press(KEY.Key_Space)
+    elif isinstance(block, Matrix):
+        for row, cell in enumerate(block.answer(view.here)):
+            QTest.keyClicks(keyboard(), f"{cell:.4g}")
+            if row + 1 < len(block.right):
+                press(KEY.Key_Tab)
+    elif isinstance(view, Points):  # the crosshair has tests of its own; here are no pictures
+        view.take(lambda place: math.dist(place, block.answer(view.here)))
+        view.first.setFocus()
     else:
         QTest.keyClicks(keyboard(), f"{block.answer(view.here):.4g}".replace(".", ","))
     press(KEY.Key_Return)
@@ -814,7 +835,7 @@ vary d: 2..6 step 0.1
 state: settings.distance={=d}
 The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
 value: 5*d/9
-hide: numbers, world
+hide: numbers, lens, world
 ```
 
 ---
@@ -832,6 +853,8 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     card, panels, scene = window.lesson_card, window.panels, window.controls.card
     names = window.panels.names.findChildren(QToolButton)
     cursor, canvas = window.cursors["image"], window.panes["image"].canvas
+    more = window.controls.sections["more_lens"]
+    more.set_open(True)
 
     def is_hidden() -> bool:
         """Whether every place where numbers are is closed."""
@@ -846,6 +869,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
             not scene.explanation.isEnabled(),
             cursor.text == why,
             why in texts(window.panes["world"]),
+            not more.is_open and why in more.heading.toolTip(),
         ]
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]

@@ -324,7 +324,9 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
         self.side.take_card(self.lesson_card)
-        self.hiding = Hiding(self.panels, controls.card, self.cursors, self.panes)
+        self.hiding = Hiding(
+            self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
+        )
         self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(

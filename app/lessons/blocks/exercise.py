@@ -52,8 +52,8 @@ CAN_BE_READ = QT_TRANSLATE_NOOP(
 )
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
-_VARY = re.compile(r"vary\s+([a-z]\w*)\s*:(.*)")
-HIDDEN = ("numbers", *PANES)
+_VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
+HIDDEN = ("numbers", "lens", *PANES)
 """What an exercise may hide."""
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
