@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 import shiboken6
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QRect, Qt, QTimer
+from PySide6.QtGui import QAccessible, QFont
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QRadioButton,
+    QScrollArea,
     QToolButton,
     QWidget,
 )
@@ -45,12 +48,14 @@ from tests.support.window import (
     present,
     seen,
     settle,
+    show_scene,
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.choices import Chooses
 from widgets.window.lesson_blocks.click import Points
 from widgets.window.lesson_blocks.exercise import Practises
-from widgets.window.lesson_blocks.task import DONE
+from widgets.window.lesson_blocks.task import DONE, Tries
 from widgets.window.lesson_blocks.view import TOLD, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
@@ -874,6 +879,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]
 
+    show_scene(window, "camera-obscura")
     panels.open(window.probe_panel)
     assert not is_hidden()
     card.open(path)
@@ -1050,3 +1056,175 @@ def test_a_task_needs_the_handles_of_what_it_names() -> None:
     ):  # fmt: skip
         body = Body("task", "t", 1, list(enumerate(task.format(condition).splitlines(), 2)))
         assert Task.read(body).handles == handles, condition
+
+
+KINDS_OF_ANSWER = """---
+title: Feedback
+---
+# Number {#number}
+```state
+scene=letter-f
+```
+The tangent of half an angle is the half height at the distance 1: $\\tan(fov/2) = h/2$.
+```exercise wide
+vary fov: 20..60 step 1
+The picture is {=fov}° high and twice as wide. How wide is its angle, seen from the eye?
+value: 2*atan(2*tan(fov/2))
+unit: °
+wrong angle-linear: 2*fov
+hint: Draw the right triangle from the eye to the middle of the upper edge of the window.
+why: Half of the angle has twice the tangent, and so less than twice the angle.
+```
+
+---
+# Matrix {#matrix}
+```exercise scale
+vary k: 2..30
+Scale by {=k} in x and by 3.5 in y. Which matrix does so, with columns for the images of the axes?
+matrix: k, 0; 0, 3.5
+wrong order: 3.5, 0; 0, k
+hint: The first column is the image of the x axis, which becomes {=k} times as long.
+why: The numbers on the diagonal scale.
+```
+
+---
+# Click {#click}
+```exercise point
+vary x: 0..600 step 10
+Where in the picture is the point x = {=x}, y = 200, both in pixels from the upper left?
+click: image
+at: x, 200
+wrong order: 200, x
+  says: That is x and y exchanged.
+where: abs(x - 200) > 40
+hint: x goes to the right, y goes down.
+why: Pixels are counted from the upper left.
+```
+
+---
+# Task {#task}
+```exercise set
+vary w: 2..9 step 0.1
+Bring the near plane to the distance {=w} from the eye.
+until: near = w
+hint: The near plane can be dragged in the world, or typed in the dock.
+done: The plane is where the picture begins.
+```
+
+---
+# Choice {#choice}
+```exercise twice
+vary w: 1..3 step 0.1
+state: lens.near={=w}
+Which number is twice the distance of the near plane from the eye?
+- [x] {=2*w} := 2*near
+- [ ] {=3*w} := 3*near {order}
+- [ ] {=4*w} := 4*near
+  says: That is four times, because it is twice the double.
+hint: The near plane is {=w} away from the eye.
+why: It is twice {=w}.
+```
+"""
+
+
+@pytest.mark.parametrize("size", [1.0, 1.75])
+def test_every_response_is_seen_whole_and_announced(
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: float
+) -> None:
+    """At the size of a small laptop, also with large letters."""
+    heard: list[str] = []
+    listening = SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message()))
+    monkeypatch.setattr("widgets.window.lesson_blocks.view.QAccessible", listening)
+    path = tmp_path / "feedback.md"
+    path.write_text(KINDS_OF_ANSWER, encoding="utf-8")
+    own = QApplication.font()
+    large = QFont(own)
+    large.setPointSizeF(size * own.pointSizeF())
+    QApplication.setFont(large)
+    try:
+        window = make_window(drawn=False)
+        window.resize(1366, 768)
+        activate(window)
+        card, side = window.lesson_card, window.side
+        card.open(path)
+        said: list[QWidget] = []
+
+        def response(of: str) -> str:
+            """Return the newest response, once it is seen as a whole."""
+            settle()
+            settle()
+            page = card.findChild(QScrollArea)
+            (view,) = card.blocks
+            assert page is not None and heard, of
+            for widget in view.said:
+                corner = widget.mapTo(page.viewport(), QPoint())
+                seen = page.viewport().rect().contains(QRect(corner, widget.size()))
+                assert seen and widget not in said, of
+            said[:] = view.said
+            text = "\n".join(texts(widget) for widget in view.said)
+            assert heard[-1].split()[0] in text or heard[-1].split()[1] in text, of
+            heard.clear()
+            return text
+
+        def answer(view: Any, *, right: bool) -> None:
+            asked = view.asked
+            if isinstance(asked, Points):
+                asked.take(lambda place: 0.0 if right and len(place) == 2 else 500.0)
+                asked.check()
+            elif isinstance(asked, Chooses):
+                asked.findChildren(QRadioButton)[0 if right else 1].click()
+                asked.commit()
+            elif isinstance(asked, Tries):
+                number = float(view.variant.numbers["w"]) + (not right)
+                lens = Perspective(45.0, number, 100.0)
+                window.store.set_projection(seen(window, lens=lens))
+                come_to_rest(window)
+            else:
+                fields = asked.findChildren(QLineEdit)
+                values = asked.question.values(asked.here, *asked.question.key)
+                for field, value in zip(fields, values, strict=True):
+                    field.setText(f"{value * (1 if right else 3):.6g}")
+                asked.check()
+
+        for place in range(5):
+            go_to(window.lessons, place)
+            come_to_rest(window)
+            (view,) = card.blocks
+            before = side.sizes()
+            of = f"{place} at {size}"
+            assert view.variant is not None, of
+            answer(view, right=False)
+            if not isinstance(view.asked, Tries):
+                assert "not it" in response(f"wrong {of}") or "idea" in texts(view)
+            press(KEY.Key_I, ALT)
+            assert "Hint" in response(f"hint {of}")
+            press(KEY.Key_A, ALT)
+            assert response(f"shown {of}") and view.answer == f"1 {TOLD}"
+            view.go_on()
+            come_to_rest(window)
+            heard.clear()
+            answer(view, right=True)
+            assert response(f"right {of}") and view.answer.startswith("2 ")
+            window.controls.rows["near"].field.setFocus()
+            settle()
+            assert side.sizes() == before, "the controls are as high as before where they are used"
+    finally:
+        QApplication.setFont(own)
+
+
+def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
+    card = window.lesson_card
+    card.open(lesson)
+    role_of = QAccessible.queryAccessibleInterface
+    text = card.findChildren(LessonText)[1]
+    assert role_of(text).role() == QAccessible.Role.Document
+    assert "vertical" in role_of(text).text(QAccessible.Text.Name)
+    marks = card.findChild(QWidget, "stepMarks")
+    assert role_of(marks).role() == QAccessible.Role.PageTabList
+    tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
+    assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
+    assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
+    window.lessons.go(1)
+    tabs[0].actionInterface().doAction(tabs[0].actionInterface().actionNames()[0])
+    assert window.lessons.place == 0 and tabs[0].state().selected

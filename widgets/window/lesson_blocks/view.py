@@ -86,7 +86,7 @@ class BlockView(QFrame):
     spoke = Signal()
     """A response to the answer appeared."""
 
-    def __init__(self, here: AtStep, block: Asked, *sign: QWidget, text: str = "") -> None:
+    def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
         super().__init__()
         self.setObjectName("asked")
         self.here, self.block = here, block
@@ -94,19 +94,25 @@ class BlockView(QFrame):
         self.hints = list(block.hints)
         """The hints not given yet."""
         self.setAccessibleName(plain_of(block.text))
-        self.said: list[QWidget] = []
-        """The widgets of the response, from the top."""
+        self._responses: list[QWidget] = []
+        self._hint: QWidget | None = None
+        """The newest hint, until another response comes."""
         self._said = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
-        words: QWidget = LessonText(text or block.text)
+        self._words: QWidget = LessonText(block.text)
         if sign:
-            words = on_holder(*((each, TOP) for each in sign), (words, 1), gap=4)
-        self._column = in_column(words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+            self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
+        self._column = in_column(self._words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""
         self._column.insertWidget(self._column.indexOf(self._said), widget)
+
+    def set_within(self) -> None:
+        """Show the block as a part of another one, which has the frame."""
+        self.setObjectName("")
+        self._column.setContentsMargins(0, 0, 0, 0)
 
     @property
     def is_open(self) -> bool:
@@ -133,6 +139,11 @@ class BlockView(QFrame):
         """Return the widget that gets the focus first."""
         return None
 
+    @property
+    def said(self) -> list[QWidget]:
+        """Return the widgets of the newest response, from the top; none if nothing was said."""
+        return self._responses if self._hint is None else [self._hint]
+
     def open_up(self) -> None:
         """Begin, as the block whose turn it is when its step opens."""
 
@@ -148,7 +159,8 @@ class BlockView(QFrame):
             many = len(self.block.hints) > 1
             head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
             text = f"*{head}* {self.hints.pop(0)}"
-            self._insert(_row("help", "", text))
+            self._hint = _row("help", "", text)
+            self._insert(self._hint)
             self._announce(text)
 
     # -- the response
@@ -161,11 +173,12 @@ class BlockView(QFrame):
 
     def _hush(self) -> None:
         """Remove the previous response."""
-        for widget in self.said:
+        for widget in self._responses:
             self._said.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
-        self.said.clear()
+        self._responses.clear()
+        self._hint = None
 
     def _say(self, icon: str, sign: str, text: str) -> None:
         if text:
@@ -180,7 +193,7 @@ class BlockView(QFrame):
         self._warn(escaped(sentence(error)))
 
     def _add(self, widget: QWidget) -> None:
-        self.said.append(widget)
+        self._responses.append(widget)
         self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
