@@ -901,6 +901,9 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     assert not is_hidden()
     card.go_back()
     come_to_rest(window)
+    assert not is_hidden(), "the one that is answered is shown"
+    card.blocks[0].go_on()
+    come_to_rest(window)
     assert is_hidden()
     card.leave()
     assert not is_hidden()

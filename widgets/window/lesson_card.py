@@ -634,6 +634,7 @@ class Side(QSplitter):
         self._around = around
         self.controls = Controls(self)
         self.controls.installEventFilter(self)
+        self.controls.setMinimumHeight(2 * self.fontMetrics().height())  # its search remains
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._card: LessonCard | None = None
         self._before: list[int] = []

@@ -219,7 +219,7 @@ class Question(Asked):
             return ""
         (value,) = self.values(here, *self.key)
         sides = *(latex(each, {}) for each in (*self.key[0], *numbered)), f"{value:.4g}"
-        return f"${' = '.join(sides)}$"
+        return f"${' = '.join(dict.fromkeys(sides))}$"
 
     def _clashes(
         self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]

@@ -44,7 +44,6 @@ class Tries(BlockView):
 
     def _tell(self) -> None:
         self._say("help", "", self.task.solution(self.here))
-        self._say("", "", self.task.done)
 
     def _offer_answer(self, act: Callable[[], object]) -> None:
         if self.task.solution(self.here):
