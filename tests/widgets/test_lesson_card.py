@@ -325,6 +325,15 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
         assert said in texts(which)
         assert ("Show the answer" in buttons(which)) is which.is_open
     assert not which.is_open
+    said = [(*each[2:7], each.hints) for each in window.record.read()]
+    assert said == [
+        ("numbers/wide", 0, "77", "wrong", "", 0),
+        ("numbers/wide", 0, "120", "wrong", "angle-linear", 2),
+        ("numbers/wide", 0, "55", "wrong", "", 2),
+        ("numbers/wide", 0, "", "shown", "", 2),
+        ("numbers/which", 0, "2", "wrong", "", 0),
+        ("numbers/which", 0, "1", "right", "", 0),
+    ], "what costs no try is no answer"
 
 
 HINTS = """---
@@ -719,6 +728,12 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert window.store.document == task.variant.here.document, "beside its text"
     assert task.answer == f"1 {DONE}" and not task.is_open
+    wrong, good, done = window.record.read()
+    assert wrong[1:] == (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1)
+    assert good[1:] == (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1)
+    assert done[1:] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
+    own = task.variant
+    assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 
 
 def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
@@ -1025,6 +1040,13 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     card.open(path)
     settle()
     assert not any(block.is_open for block in card.blocks) and not crosses("image")
+    said = [[float(each) for each in attempt.typed.split()] for attempt in window.record.read()]
+    names = [attempt.exercise.partition("/")[2] for attempt in window.record.read()]
+    assert names == ["image", "image", "ndc", "world", "ndc", "world"]
+    assert np.allclose(said[1], (960, 360), atol=12.5 * 1280 / width)
+    spots = window.panes["ndc"].drawing.spots_of(np.array([said[2], said[4]]))
+    assert np.allclose(spots, [(wrong.x(), wrong.y()), (right.x() + 6, right.y() + 6)], atol=0.5)
+    assert 0.0 < np.linalg.norm(said[5] - np.array(target)) < 0.5
 
 
 def test_the_handles_of_a_task_are_shown_as_its_step_opens(

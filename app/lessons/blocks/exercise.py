@@ -139,6 +139,12 @@ class Exercise(Asked):
             return Task.read(body)
         return Answer.read(body._replace(kind="answer"))
 
+    @property
+    def is_on_paper(self) -> bool:
+        """Whether it can be solved on paper; a task is done in the window."""
+        first = self.question({each.name: each.values[0] for each in self.varied})
+        return isinstance(first, Question)
+
     def variant(self, here: Here, seed: int) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.
 

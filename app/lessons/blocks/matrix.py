@@ -163,6 +163,15 @@ class Matrix(Marked):
                 lines.append(f"${' = '.join((name, *dict.fromkeys((*sides, value))))}$")
         return "  \n".join(lines)
 
+    def sides(self, here: Here) -> list[str]:
+        """Return the sides of an equation of matrices, each a table; none without letters."""
+        numbered = self.numbered(here)
+        if not numbered:
+            return []
+        sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
+        values = [f"${value:.4g}$" for value in self.answer(here)]
+        return [self._table(side) for side in (*sides, values)]
+
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""
         return self._table([write(value) for value in self.answer(here)]) + unit

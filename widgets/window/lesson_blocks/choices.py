@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
 from app.lessons.blocks.choices import Choices
 from app.lessons.course import AtStep
+from app.lessons.record import SHOWN
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
@@ -142,6 +143,7 @@ class Chooses(BlockView):
         """Show the right choice, and why it is right."""
         self.answer = TOLD
         self._tell()
+        self.tried.emit("", SHOWN)
         self._settle(TOLD)
 
     def _tell(self) -> None:
@@ -168,6 +170,8 @@ class Chooses(BlockView):
         except Refusal as error:
             self._refuse(error)
             return
+        if shows:
+            self.tried.emit(str(number + 1), verdict.word)
         if not self.is_open:
             self._close()
         if verdict.right:

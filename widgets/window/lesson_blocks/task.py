@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.task import Task
 from app.lessons.course import AtStep
+from app.lessons.record import RIGHT, SHOWN
+from app.lessons.writing import changes
 from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign
 
@@ -40,6 +43,7 @@ class Tries(BlockView):
         self._hush()
         self._tell()
         self._announce(self.task.solution(self.here))
+        self.tried.emit("", SHOWN)
         self._settle(TOLD)
 
     def _tell(self) -> None:
@@ -60,6 +64,7 @@ class Tries(BlockView):
         if is_done:
             self._hush()
             self._tick()
+            self.tried.emit(changes(self.here.document, replace(document, view=view)), RIGHT)
             self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
         elif document != self.here.document:  # tried

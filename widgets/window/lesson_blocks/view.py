@@ -83,6 +83,8 @@ class BlockView(QFrame):
     """The user wants to see this `Document`, which explains an answer."""
     posed = Signal(object)
     """The `Document` in which the question is asked, instead of the step's own."""
+    tried = Signal(str, str)
+    """An answer was given; emits it as in a sample, and the word of its verdict."""
     spoke = Signal()
     """A response to the answer appeared."""
 
@@ -143,6 +145,15 @@ class BlockView(QFrame):
     def said(self) -> list[QWidget]:
         """Return the widgets of the newest response, from the top; none if nothing was said."""
         return self._responses if self._hint is None else [self._hint]
+
+    @property
+    def variant_seed(self) -> int:
+        """Return the number of an exercise's variant; 0 for what is no exercise."""
+        return 0
+
+    @property
+    def hints_read(self) -> int:
+        return len(self.block.hints) - len(self.hints)
 
     def open_up(self) -> None:
         """Begin, as the block whose turn it is when its step opens."""
