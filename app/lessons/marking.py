@@ -87,6 +87,8 @@ _UNITS: dict[str, tuple[str, Fraction]] = {
     "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
 }  # fmt: skip
 """What each unit measures, and how much of it one is."""
+UNITS = tuple(_UNITS)
+"""The units that are converted, as they are typed."""
 
 
 class Typed(NamedTuple):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 
 import pytest
@@ -10,6 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.lessons import marking
+from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.exercise import Exercise
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.course import Course, contained
+from app.lessons.lesson import read
 from app.model.refusal import Refusal
 
 
@@ -212,3 +219,37 @@ def test_every_right_number_may_be_written_in_30_ways() -> None:
         for way in ways:
             signed = f"={minus}{way[1:]}" if way[0] == "=" else minus + way.lstrip()
             assert marking.equals(marking.read(signed), value), (value, signed)
+
+
+def right_numbers() -> Iterator[tuple[float, str]]:
+    """Yield the right numbers of all lessons with their units; three variants of an exercise."""
+    for path in contained():
+        course = Course(read(path))
+        for place, step in enumerate(course.lesson.steps):
+            here = course.at(place)
+            for part in step.asked:
+                asked: list[tuple[object, Here]] = [(part, here)]
+                if isinstance(part, Exercise):
+                    variants = [part.variant(here, seed) for seed in (1, 2, 3)]
+                    asked = [(variant.question, variant.here) for variant in variants]
+                for question, there in asked:
+                    if isinstance(question, Answer | Matrix):
+                        values = question.values(there, *question.key)
+                        yield from ((value, question.unit) for value in values if value)
+
+
+def test_random_wrong_numbers_are_not_right() -> None:
+    """Of 10 000 at most 10 count on average: three digits, of the size of the right number.
+
+    Their logarithms are distributed evenly from a tenth of the right number to ten times as much;
+    half have the other sign. The right number at three digits is not wrong. The average is exact:
+    only numbers within 3 % of the right one could count, and all of them are tried.
+    """
+    known, share = list(right_numbers()), 0.0
+    for value, unit in known:
+        near = {f"{value * (1.0 + part / 2000.0):.2e}" for part in range(-60, 61)}
+        for text in near - {f"{value:.2e}"}:
+            typed = marking.read(text, unit)
+            if marking.equals(typed, value):
+                share += float(typed.unit / abs(typed.value)) / (2.0 * math.log(100.0))
+    assert len(known) > 50 and 1e-4 < share / len(known) <= 1e-3, share / len(known)

@@ -37,6 +37,8 @@ from app.lessons.course import contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
 from app.model.projection import Perspective
+from tests.support.mistakes import LESSON as RIGHT_LESSON
+from tests.support.mistakes import MISTAKES
 from tests.support.window import (
     NO_KEY,
     MakeWindow,
@@ -756,6 +758,26 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     lesson.write_text(right, encoding="utf-8")
     window.lessons.read_again()
     assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
+
+
+def test_the_card_says_every_kind_of_mistake(make_window: MakeWindow, tmp_path: Path) -> None:
+    window = make_window(drawn=False, shown=False)
+    path = tmp_path / "mistakes.md"
+    path.write_text(RIGHT_LESSON, encoding="utf-8")
+    window.lesson_card.open(path)
+    notice = window.lesson_card.findChild(QLabel, "notice")
+    assert notice is not None
+    for kind, (old, new, said) in MISTAKES.items():
+        path.write_text(RIGHT_LESSON.replace(old, new, 1), encoding="utf-8")
+        window.lessons.read_again()
+        assert said in notice.text() and "line" in notice.text(), (kind, notice.text())
+    text = RIGHT_LESSON.replace("until: near <", "until: near ").replace("matrix: 2,", "matrix: ")
+    path.write_text(text, encoding="utf-8")
+    window.lessons.read_again()
+    assert len(notice.text().splitlines()) == 2, "all at once, also if a step cannot be shown"
+    path.write_text(RIGHT_LESSON, encoding="utf-8")
+    window.lessons.read_again()
+    assert notice.isHidden()
 
 
 MATRIX = """---

@@ -398,7 +398,8 @@ class Lessons(QObject):
             place = course.lesson.place_of(name or step.name, min(self.place, last))
             shown = course.shown(place)
         except Refusal as error:
-            self.complained.emit(named(error, path))
+            is_talk = before.lesson.is_talk
+            self.complained.emit(named(error, path) if is_talk else self.mistakes())
             return
         self._messages.done()
         same = self._posed is None and shown == before.shown(self.place)

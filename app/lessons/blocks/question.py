@@ -15,15 +15,20 @@ from app.document.document import Document
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.lines import Body, Item, Items, on_line, refused
+from app.lessons.marking import UNITS
 from app.lessons.quantities import FUNCTIONS, Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
 from app.model.formula import Call, Formula, Letter, Negative, Number, latex
+from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
     "Refusal",
     "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
+)
+NO_REPLY = QT_TRANSLATE_NOOP(
+    "Refusal", "is wrong, but has no reply: name a wrong idea, or add “says:” below"
 )
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
@@ -99,6 +104,8 @@ class Reply:
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
             trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+        if not (self.right or self.idea or self.says):
+            trial.complain(refused(self.line, NO_REPLY))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
@@ -247,6 +254,9 @@ class Marked(Question):
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
+        unit = items.single("unit")
+        if unit is not None and unit.text.lower() not in UNITS:
+            raise refused(unit.line, ONE_OF, ", ".join(UNITS), value=unit.text)
         return Question.fields(body, text, items) | {"unit": items.text("unit")}
 
     def mark(self, here: Here, typed: str) -> Verdict:
