@@ -378,7 +378,8 @@ def _lesson() -> Parser:
     text = (
         "check: try every state, answer key and sample of lessons and talks, and measure their "
         "pictures (default: those that come with the program); list: list them; names: "
-        "print every name that their files may use; print: print tests, see below. FILE may also be a name such as L5 or 001"
+        "print every name that their files may use; print: print tests, see below. FILE may also "
+        "be a name such as L5 or 001"
     )
     parser = Parser("lesson", "check|list|names|print [FILE...]", text)
     parser.add_argument(
