@@ -65,6 +65,20 @@ class Board:
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
 
+    @property
+    def boxes(self) -> list[tuple[float, float, float, float]]:
+        """What is named: the visible labels and their points, from the pane's left and bottom.
+
+        Left, low, right and high, in pixels.
+        """
+        found, rim = [], DOT_EM * self.em
+        for label, _ in self._labels.values():
+            if label.actor.GetVisibility():
+                left, right, low, high = label.box_px
+                found.append((left, low, right, high))
+        found += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
+        return found
+
     def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
