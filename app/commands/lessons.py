@@ -1,4 +1,4 @@
-"""The command ``lesson``: check or list lessons and talks."""
+"""The command ``lesson``: check or list lessons and talks, or print their exercises."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from app.commands.composed import Composed, measure, taken
-from app.commands.options import one_of, parser_of, write_out
+from app.commands.exam import print_tests
+from app.commands.options import CliError, one_of, parser_of, write_out
 from app.lessons.checking import Report
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
@@ -14,9 +15,16 @@ from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
-    """Check or list lessons and talks; return 1 if something is wrong with one of them."""
-    _, (what, *names) = parser_of("lesson").read(arguments)
-    one_of("lesson", what, ("check", "list"))
+    """Check or list lessons, or print tests; return 1 if something is wrong with a lesson."""
+    found, (what, *names) = parser_of("lesson").read(arguments)
+    one_of("lesson", what, ("check", "list", "print"))
+    if what == "print":
+        if names:
+            raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
+        return print_tests(found)
+    for option in ("topics", "seeds", "out", "key"):
+        if getattr(found, option):
+            raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
     files = [file_of(name) for name in names] or list(contained())
     if what == "list":
         write_out(map(_line, files))

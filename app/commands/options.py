@@ -29,7 +29,7 @@ SUMMARIES = {
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
-    "lesson": "check or list lessons and talks",
+    "lesson": "check or list lessons and talks, or print tests of their exercises",
     "talk": "draw every step of a talk, or print it with its notes",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
@@ -377,10 +377,27 @@ def _measure() -> Parser:
 def _lesson() -> Parser:
     text = (
         "check: try every state, answer key and sample of lessons and talks, and measure their "
-        "pictures (default: those that come with the program); list: list them. FILE may also be "
-        "a name such as L5 or 001"
+        "pictures (default: those that come with the program); list: list them; print: print "
+        "tests, see below. FILE may also be a name such as L5 or 001"
     )
-    return Parser("lesson", "check|list [FILE...]", text)
+    parser = Parser("lesson", "check|list|print [FILE...]", text)
+    parser.add_argument(
+        "--topics", metavar="L3,L5,...",
+        help="of print: the topics, or files of lessons, whose exercises make the test",
+    )  # fmt: skip
+    parser.add_argument(
+        "--seeds", metavar="FIRST:LAST",
+        help="of print: the variants, one file for each; a variant has the same numbers everywhere",
+    )  # fmt: skip
+    parser.add_argument(
+        "--out", metavar="FOLDER",
+        help="of print: where the PDF files go; existing files are overwritten",
+    )  # fmt: skip
+    parser.add_argument(
+        "--key", action="store_true",
+        help="of print: write one more file, with the answers of all variants and their ways",
+    )  # fmt: skip
+    return parser
 
 
 def _talk() -> Parser:

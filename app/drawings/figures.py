@@ -106,6 +106,7 @@ def render(
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
+    seen: Callable[[Drawing, int], object] | None = None,
 ) -> Pixels:
     """Draw one pane, or several side by side, and return (height, width, 3 or 4) uint8 pixels.
 
@@ -129,6 +130,8 @@ def render(
         Its smoothing does not matter: a figure is always averaged.
     text_pt : float, optional
         Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
+    seen : callable, optional
+        Called with the drawing of each pane and how many of its pixels are one of the figure's.
 
     Raises
     ------
@@ -166,6 +169,7 @@ def render(
             words=words,
             view=view,
             quality=quality,
+            seen=seen,
         )
         size_px, framed = (right - left, height), len(panes) > 1
         if pane == view.compares_in and view.compare:
@@ -389,6 +393,7 @@ def _render_pane(
     caption: str = "",
     middle: float = 0.5,
     bare: bool = False,
+    seen: Callable[[Drawing, int], object] | None = None,
 ) -> tuple[Pixels, tuple[float, float]]:
     """A pane's pixels, and where its picture begins and ends in them."""
     factor = _oversampling(size)
@@ -398,6 +403,8 @@ def _render_pane(
         transparent=transparent,
     ) as (window, drawing):  # fmt: skip
         drawn = pixels_of(window)
+        if seen is not None:
+            seen(drawing, factor)
         ends = (0.0, float(size[0]))
         if isinstance(drawing, ImageDrawing):
             place = drawing.picture_rectangle_px

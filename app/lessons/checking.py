@@ -7,24 +7,29 @@ the lecture, by computing them independently.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from app.lessons.blocks.block import Trial
+from app.lessons.blocks.block import Trial, of_kind
+from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import Course
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-MOST_STEPS = 7
-"""Most steps of a lesson."""
+MOST_STEPS, MOST_PRACTICE = 7, 3
+"""Most steps of a lesson without an exercise, and most with one."""
 MOST_WORDS = 150
 """Most words of a step's text or of a note, because the reader also looks at the pictures."""
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; the limit is {1}")
+TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
+    "Refusal", "is step {0} with an exercise; the limit of a lesson is {1}"
+)
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
@@ -76,9 +81,9 @@ def counted(count: int, word: str) -> str:
 def _check(course: Course, trial: Trial) -> None:
     lesson = course.lesson
     is_lesson = not lesson.is_talk and any(step.asked for step in lesson.steps)
+    if is_lesson:  # a collection of ideas may have more
+        _count(lesson.steps, trial)
     for place, step in enumerate(lesson.steps):
-        if place == MOST_STEPS and is_lesson:  # a collection of ideas may have more
-            trial.complain(refused(step.line, TOO_MANY, place + 1, place))
         before = len(trial.wrong)
         with trial.kept():
             course.shown(place)
@@ -88,6 +93,17 @@ def _check(course: Course, trial: Trial) -> None:
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)
+
+
+def _count(steps: Sequence[Step], trial: Trial) -> None:
+    practice = [step for step in steps if of_kind(step.blocks, Exercise)]
+    others = [step for step in steps if step not in practice]
+    for some, most, said in (
+        (others, MOST_STEPS, TOO_MANY),
+        (practice, MOST_PRACTICE, TOO_MUCH_PRACTICE),
+    ):
+        if len(some) > most:
+            trial.complain(refused(some[most].line, said, most + 1, most))
 
 
 def _check_texts(step: Step, trial: Trial) -> None:

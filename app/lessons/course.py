@@ -253,6 +253,11 @@ def file_of(name: str) -> Path:
     return path
 
 
+def name_of(path: Path) -> str:
+    """Return the name of a lesson: its own if it comes with the program, else its path."""
+    return path.stem if path.parent == CONTENT else os.path.abspath(path)
+
+
 def contained() -> tuple[Path, ...]:
     """Return the files of the lessons and talks that come with the program, in order."""
     return tuple(sorted(path for path in CONTENT.glob("*.md") if path.name != "ideas.md"))

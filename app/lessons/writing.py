@@ -58,6 +58,20 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     return [f"{path}={text}" for path, text in (first | texts).items()]
 
 
+def changes(before: Document, after: Document) -> str:
+    """Return what turned one document into another, as in a sample of a task."""
+    given, texts = _texts(before), _texts(after)
+    found = [f"scene={after.scene}"] if after.scene != before.scene else []
+    found += [
+        f"{path}={text}"
+        for path, text in texts.items()
+        if given.get(path) != text and " " not in text  # a sample separates them by spaces
+    ]
+    turned = [name for name, camera in after.view.panes.items()
+              if before.view.panes.get(name) != camera]  # fmt: skip
+    return " ".join([*found, *([f"view.panes={','.join(turned)}"] if turned else [])])
+
+
 def _said(document: Document) -> Document:
     """Return a document with only those parts of its view that belong to a state."""
     view = replace(document.view, panes={}, pinned=frozenset())

@@ -532,6 +532,7 @@ class _Stacked(_Plain):
 _IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "operatorname{abs}"}
 _LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
 _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
+_GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
 
 
 class _Latex(_Stacked):

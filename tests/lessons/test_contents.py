@@ -5,13 +5,17 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
+from functools import partial
 from importlib import import_module
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import pytest
 from mpmath import mp
 
-from app.lessons.blocks.block import of_kind
+from app.document.settings import set_values
+from app.lessons.blocks.block import Here, of_kind
+from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.question import Question
 from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
@@ -21,37 +25,82 @@ from tests.support.commands import run_here
 
 mp.dps = 40
 Key = tuple[str, str, str]
-KEYS: dict[Key, Callable[[], object]] = {}
+KEYS: dict[Key, Callable[..., Any]] = {}
 for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
     KEYS |= import_module(f"tests.lessons.{_path.stem}").KEYS
+SEEDS = range(1, 9)
+"""The variants of an exercise that are reckoned anew."""
 
 
-def keys_of(course: Course) -> Iterator[tuple[Key, float]]:
-    """Every number of a lesson that is right, or wrong with a named idea; of a matrix ``[0]``."""
-    stem = course.lesson.path.stem
+class Reckoned(NamedTuple):
+    """A value of a lesson, and the numbers of the exercise that it belongs to.
+
+    `agrees` says whether the value is what a key returns: a number, or the numbers of a matrix row
+    after row, or of a place. The key ``done`` of an exercise that sets the model returns values
+    that do the task, ``lens.near=2 lens.far=9``; its other keys return values that do not.
+    """
+
+    key: Key
+    numbers: dict[str, mp.mpf]
+    agrees: Callable[[Any], bool]
+
+
+def reckoned(course: Course) -> Iterator[Reckoned]:
+    """Every value of a lesson that is right, or wrong with a named idea."""
     for place, step in enumerate(course.lesson.steps):
-        for part in of_kind(step.blocks, Question):
-            formulas = {str(at): each.formulas for at, each in enumerate(part.replies, 1)}
-            if not any(reply.right for reply in part.replies):  # a number
-                formulas = {reply.idea: reply.formulas for reply in part.replies}
-                formulas["right"] = part.key[0]
-            for name, several in formulas.items():
-                values = part.values(course.at(place), several, part.line)
-                for at, value in enumerate(values):
-                    cell = f"[{at}]" if len(values) > 1 else ""
-                    yield (stem, f"{step.name}/{part.name}", name + cell), value
+        here = course.at(place)
+        for part in step.asked:
+            at = course.lesson.path.stem, f"{step.name}/{part.name}"
+            if isinstance(part, Exercise):
+                for seed in SEEDS:
+                    variant = part.variant(here, seed)
+                    numbers = {
+                        name: mp.mpf(value.numerator) / value.denominator
+                        for name, value in variant.numbers.items()
+                    }
+                    yield from _values_of(at, variant.question, variant.here, numbers)
+            elif isinstance(part, Question):
+                yield from _values_of(at, part, here, {})
+
+
+def _values_of(
+    at: tuple[str, str], part: Question | Task, here: Here, numbers: dict[str, mp.mpf]
+) -> Iterator[Reckoned]:
+    if isinstance(part, Task):
+
+        def does(name: str, text: str) -> bool:
+            return part.is_done(here, set_values(here.document, text.split())) == (name == "done")
+
+        tried = [name for *place, name in KEYS if tuple(place) == at]
+        for name in {"done", *tried}:
+            yield Reckoned((*at, name), numbers, partial(does, name))
+        return
+    formulas = {str(place): each.formulas for place, each in enumerate(part.replies, 1)}
+    if not any(reply.right for reply in part.replies):  # not choices
+        formulas = {reply.idea: reply.formulas for reply in part.replies}
+        formulas["right"] = part.key[0]
+    for name, several in formulas.items():
+        if several:
+            values = part.values(here, several, part.line)
+            yield Reckoned((*at, name), numbers, partial(_are_close, values))
+
+
+def _are_close(values: tuple[float, ...], truth: Any) -> bool:
+    several = truth if isinstance(truth, tuple) else (truth,)
+    return len(values) == len(several) and all(
+        math.isclose(value, float(each), rel_tol=1e-9, abs_tol=1e-12)
+        for value, each in zip(values, several, strict=True)
+    )
 
 
 def test_every_key_agrees_with_the_lectures_formula_in_40_digits() -> None:
     """None is missing, and none is left over."""
-    found: dict[Key, float] = {}
-    for path in contained():
-        found |= dict(keys_of(Course(read(path))))
-    assert sorted(set(found) - set(KEYS)) == []
-    assert sorted(set(KEYS) - set(found)) == []
-    for key, value in found.items():
-        truth = mp.mpf(KEYS[key]())  # type: ignore[arg-type]
-        assert math.isclose(value, float(truth), rel_tol=1e-9, abs_tol=1e-12), (key, value, truth)
+    found = [each for path in contained() for each in reckoned(Course(read(path)))]
+    assert sorted({each.key for each in found} - set(KEYS)) == []
+    assert sorted(set(KEYS) - {each.key for each in found}) == []
+    for key, numbers, agrees in found:
+        truth = KEYS[key](**numbers)
+        assert agrees(truth), (key, numbers, truth)
     assert len(found) >= 100
 
 
@@ -67,7 +116,6 @@ def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
             assert lesson.minutes > 0.0
             assert lesson.letters == lesson.lecture
             continue
-        assert 3 <= len(lesson.steps) <= 7, lesson.path
         asked = [part for step in lesson.steps for part in step.asked]
         predictions = [part for part in asked if part.holds]
         if lesson.topics:  # the tour is six tasks
@@ -157,6 +205,28 @@ def checked(path: Path, text: str) -> list[str]:
     nothing = "0 overlaps, 0 crowded, 0 empty, 0 hidden of 0 steps"
     assert said[-1] == nothing, "a wrong file is not drawn"
     return [line.removeprefix(f"{path}: ") for line in said[:-2]]
+
+
+@pytest.mark.parametrize(
+    ("plain", "practice", "said"),
+    [
+        (7, 3, []),
+        (8, 3, ["is step 8 of a lesson; the limit is 7"]),
+        (7, 4, ["is step 4 with an exercise; the limit of a lesson is 3"]),
+    ],
+)
+def test_practice_does_not_count_as_steps_of_a_lesson(
+    tmp_path: Path, plain: int, practice: int, said: list[str]
+) -> None:
+    exercise = "```exercise\nvary k: 1..100\nHow far?\nvalue: 2*k\n```\n"
+    texts = ["Words.\n"] * plain + [exercise] * practice
+    steps = "".join(f"---\n# S {{#s{place}}}\n{text}" for place, text in enumerate(texts))
+    path = tmp_path / "long.md"
+    path.write_text(f"---\ntitle: T\n{steps}", encoding="utf-8")
+    report = Report()
+    report.read(path)
+    assert len(report.wrong) == len(said)
+    assert all(each in str(error) for each, error in zip(said, report.wrong, strict=True))
 
 
 ONE = "---\ntitle: T\n---\n# One\n"

@@ -118,6 +118,15 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     )
 
 
+def test_a_number_has_any_letter_of_a_lecture() -> None:
+    asked, here = exercise(
+        "vary D: 3..12\nvary θ_v: 20..100 step 5\nHalf of {=θ_v}°, at {=D}?\nvalue: D*tan(θ_v/2)\n"
+    )
+    variant = asked.variant(here, 1)
+    solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
+    assert solution.startswith(r"$D \, \tan\left(\frac{\theta_{v}}{2}\right) = ")
+
+
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
@@ -162,6 +171,6 @@ def test_an_answer_that_the_scene_shows_must_be_hidden() -> None:
     assert faults(FILM + "hide: numbers\n") == ""
     assert faults(FILM.replace("5*d/9", "5*d/8")) == ""
     assert exercise(FILM + "hide: world, numbers\n")[0].hides == {"world", "numbers"}
-    assert "line 10 = 'film': must be one of numbers, world, ndc, image" in faults(
+    assert "line 10 = 'film': must be one of numbers, lens, world, ndc, image" in faults(
         FILM + "hide: film\n"
     )

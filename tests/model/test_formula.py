@@ -162,6 +162,7 @@ def test_a_term_may_be_known_as_a_whole() -> None:
         ),
         ("2*near*10", "2near·10", r"2 \, \mathrm{near} \cdot 10"),
         ("4*2/3", "4·2/3", r"\frac{4 \cdot 2}{3}"),
+        ("2*theta_x", "2theta_x", r"2\theta_{x}"),
         ("x^2*y", "x^2\u2009y", r"x^{2} \, y"),
         ("(x + y)^2", "(x + y)^2", r"(x + y)^{2}"),
         ("-dot(axis_u, eye)", "−axis_u·eye", r"-\mathrm{axis}_{u} \cdot \mathrm{eye}"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -26,6 +27,7 @@ from pytestqt.qtbot import QtBot
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
@@ -46,6 +48,8 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.click import Points
+from widgets.window.lesson_blocks.exercise import Practises
 from widgets.window.lesson_blocks.task import DONE
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
@@ -306,6 +310,15 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
         settle()
         assert said in texts(which)
     assert not which.is_open
+    said = [(*each[2:7], each.hints) for each in window.record.read()]
+    assert said == [
+        ("numbers/wide", 0, "77", "wrong", "", 0),
+        ("numbers/wide", 0, "120", "wrong", "angle-linear", 2),
+        ("numbers/wide", 0, "55", "wrong", "", 2),
+        ("numbers/wide", 0, "", "shown", "", 2),
+        ("numbers/which", 0, "2", "wrong", "", 0),
+        ("numbers/which", 0, "1", "right", "", 0),
+    ], "what costs no try is no answer"
 
 
 def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
@@ -484,9 +497,18 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
     """Do what is asked by the step's samples, with the focus where it has come to by itself."""
     name, store = view.block.name, window.store
     samples = [each for each in step.samples if each.block == name]
-    task = next((each for each in samples if each.verdict == "done"), None)
+    task = next((each.text for each in samples if each.verdict == "done"), None)
+    if isinstance(view, Practises):
+        seed, _, task = task.partition(" ") if task is not None else ("2", "", None)
+        view.seed.setFocus()
+        view.seed.selectAll()
+        QTest.keyClicks(view.seed, seed)
+        press(KEY.Key_Return)
+        come_to_rest(window)
+        assert view.asked is not None
+        view = view.asked
     if task is not None:
-        assignments = task.text.split()
+        assignments = task.split()
         wanted = set_values(view.here.document, assignments)
         if wanted == store.document:
             paths = (text.partition("=")[0] for text in assignments)
@@ -502,6 +524,14 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
             press(KEY.Key_Down)
         if block.right == 0:
             press(KEY.Key_Space)
+    elif isinstance(block, Matrix):
+        for row, cell in enumerate(block.answer(view.here)):
+            QTest.keyClicks(keyboard(), f"{cell:.4g}")
+            if row + 1 < len(block.right):
+                press(KEY.Key_Tab)
+    elif isinstance(view, Points):  # the crosshair has tests of its own; here are no pictures
+        view.take(lambda place: math.dist(place, block.answer(view.here)))
+        view.first.setFocus()
     else:
         QTest.keyClicks(keyboard(), f"{block.answer(view.here):.4g}".replace(".", ","))
     press(KEY.Key_Return)
@@ -611,6 +641,12 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert task.answer == f"1 {DONE}" and not task.is_open
+    wrong, good, done = window.record.read()
+    assert wrong[1:] == (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1)
+    assert good[1:] == (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1)
+    assert done[1:] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
+    own = task.variant
+    assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 
 
 def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
@@ -732,7 +768,7 @@ vary d: 2..6 step 0.1
 state: settings.distance={=d}
 The arrow is 5 high and 9 away, the film {=d} behind the hole. How high is the picture?
 value: 5*d/9
-hide: numbers, world
+hide: numbers, lens, world
 ```
 
 ---
@@ -750,6 +786,8 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     card, panels, scene = window.lesson_card, window.panels, window.controls.card
     names = window.panels.names.findChildren(QToolButton)
     cursor, canvas = window.cursors["image"], window.panes["image"].canvas
+    more = window.controls.sections["more_lens"]
+    more.set_open(True)
 
     def is_hidden() -> bool:
         """Whether every place where numbers are is closed."""
@@ -764,6 +802,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
             not scene.explanation.isEnabled(),
             cursor.text == why,
             why in texts(window.panes["world"]),
+            not more.is_open and why in more.heading.toolTip(),
         ]
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]
@@ -913,6 +952,13 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     card.open(path)
     settle()
     assert not any(block.is_open for block in card.blocks) and not crosses("image")
+    said = [[float(each) for each in attempt.typed.split()] for attempt in window.record.read()]
+    names = [attempt.exercise.partition("/")[2] for attempt in window.record.read()]
+    assert names == ["image", "image", "ndc", "world", "ndc", "world"]
+    assert np.allclose(said[1], (960, 360), atol=12.5 * 1280 / width)
+    spots = window.panes["ndc"].drawing.spots_of(np.array([said[2], said[4]]))
+    assert np.allclose(spots, [(wrong.x(), wrong.y()), (right.x() + 6, right.y() + 6)], atol=0.5)
+    assert 0.0 < np.linalg.norm(said[5] - np.array(target)) < 0.5
 
 
 def test_the_handles_of_a_task_are_shown_as_its_step_opens(

@@ -220,6 +220,7 @@ class Section(Rows):
         self._column.insertWidget(0, self.heading)
         self._is_open = False
         self._found: set[QWidget] | None = None
+        self._why_closed = ""
         self.set_open(False)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
@@ -238,7 +239,14 @@ class Section(Rows):
     @property
     def is_open(self) -> bool:
         """Whether the rows below the heading are shown."""
-        return self._is_open or self._found is not None
+        return not self._why_closed and (self._is_open or self._found is not None)
+
+    def close_for(self, why: str) -> None:
+        """Keep the rows folded for a reason; without one, show them as they were before."""
+        if why != self._why_closed:
+            self._why_closed = why
+            self.heading.setEnabled(not why)
+            self._show()
 
     def _turn(self) -> None:
         self.set_open(not self.is_open)
@@ -259,6 +267,7 @@ class Section(Rows):
         is_open = self.is_open
         self.body.setVisible(is_open)
         show_icon(self.heading, "choose" if is_open else "unfold")
-        set_tip(self.heading, self.tr("Fold") if is_open else self.tr("Unfold"))
+        turn = self.tr("Fold") if is_open else self.tr("Unfold")
+        set_tip(self.heading, self._why_closed or turn)
         self.heading.setAccessibleDescription(self.tr("unfolded") if is_open else self.tr("folded"))
         self.toggled.emit(is_open)

@@ -4,12 +4,13 @@
 
     Lessons.opened, stepped -> LessonCard makes the page of the step
     a block is settled -> Settings keep the answer
+    an answer is given -> the Record of this student
     the window changes -> LessonCard.look_again -> the tasks see it, when the event loop is free
 """
 
 from __future__ import annotations
 
-import os
+import time
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -38,14 +39,17 @@ from app.document.document import Document
 from app.document.store import Store
 from app.document.view import View
 from app.lessons.blocks.block import Part
-from app.lessons.course import CONTENT, Course, contained
+from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, Record
 from app.lessons.text import escaped, in_line
+from app.model.refusal import Refusal
 from widgets.controls.controls import Controls
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
 from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
+from widgets.parts.messages import sentence
 from widgets.parts.plain import Label
 from widgets.window.lesson_blocks import view_of
 from widgets.window.lesson_blocks.task import DONE, Tries
@@ -68,11 +72,6 @@ WHILE_MOVING_MS = 50
 """Interval at which tasks are checked while the model moves."""
 TOUR = CONTENT / "tour.md"
 """The tour of the first two minutes."""
-
-
-def name_of(path: Path) -> str:
-    """Return the name under which a lesson's progress is saved."""
-    return path.stem if path.parent == CONTENT else os.path.abspath(path)
 
 
 def heads(*, talks: bool) -> tuple[Head, ...]:
@@ -98,11 +97,14 @@ class LessonCard(QFrame):
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
-    def __init__(self, lessons: Lessons, store: Store, settings: Settings) -> None:
+    def __init__(
+        self, lessons: Lessons, store: Store, settings: Settings, record: Record
+    ) -> None:
         super().__init__()
         self.setObjectName("lesson")
         self.setAccessibleName(self.tr("Lesson"))
         self._lessons, self._store, self._settings = lessons, store, settings
+        self._record = record
         self._progress = Progress()
         self._late = QTimer(self, singleShot=True, interval=LATE_MS)
         self._late.timeout.connect(self._keep)
@@ -338,6 +340,7 @@ class LessonCard(QFrame):
             answer = self._progress.answers.get(self._key(view.block.name), "")
             if answer:
                 view.restore(answer)
+            view.tried.connect(partial(self._log, view))
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
             view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
@@ -380,6 +383,19 @@ class LessonCard(QFrame):
         if had_focus:
             self._take_focus()
         self.look_again()
+
+    def _log(self, view: BlockView, typed: str, word: str) -> None:
+        """Add an answer to the record of this student."""
+        idea = "" if word in (RIGHT, WRONG, SHOWN) else word
+        attempt = Attempt(
+            int(time.time()), name_of(view.here.course.lesson.path),
+            f"{view.here.step.name}/{view.block.name}", view.variant_seed, typed,
+            WRONG if idea else word, idea, view.hints_read,
+        )  # fmt: skip
+        try:
+            self._record.add(attempt)
+        except Refusal as error:
+            self._say(sentence(error))
 
     def _note(self, block: str, answer: str) -> None:
         answers = {**self._progress.answers, self._key(block): answer}

@@ -10,6 +10,7 @@ from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
+from app.lessons.course import name_of
 from widgets.window.lesson_card import (
     AGAIN_KEY,
     BACK_KEY,
@@ -17,7 +18,6 @@ from widgets.window.lesson_card import (
     TOUR,
     LessonCard,
     heads,
-    name_of,
 )
 from widgets.window.settings import Progress, Settings
 

@@ -33,6 +33,7 @@ from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 from app.document.document import Document
 from app.document.store import Store
 from app.drawings.style import Style
+from app.lessons.record import Record
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -108,6 +109,8 @@ DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "imag
 """The maker of each pane's drawing, which imports VTK."""
 AT_FIRST_PX = (1366, 768)
 BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
+RECORD = "record.jsonl"
+"""The file of the student's answers, in the data folder."""
 FOLDS_BELOW_PX = 1200
 """A narrower window has no room for the dock beside its panes; a key opens it."""
 PICTURES_AND_DOCK = [1075, 285]
@@ -322,9 +325,12 @@ class MainWindow(QMainWindow):
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
             self.look.look_from, self.transition,
         )  # fmt: skip
-        self.lesson_card = LessonCard(self.lessons, self.store, self.settings)
+        self.record = Record(data_folder() / RECORD)
+        self.lesson_card = LessonCard(self.lessons, self.store, self.settings, self.record)
         self.side.take_card(self.lesson_card)
-        self.hiding = Hiding(self.panels, controls.card, self.cursors, self.panes)
+        self.hiding = Hiding(
+            self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
+        )
         self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(

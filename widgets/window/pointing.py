@@ -22,6 +22,9 @@ from widgets.window.lesson_blocks.click import Points
 ARM_PX, RING_PX = 14, 9
 """Half the length of the crosshair's lines; the radius of the ring at the right place."""
 
+NEAR_BY, NEWTON_STEPS = 1e-3, 5
+"""A small step in a picture's coordinates, and how often it is used to find those of a click."""
+
 
 class Cross(QWidget):
     """A crosshair, or a ring with a cross for the right place; visible on every picture."""
@@ -127,7 +130,7 @@ class Pointing(QObject):
         x = min(max(place.x(), 0.0), float(room.width()))
         y = min(max(place.y(), 0.0), float(room.height()))
         self._at, self._answered = QPointF(x, y), None
-        view.take(partial(self._away_px, view, self._at))
+        view.take(partial(self._away_px, view, self._at), self._place(pane, view, self._at))
         self._follow()
 
     def _spot(self, view: Points, place: Value) -> QPointF | None:
@@ -137,6 +140,22 @@ class Pointing(QObject):
             return None
         ((x, y),) = pane.drawing.spots_of(np.array([place])).tolist()
         return None if math.isnan(x) else QPointF(x, y) / pane.canvas.pixel_ratio
+
+    def _place(self, pane: Pane, view: Points, at: QPointF) -> Value:
+        """Return the place of a click near the right one, found by Newton's method.
+
+        Empty if there is none: the way there leads where nothing is seen.
+        """
+        assert pane.drawing is not None
+        place = np.array(view.question.answer(view.here))
+        steps = np.vstack([np.zeros(len(place)), np.eye(len(place)) * NEAR_BY])
+        for _ in range(NEWTON_STEPS):
+            spots = pane.drawing.spots_of(place + steps) / pane.canvas.pixel_ratio
+            if not np.isfinite(spots).all():
+                return ()
+            slopes = (spots[1:] - spots[0]).T / NEAR_BY
+            place = place + np.linalg.pinv(slopes) @ ((at.x(), at.y()) - spots[0])
+        return tuple(place.tolist())
 
     def _away_px(self, view: Points, at: QPointF, place: Value) -> float:
         """Return how far a click is from a place, in pixels of a screen with scale 1."""

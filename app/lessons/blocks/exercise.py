@@ -52,8 +52,8 @@ CAN_BE_READ = QT_TRANSLATE_NOOP(
 )
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
-_VARY = re.compile(r"vary\s+([a-z]\w*)\s*:(.*)")
-HIDDEN = ("numbers", *PANES)
+_VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
+HIDDEN = ("numbers", "lens", *PANES)
 """What an exercise may hide."""
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
@@ -138,6 +138,12 @@ class Exercise(Asked):
         if any(text.startswith("until:") for _, text in lines):
             return Task.read(body)
         return Answer.read(body._replace(kind="answer"))
+
+    @property
+    def is_on_paper(self) -> bool:
+        """Whether it can be solved on paper; a task is done in the window."""
+        first = self.question({each.name: each.values[0] for each in self.varied})
+        return isinstance(first, Question)
 
     def variant(self, here: Here, seed: int) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.

@@ -151,12 +151,16 @@ class Matrix(Marked):
             yield Refusal.saying(COLUMNS, one + 1, other + 1), _flat(swapped)
 
     def solution(self, here: Here) -> str:
+        return "\n\n$=$\n\n".join(self.sides(here))
+
+    def sides(self, here: Here) -> list[str]:
+        """Return the sides of the equation of `solution`, each a table; none without letters."""
         numbered = self.numbered(here)
         if numbered is None:
-            return ""
+            return []
         sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
         values = [f"${value:.4g}$" for value in self.answer(here)]
-        return "\n\n$=$\n\n".join(self._table(side) for side in (*sides, values))
+        return [self._table(side) for side in (*sides, values)]
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""

@@ -138,6 +138,8 @@ class Chooses(BlockView):
         except Refusal as error:
             self._refuse(error)
             return
+        if shows:
+            self.tried.emit(str(number + 1), verdict.word)
         if not self.is_open:
             for choice in self._choices:
                 choice.button.setEnabled(False)

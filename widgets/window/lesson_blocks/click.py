@@ -25,6 +25,7 @@ class Points(Attempts):
     def __init__(self, here: AtStep, question: Click) -> None:
         super().__init__(here, question)
         self._away_px: Callable[[Value], float] | None = None
+        self._place: Value = ()
         self._is_told = False
         pictures = {
             "world": self.tr("world"), "ndc": self.tr("NDC cube"), "image": self.tr("image")
@@ -44,17 +45,16 @@ class Points(Attempts):
     def aims(self) -> BlockView | None:
         return self if self.is_open or self._is_told else None
 
-    def take(self, away_px: Callable[[Value], float]) -> None:
-        """Take the place of the crosshair, as a function for its distance from others."""
-        self._away_px = away_px
+    def take(self, away_px: Callable[[Value], float], place: Value) -> None:
+        """Take the place of the crosshair, and a function for its distance from others."""
+        self._away_px, self._place = away_px, place
         self._check.setEnabled(self.is_open)
 
     def check(self) -> None:
         """Say whether the crosshair is at the right place."""
         if self.is_open and self._away_px is not None:
-            # Kept as the right place: a click in the world has no coordinates of its own.
-            values = self.question.answer(self.here)
-            self._submit(" ".join(f"{value:.6g}" for value in values))
+            # Kept as the right place: the crosshair's own depends on the window's size.
+            self._submit(_written(self.question.answer(self.here)), _written(self._place))
 
     def say_other(self) -> None:
         """Say that the picture shows another state, in which the answer would be another one."""
@@ -77,3 +77,7 @@ class Points(Attempts):
     def _close(self) -> None:
         self._go.hide()
         self._check.hide()
+
+
+def _written(place: Value) -> str:
+    return " ".join(f"{value:.6g}" for value in place)

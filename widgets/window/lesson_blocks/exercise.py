@@ -64,6 +64,14 @@ class Practises(BlockView):
     def aims(self) -> BlockView | None:
         return None if self.asked is None else self.asked.aims
 
+    @property
+    def variant_seed(self) -> int:
+        return self.variant.seed if self.variant is not None else 0
+
+    @property
+    def hints_read(self) -> int:
+        return 0 if self.asked is None else self.asked.hints_read
+
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
         self.seed.setText(seed)
@@ -96,6 +104,7 @@ class Practises(BlockView):
         asked.settled.connect(self._settled)
         asked.show_wanted.connect(self.show_wanted)
         asked.spoke.connect(self.spoke)
+        asked.tried.connect(self.tried)
         if self.asked is not None:
             self._column.removeWidget(self.asked)
             self.asked.hide()

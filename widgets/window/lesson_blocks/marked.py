@@ -6,6 +6,7 @@ from abc import abstractmethod
 
 from app.lessons.blocks.question import Marked, Verdict
 from app.lessons.course import AtStep
+from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
@@ -53,8 +54,8 @@ class Attempts(BlockView):
             self.answer = answer
             self._praise_and_close(verdict)
 
-    def _submit(self, typed: str) -> None:
-        """Mark an answer, and say whether it is right."""
+    def _submit(self, typed: str, given: str = "") -> None:
+        """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
         self._hush()
         try:
             verdict = self._mark(typed)
@@ -63,6 +64,7 @@ class Attempts(BlockView):
             self._announce(sentence(error))
             return
         if verdict.right:
+            self.tried.emit(given or typed, verdict.word)
             self._praise_and_close(verdict)
             self._settle(typed)
             return
@@ -72,6 +74,7 @@ class Attempts(BlockView):
             self._say("help", self.tr("Too few digits"), text)
             self._announce(text)
             return
+        self.tried.emit(given or typed, verdict.word)
         self._tries += 1
         if verdict.idea or verdict.says:
             self._refute(verdict)
@@ -99,6 +102,7 @@ class Attempts(BlockView):
         except Refusal as error:
             self._refuse(error)
         else:
+            self.tried.emit("", SHOWN)
             self._settle(TOLD)
 
     def _tell(self) -> None:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.task import Task
 from app.lessons.course import AtStep
+from app.lessons.record import RIGHT
+from app.lessons.writing import changes
 from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import BlockView, Sign
 
@@ -37,6 +41,7 @@ class Tries(BlockView):
         if is_done:
             self._hush()
             self._tick()
+            self.tried.emit(changes(self.here.document, replace(document, view=view)), RIGHT)
             self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
 

@@ -78,6 +78,8 @@ class BlockView(QFrame):
     """The block is answered; emits the answer."""
     show_wanted = Signal(object)
     """The user wants to see this `Document`, which explains an answer."""
+    tried = Signal(str, str)
+    """An answer was given; emits it as in a sample, and the word of its verdict."""
     spoke = Signal()
     """A response to the answer appeared."""
 
@@ -125,6 +127,15 @@ class BlockView(QFrame):
     def first(self) -> QWidget | None:
         """Return the widget that gets the focus first."""
         return None
+
+    @property
+    def variant_seed(self) -> int:
+        """Return the number of an exercise's variant; 0 for what is no exercise."""
+        return 0
+
+    @property
+    def hints_read(self) -> int:
+        return len(self.block.hints) - len(self.hints)
 
     def restore(self, answer: str) -> None:
         """Show the block as the student left it with an answer."""

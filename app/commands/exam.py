@@ -1,0 +1,166 @@
+"""``lesson print``: tests on paper, one file for each variant, and their key."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import signal
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, NamedTuple
+
+from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.options import CliError, write_out
+from app.document.files import write_bytes_atomically
+from app.lessons.blocks.exercise import LARGEST_SEED, Exercise
+from app.lessons.course import AtStep, Course, contained, file_of
+from app.lessons.lesson import read
+
+if TYPE_CHECKING:
+    from widgets.program.exam import Numbered
+
+MOST_TESTS = 500
+"""More would fill a disk by mistake."""
+
+
+class Posed(NamedTuple):
+    """An exercise of a test, in its step."""
+
+    title: str
+    here: AtStep
+    exercise: Exercise
+
+
+def print_tests(found: argparse.Namespace) -> int:
+    """Write the tests of ``lesson print``, and the key if it is asked for."""
+    for option in ("topics", "seeds", "out"):
+        if not getattr(found, option):
+            raise CliError(f"lesson print needs --{option}.")
+    topics = _topics(found.topics)
+    seeds, digits = _seeds(found.seeds)
+    posed, left_out = list[Posed](), list[str]()
+    for topic, path in topics.items():
+        exercises = list(_exercises(topic, path))
+        on_paper = [each for each in exercises if each.exercise.is_on_paper]
+        if not on_paper:
+            raise CliError(f"--topics = {topic!r}: has no exercise that can be solved on paper.")
+        posed += on_paper
+        left_out += (f"{e.title}, {e.exercise.name}" for e in exercises if e not in on_paper)
+    name = "-".join(topics)
+    folder = _folder(found.out)
+    outs = [os.path.join(folder, f"test-{name}-{seed:0{digits}}.pdf") for seed in seeds]
+    answers = os.path.join(folder, f"key-{name}.pdf")
+    for out in (*outs, *[answers] * found.key):
+        check_out("--out", out)
+    note = f"Left out, because it is done in the window: {'; '.join(left_out)}." if left_out else ""
+    if note:
+        write_out([f"{note}\n"])
+    with importing():
+        from widgets.program.exam import exam, key
+    check_drawing()
+    title = ", ".join(topics)
+    variants: list[tuple[int, Sequence[Numbered]]] = []
+    with _cancel() as check:
+        for number, (seed, out) in enumerate(zip(seeds, outs, strict=True), 1):
+            numbered = with_numbers(posed, seed)
+            _write(out, exam(title, seed, numbered, check), f"{number} of {len(outs)}")
+            variants.append((seed, numbered))
+        if found.key:
+            _write(answers, key(title, variants, note, check), "key")
+    return 0
+
+
+def _topics(text: str) -> dict[str, os.PathLike[str]]:
+    """Return the lessons of a test by their topics, or by their files' names."""
+    found = dict[str, os.PathLike[str]]()
+    for word in (word.strip() for word in text.split(",")):
+        path = file_of(word)
+        if not path.is_file():
+            topics = (
+                each.stem.partition("-")[0].upper().replace("L0", "L") for each in contained()
+            )
+            last = max(int(each[1:]) for each in topics if re.fullmatch(r"L\d+", each))
+            raise CliError(
+                f"--topics = {word!r}: must be topics from L1 to L{last}, or files of lessons, "
+                "separated by commas."
+            )
+        name = word.upper() if re.fullmatch(r"[Ll]\d+", word) else path.stem
+        if name in found:
+            raise CliError(f"--topics = {text!r}: names {name} twice.")
+        found[name] = path
+    return found
+
+
+def _seeds(text: str) -> tuple[range, int]:
+    """Return the seeds of ``1:30`` or ``7``, and the number of digits in names of files."""
+    ends = re.fullmatch(r"([0-9]{1,9})(?::([0-9]{1,9}))?", text)
+    first, last = (int(ends[1]), int(ends[2] or ends[1])) if ends is not None else (0, 0)
+    if not 1 <= first <= last <= LARGEST_SEED:
+        raise CliError(
+            f"--seeds = {text!r}: must be FIRST:LAST, such as 1:30, from 1 to {LARGEST_SEED}."
+        )
+    if last - first >= MOST_TESTS:
+        raise CliError(
+            f"--seeds = {text!r}: has {last - first + 1} variants; the limit is {MOST_TESTS}."
+        )
+    return range(first, last + 1), max(2, len(str(last)))
+
+
+def _folder(out: str) -> str:
+    """Return the folder for the tests, which is made if its own folder exists."""
+    if not os.path.isdir(out):
+        try:
+            os.mkdir(out)
+        except (OSError, ValueError) as error:
+            why = error.strerror if isinstance(error, OSError) else error
+            raise CliError(f"--out = {out!r}: cannot be made a folder: {why}.") from error
+    return out
+
+
+def _exercises(topic: str, path: os.PathLike[str]) -> Iterator[Posed]:
+    course = Course(read(path))
+    title = f"{topic}: {course.lesson.title}"
+    for place, step in enumerate(course.lesson.steps):
+        for part in step.asked:
+            if isinstance(part, Exercise):
+                yield Posed(title, course.at(place), part)
+
+
+def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
+    """Return exercises with the numbers of a variant."""
+    from widgets.program.exam import Numbered
+
+    return [
+        Numbered(title, exercise.variant(here, seed), exercise.hides)
+        for title, here, exercise in posed
+    ]
+
+
+def _write(out: str, content: bytes, progress: str) -> None:
+    done = "overwritten" if os.path.exists(out) else "written"
+    write_bytes_atomically(out, content)
+    write_out([f"{progress}: {out} {done}\n"])
+
+
+@contextmanager
+def _cancel() -> Iterator[Callable[[], None]]:
+    """Yield what raises KeyboardInterrupt after Ctrl+C.
+
+    Raised in a method that Qt calls, it would be lost.
+    """
+    asked = False
+
+    def ask(*_: object) -> None:
+        nonlocal asked
+        asked = True
+
+    def check() -> None:
+        if asked:
+            raise KeyboardInterrupt
+
+    former = signal.signal(signal.SIGINT, ask)
+    try:
+        yield check
+    finally:
+        signal.signal(signal.SIGINT, former)

@@ -1,0 +1,273 @@
+"""The record: every answer of a student on this machine, and what follows from it.
+
+::
+
+    an answer -> Record.add: one line of JSON at the end of a file
+    Record.read -> standings: each exercise as it was last solved, and when it is due again
+                -> met: how often each wrong idea was behind an answer
+
+The record says what happened. Where a student stands in a lesson, and what is shown there, is
+`Progress`, which "Begin again" deletes; the record stays.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import stat
+import unicodedata
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from datetime import date, timedelta
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from app.document.files import UNREADABLE, UNWRITABLE, blamed_on
+from app.lessons.blocks.exercise import LARGEST_SEED
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.strangers import open_regular
+
+RIGHT, WRONG, SHOWN = "right", "wrong", "shown"
+"""The verdicts."""
+ALONE, HELPED = "alone", "helped"
+"""How an exercise was solved, besides `SHOWN`: at the first try without a hint, or otherwise."""
+AGAIN_AFTER_DAYS = 1, 3, 7
+"""After how many days an exercise that was not solved alone comes back."""
+LARGEST = 2 * 2**20
+"""Size in bytes from which the file becomes the old one; about 10 000 answers."""
+LONGEST_TYPED, LONGEST_NAME = 2000, 1000
+LATEST = 2**34
+"""In seconds since 1970; a later time is a mistake."""
+
+A_WHOLE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from {0} to {1}")
+A_TEXT = QT_TRANSLATE_NOOP("Refusal", "must be one line of at most {0} characters")
+AN_ATTEMPT = QT_TRANSLATE_NOOP("Refusal", "must be an answer with its lesson, exercise and time")
+DAMAGED = QT_TRANSLATE_NOOP("Refusal", "has unreadable lines ({0}), which are left out")
+
+
+class Attempt(NamedTuple):
+    """An answer to a question of a lesson.
+
+    Attributes
+    ----------
+    when : int
+        Seconds since 1970.
+    lesson : str
+        A lesson's own name, or the path of its file.
+    exercise : str
+        ``step/block``.
+    seed : int
+        The variant of an exercise; 0 for a question whose numbers never change.
+    typed : str
+        The answer, as a sample in a ``test`` block.
+    verdict : str
+        `RIGHT`, `WRONG` or `SHOWN`.
+    idea : str
+        Name of the wrong idea behind it; empty if it has none.
+    hints : int
+        The number of hints that were read before.
+    """
+
+    when: int
+    lesson: str
+    exercise: str
+    seed: int
+    typed: str
+    verdict: str
+    idea: str = ""
+    hints: int = 0
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Return what names the question."""
+        return self.lesson, self.exercise
+
+
+def attempt_from(tree: object) -> Attempt:
+    """Read an attempt from JSON, perhaps a stranger's; a `Refusal` names the faulty field."""
+    if not isinstance(tree, dict):
+        raise Refusal.in_document(AN_ATTEMPT, field="attempt")
+    values: dict[str, Any] = {}
+    for name in Attempt._fields:
+        if name in tree:
+            values[name] = _checked(name, tree[name])
+        elif name not in Attempt._field_defaults:
+            raise Refusal.in_document(AN_ATTEMPT, field=name)
+    return Attempt(**values)
+
+
+_LARGEST_OF = {"when": LATEST, "seed": LARGEST_SEED, "hints": 100}
+
+
+def _checked(name: str, value: object) -> object:
+    most = _LARGEST_OF.get(name)
+    if most is not None:
+        if type(value) is not int or not 0 <= value <= most:
+            raise Refusal.in_document(A_WHOLE_NUMBER, 0, most, field=name, value=value)
+        return value
+    longest = LONGEST_TYPED if name == "typed" else LONGEST_NAME
+    if not isinstance(value, str) or len(value) > longest or not _can_be_shown(value):
+        raise Refusal.in_document(A_TEXT, longest, field=name)
+    if name == "verdict" and value not in (RIGHT, WRONG, SHOWN):
+        raise Refusal.in_document(ONE_OF, f"{RIGHT}, {WRONG}, {SHOWN}", field=name, value=value)
+    return value
+
+
+def _can_be_shown(text: str) -> bool:
+    """Whether a text has neither control characters nor halves of surrogate pairs."""
+    return not any(unicodedata.category(letter) in ("Cc", "Cs") for letter in text)
+
+
+# --------------------------------------------------------------------------- the file
+
+
+class Record:
+    """The file of all attempts; several windows may add to it at once.
+
+    A full file replaces the old one beside it, so that both stay small.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path, self._old = path, path.with_name(f"old-{path.name}")
+        self.problem: Refusal | None = None
+        """Why a part of it could not be read the last time."""
+
+    def add(self, attempt: Attempt) -> None:
+        """Add a line; a `Refusal` if it cannot be written."""
+        tree = {name: value for name, value in attempt._asdict().items() if value not in ("", 0)}
+        tree |= {"seed": attempt.seed, "typed": attempt.typed[:LONGEST_TYPED]}
+        # Begins with a line break, because a killed program may have left half a line.
+        line = f"\n{json.dumps(tree, ensure_ascii=False)}".encode("utf-8", "replace")
+        with blamed_on(self._path, UNWRITABLE):
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NONBLOCK", 0)
+            file = os.open(self._path, flags, 0o600)
+            try:
+                status = os.fstat(file)
+                if not stat.S_ISREG(status.st_mode):
+                    raise OSError("it is not a regular file")
+                os.write(file, line)  # at once, so that lines of two windows do not mix
+            finally:
+                os.close(file)
+            if status.st_size + len(line) > LARGEST:
+                self._set_aside(status)
+
+    def _set_aside(self, status: os.stat_result) -> None:
+        """Make the file the old one, unless another window has just done so."""
+        with contextlib.suppress(FileNotFoundError):
+            if os.path.samestat(status, os.stat(self._path)):
+                os.replace(self._path, self._old)
+
+    def read(self) -> list[Attempt]:
+        """Return all attempts in order; what cannot be read is left out, and `problem` says so."""
+        self.problem, found = None, list[Attempt]()
+        for path in (self._old, self._path):
+            bad = 0
+            try:
+                for line in _lines(path):
+                    attempt = _attempt(line)
+                    bad += attempt is None
+                    found += [] if attempt is None else [attempt]
+                if bad:
+                    raise Refusal.in_document(DAMAGED, bad, file=str(path))
+            except Refusal as error:
+                self.problem = error
+        return found
+
+
+def _lines(path: Path) -> list[bytes]:
+    """Return the last lines of a file, so many as a file of ours can have."""
+    if not path.exists():
+        return []
+    with blamed_on(path, UNREADABLE), open_regular(path) as file:
+        size = file.seek(0, os.SEEK_END)
+        file.seek(max(0, size - 2 * LARGEST))
+        lines = file.read(2 * LARGEST).split(b"\n")
+    return [line for line in lines[size > 2 * LARGEST :] if line.strip()]
+
+
+def _attempt(line: bytes) -> Attempt | None:
+    try:
+        return attempt_from(json.loads(line))
+    except (ValueError, RecursionError):  # a Refusal is a ValueError
+        return None
+
+
+# --------------------------------------------------------------------------- what follows
+
+
+class Standing(NamedTuple):
+    """How a question was last solved.
+
+    Attributes
+    ----------
+    outcome : str
+        `ALONE`, `HELPED` or `SHOWN`; empty if it is not solved yet.
+    due : date, optional
+        The day on which the exercise comes back, unless it never does.
+    seeds : frozenset of int
+        The variants that the student has seen.
+    """
+
+    outcome: str = ""
+    due: date | None = None
+    seeds: frozenset[int] = frozenset()
+
+
+@dataclass
+class _Way:
+    """A student's way with one question so far."""
+
+    outcome: str = ""
+    due: date | None = None
+    passed: int = 0
+    """How often it was solved alone when it had come back."""
+    tried: set[int] = field(default_factory=set)
+    solved: set[int] = field(default_factory=set)
+
+    def take(self, attempt: Attempt) -> None:
+        if attempt.seed in self.solved:  # the answer is known
+            return
+        day, is_first = date.fromtimestamp(attempt.when), attempt.seed not in self.tried
+        self.tried.add(attempt.seed)
+        is_alone = attempt.verdict == RIGHT and is_first and not attempt.hints
+        if attempt.verdict != WRONG:
+            self.solved.add(attempt.seed)
+            solved = ALONE if is_alone else HELPED
+            self.outcome = solved if attempt.verdict == RIGHT else SHOWN
+        elif is_first:
+            self.outcome = ""
+        if not is_alone:
+            self.passed, self.due = 0, day + timedelta(AGAIN_AFTER_DAYS[0])
+        elif self.due is not None and day >= self.due:
+            self.passed += 1
+            more = AGAIN_AFTER_DAYS[self.passed : self.passed + 1]
+            self.due = day + timedelta(more[0]) if more else None
+
+
+def standings(attempts: Iterable[Attempt]) -> dict[tuple[str, str], Standing]:
+    """Return the standing of each question that was answered, by lesson and ``step/block``."""
+    ways: dict[tuple[str, str], _Way] = {}
+    for attempt in attempts:
+        ways.setdefault(attempt.key, _Way()).take(attempt)
+    return {
+        key: Standing(way.outcome, None if 0 in way.tried else way.due, frozenset(way.tried))
+        for key, way in ways.items()
+    }
+
+
+def due(
+    known: Mapping[tuple[str, str], Standing], today: date | None = None
+) -> list[tuple[str, str]]:
+    """Return the exercises that have come back, the longest waiting ones first."""
+    today = today or date.today()
+    waiting = [(each.due, key) for key, each in known.items() if each.due and each.due <= today]
+    return [key for _, key in sorted(waiting)]
+
+
+def met(attempts: Iterable[Attempt]) -> Counter[tuple[str, str]]:
+    """Count the wrong ideas behind a student's answers, by lesson and name of the idea."""
+    return Counter((each.lesson, each.idea) for each in attempts if each.idea)

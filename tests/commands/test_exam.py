@@ -1,0 +1,253 @@
+"""``lesson print``: tests on paper for some variants, and their key."""
+
+from __future__ import annotations
+
+import math
+import re
+import signal
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QRectF
+from PySide6.QtGui import QImage, QPainter
+
+from app.commands import exam as command
+from app.commands.exam import Posed
+from app.lessons.course import Course
+from app.lessons.lesson import parse_lesson
+from app.model.refusal import Refusal
+from tests.support.commands import one_sentence, run_here
+from tests.support.pdf import pages_of, printed
+from widgets.program import paper
+from widgets.program.exam import Numbered, paged
+
+LESSON = """---
+title: Angles and places
+---
+# One {#one}
+```state
+scene=letter-f
+```
+```exercise wide
+vary fov: 20..100 step 5
+vary a: 4/3, 16/9, 2, 1.5, 5/2
+where: fov_x < 150
+state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
+The picture is {=fov} degrees high and {=a} times as wide. How wide is its angle?
+value: 2*atan(a*tan(fov/2))
+unit: °
+wrong angle-linear: a*fov
+why: By tangents.
+hide: world
+```
+```exercise cells
+vary s: 1.5..6 step 0.5
+vary t: 12..19
+Scale by {=s} and {=t}.
+matrix: s, 0; 0, t
+```
+```exercise place
+vary x: 0..800 step 10
+vary y: 50..350 step 10
+where: abs(x - 400) > 100
+state: image.width=800; image.height=400
+Where is the pixel?
+click: image
+at: x, y
+wrong y-up: 800 - x, y
+```
+```exercise pick
+vary d: 1..30
+Which is twice {=d}?
+- [ ] {=d + 1} {order}
+- [x] {=2*d + 100}
+- [ ] {=3*d + 2}
+```
+```exercise set
+vary q: 30..120 step 2
+state: lens.fov_y_deg=20
+Make the picture {=q} degrees wide.
+until: fov_x = q
+```
+"""
+
+
+@pytest.fixture
+def lesson(tmp_path: Path) -> Path:
+    path = tmp_path / "small.md"
+    path.write_text(LESSON)
+    return path
+
+
+def exercises(seed: int, text: str = LESSON) -> list[Numbered]:
+    """The exercises of a variant that can be solved on paper."""
+    here = Course(parse_lesson(text, Path("l.md"))).at(0)
+    posed = [Posed(f"About {e.name}", here, e) for e in here.asked.values()]  # type: ignore[arg-type]
+    return command.with_numbers([each for each in posed if each.exercise.is_on_paper], seed)
+
+
+def said_in(pdf: Path) -> str:
+    return " ".join(" ".join(printed(pdf.read_bytes())).split())
+
+
+def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
+    qapp: Any, lesson: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "tests"
+    arguments = ("lesson", "print", "--topics", lesson, "--seeds", "7:8", "--out", out, "--key")
+    done = run_here(*arguments)
+    assert (done.returncode, done.stderr) == (0, "")
+    names = ["test-small-07.pdf", "test-small-08.pdf", "key-small.pdf"]
+    left_out, *written = done.stdout.splitlines()
+    assert left_out == (
+        "Left out, because it is done in the window: small: Angles and places, set."
+    )
+    counts = ["1 of 2", "2 of 2", "key"]
+    assert written == [
+        f"{count}: {out / name} written" for count, name in zip(counts, names, strict=True)
+    ]
+    key = said_in(out / names[2])
+    for seed, name in ((7, names[0]), (8, names[1])):
+        pdf = (out / name).read_bytes()
+        box = re.search(rb"/MediaBox\s*\[\s*0 0 ([\d.]+) ([\d.]+)\s*\]", pdf)
+        assert box is not None
+        assert [round(float(side)) for side in box.groups()] == [595, 842]  # A4
+        said, count = said_in(out / name), pages_of(pdf)
+        assert said.count(f"small, variant {seed}") == count, "on every page"
+        assert all(f"{number} / {count}" in said for number in range(1, count + 1))
+        assert "Name" in said and "Date" in said
+        wide, _cells, place, pick = exercises(seed)
+        fov, a = (float(value) for value in wide.variant.numbers.values())
+        x, y, d = (
+            float(each.variant.numbers[name])
+            for each, name in ((place, "x"), (place, "y"), (pick, "d"))
+        )
+        angle = math.degrees(2.0 * math.atan(a * math.tan(math.radians(fov / 2.0))))
+        assert f"The picture is {fov:g} degrees high" in said and f"twice {d:g}?" in said
+        assert f"{2 * d + 100:g}" in said  # a choice, but nothing says which
+        for answer in (f"{angle:.4g}", "✓", "By tangents.", f"({x:g}, {y:g})"):
+            assert answer in key and answer not in said, answer
+        assert f"B {2 * d + 100:g} ✓" in key and f"{3 * d + 2:g} " not in key
+    assert "until" not in key and "degrees wide" not in key
+
+    before = (out / names[0]).read_bytes()
+    done = run_here(*arguments[:-1])
+    assert done.stdout.splitlines()[1] == f"1 of 2: {out / names[0]} overwritten"
+    again = (out / names[0]).read_bytes()
+    assert printed(again) == printed(before) and len(again) == len(before)
+
+
+def test_what_an_exercise_hides_is_not_drawn() -> None:
+    wide, cells, place, _pick = exercises(1)
+    assert (wide.panes, cells.panes, place.panes) == (["ndc"], ["world"], ["image"])
+    hidden = LESSON.replace("hide: world", "hide: world, ndc, image")
+    assert exercises(1, hidden)[0].panes == []
+
+
+def drawn(block: paper.Block) -> np.ndarray[Any, Any]:
+    """The pixels of a block, 2 for each point, as numbers from 0 to 255."""
+    image = QImage(round(2 * block.wide), round(2 * block.height), QImage.Format.Format_Grayscale8)
+    image.fill(255)
+    painter = QPainter(image)
+    painter.scale(2.0, 2.0)
+    try:
+        block.paint(painter, QRectF(0.0, 0.0, block.wide, block.height))
+    finally:
+        painter.end()
+    rows = np.frombuffer(image.constBits(), np.uint8).reshape(image.height(), -1)
+    return rows[:, : image.width()].astype(float)
+
+
+def test_the_key_marks_the_place_in_the_picture(qapp: Any) -> None:
+    place = exercises(3)[2].variant
+    x, y = (float(place.numbers[name]) for name in "xy")
+    document = place.here.document
+    plain = drawn(paper.figure(document, 400.0, 200.0, ["image"]))
+    marked = drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.Mark((x, y), 0.03)))
+    rows, columns = np.nonzero(np.abs(marked - plain) > 100)
+    height, width = plain.shape
+    assert width == 2 * height == 400
+    middle = (columns.min() + columns.max() + 1) / 2, (rows.min() + rows.max() + 1) / 2
+    assert middle == pytest.approx((x / 800 * width, y / 400 * height), abs=1.0)
+    assert columns.max() - columns.min() == pytest.approx(2 * 0.03 * width, abs=5.0)
+    with pytest.raises(Refusal, match="is not in the picture that is printed"):
+        drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.Mark((-50.0, 10.0), 0.03)))
+
+
+@pytest.mark.parametrize("count", [1, 3, 4, 7, 12])
+def test_pages_are_about_equally_full_and_no_exercise_is_split(qapp: Any, count: int) -> None:
+    several = (exercises(1) * 3)[:count]
+    head, height = paper.Block(60.0, lambda *_: None), 745.0
+    pages = paged(several, head, 490.0, height)
+    assert sum(map(len, pages)) == count
+    used = [sum(part.height + paper.BETWEEN_STEPS_PT for part in page) for page in pages]
+    used[0] += head.height
+    assert max(used) <= height + paper.BETWEEN_STEPS_PT
+    highest = max(part.height for page in pages for part in page)
+    # A page that is emptier by more than an exercise would take one of its neighbour's.
+    assert max(used) - min(used) <= highest + head.height + paper.BETWEEN_STEPS_PT
+    assert len(pages) == 1 or sum(used) > 0.6 * height * (len(pages) - 1)
+
+
+def test_an_exercise_that_fills_more_than_a_page_is_refused(qapp: Any) -> None:
+    long = exercises(1, LESSON.replace("Which is", "Which " * 4000 + "is"))
+    with pytest.raises(Refusal, match=r"line \d+ is too long for one page"):
+        paged(long, paper.Block(60.0, lambda *_: None), 490.0, 745.0)
+
+
+def test_after_ctrl_c_there_is_no_half_file(
+    qapp: Any, lesson: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write = command.write_bytes_atomically
+
+    def write_and_cancel(path: str, content: bytes) -> None:
+        write(path, content)
+        signal.raise_signal(signal.SIGINT)
+
+    monkeypatch.setattr(command, "write_bytes_atomically", write_and_cancel)
+    out = tmp_path / "tests"
+    done = run_here("lesson", "print", "--topics", lesson, "--seeds", "1:3", "--out", out, "--key")
+    assert done.returncode == 130 and "Traceback" not in done.stderr
+    assert [path.name for path in out.iterdir()] == ["test-small-01.pdf"]
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"--topics": "L99"}, "--topics = 'L99': must be topics from L1 to L25, or files"),
+        ({"--topics": "L3,L3"}, "--topics = 'L3,L3': names L3 twice."),
+        ({"--topics": "001"}, "--topics = 'talk-001': has no exercise that can be solved on paper"),
+        ({"--topics": ""}, "lesson print needs --topics."),
+        ({"--seeds": "5:1"}, "--seeds = '5:1': must be FIRST:LAST, such as 1:30, from 1 to 9999."),
+        ({"--seeds": "0:3"}, "--seeds = '0:3': must be FIRST:LAST"),
+        ({"--seeds": "1:100000"}, "--seeds = '1:100000': must be FIRST:LAST"),
+        ({"--seeds": "1-3"}, "--seeds = '1-3': must be FIRST:LAST"),
+        ({"--seeds": "1:9999"}, "--seeds = '1:9999': has 9999 variants; the limit is 500."),
+        ({"--out": "/nowhere/tests"}, "--out = '/nowhere/tests': cannot be made a folder: No such"),
+        ({"--out": "README.md"}, "--out = 'README.md': cannot be made a folder: File exists."),
+        ({"--out": ""}, "lesson print needs --out."),
+        ({"--key": "x.md"}, "lesson print takes no FILE such as 'x.md': use --topics."),
+    ],
+)
+def test_bad_options_are_refused(lesson: Path, changes: dict[str, str], said: str) -> None:
+    options = {"--topics": str(lesson), "--seeds": "1:2", "--out": str(lesson.parent / "t")}
+    given = {name: value for name, value in (options | changes).items() if value}
+    words = [word for pair in given.items() for word in pair]
+    assert said in one_sentence(run_here("lesson", "print", *words), 2)
+    assert [path.name for path in lesson.parent.rglob("*.pdf")] == []
+
+
+def test_options_of_print_belong_to_print() -> None:
+    said = one_sentence(run_here("lesson", "list", "--seeds", "1:3"), 2)
+    assert said == "--seeds: is an option of lesson print, not of lesson list.\n"
+
+
+def test_a_state_without_a_picture_to_draw_is_a_whole_exercise(qapp: Any) -> None:
+    """A question whose pictures are all hidden has room to write instead."""
+    hidden = LESSON.replace("hide: world", "hide: world, ndc, image")
+    ((part, *_), *_rest) = paged(
+        exercises(1, hidden)[:1], paper.Block(0.0, lambda *_: None), 490.0, 745.0
+    )
+    assert part.height < 200.0

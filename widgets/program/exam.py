@@ -1,0 +1,357 @@
+"""A test on paper: the exercises of a variant with their pictures and room to write, and the key.
+
+Every exercise is whole on one page. What is blank on a page becomes room to write. No display is
+needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
+
+from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from app.document.view import PANES
+from app.drawings.style import LIGHT
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.click import PICTURE_PX, Click
+from app.lessons.blocks.exercise import Variant
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Marked, Question
+from app.lessons.lines import refused
+from app.model.refusal import QT_TRANSLATE_NOOP
+from widgets.parts.lesson_text import answer_of
+from widgets.program import paper
+from widgets.program.paper import (
+    BETWEEN_PT,
+    BETWEEN_STEPS_PT,
+    NOTE_INDENT_PT,
+    RULE_PT,
+    TEXT_PT,
+    TITLE_PT,
+    Block,
+)
+
+FIGURE_WIDTHS = (0.5, 0.46, 0.42, 0.38)
+"""Possible widths of a figure, as parts of the page's: the largest one that needs few pages."""
+CLICKED, IN_KEY = 0.62, 0.4
+"""Width of a figure in which the student marks a place, and of the same figure in the key."""
+COLUMN = 0.3
+"""Least width of a text beside a figure, as a part of the page's."""
+SQUARE_PT = 72.0 / 25.4 * 5.0
+"""Side of a square of the paper on which the student writes: 5 mm."""
+ROOM_PT = 5.0 * SQUARE_PT
+"""Least height of the room to write."""
+CELL_PT = 56.0, 24.0
+"""Width and height of a cell of a matrix that the student fills in."""
+LINE_PT = 120.0
+"""Length of the line for a number."""
+BRACKET_PT = 4.0
+
+TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
+
+
+class Numbered(NamedTuple):
+    """An exercise of a test: the title of its lesson, its numbers, and what is hidden."""
+
+    title: str
+    variant: Variant
+    hides: frozenset[str]
+
+    @property
+    def question(self) -> Question:
+        question = self.variant.question
+        assert isinstance(question, Question), "a task has no answer on paper"
+        return question
+
+    @property
+    def panes(self) -> list[str]:
+        """The panes to draw: that of the click, or those of the state that are not hidden."""
+        if isinstance(self.question, Click):
+            return [self.question.pane]
+        wanted = paper.panes_of(self.variant.here.document)
+        seen = [pane for pane in wanted if pane not in self.hides]
+        return seen or [pane for pane in PANES if pane not in self.hides][:1]
+
+
+def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[], object]) -> bytes:
+    """Return a test as the content of a PDF file; a `Refusal` if a state is impossible.
+
+    `check` is called before each page; it may raise an exception.
+    """
+    title = QCoreApplication.translate("Exam", "Test: {0}").format(name)
+    left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, seed)
+
+    def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
+        head = _head(title, seed, width)
+        pages = paged(exercises, head, width, height)
+        for number, parts in enumerate(pages, 1):
+            check()
+            right = f"{number} / {len(pages)}"
+            yield partial(paint, head if number == 1 else None, parts, right, width, height)
+
+    def paint(
+        head: Block | None,
+        parts: Sequence[_Part],
+        right: str,
+        width: float,
+        height: float,
+        painter: QPainter,
+    ) -> None:
+        painter.save()
+        room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
+        if head is not None:
+            head.paint(painter, QRectF(0.0, 0.0, width, head.height))
+            painter.translate(0.0, head.height + BETWEEN_STEPS_PT)
+            room -= head.height + BETWEEN_STEPS_PT
+        for part in parts:
+            high = part.height + room / len(parts)
+            painter.save()
+            part.paint(painter, high)
+            painter.restore()
+            painter.translate(0.0, high + BETWEEN_STEPS_PT)
+        painter.restore()
+        paper.foot(painter, left, right, width, height)
+
+    return paper.pdf(left, lay_out)
+
+
+def key(
+    name: str,
+    variants: Sequence[tuple[int, Sequence[Numbered]]],
+    note: str,
+    check: Callable[[], object],
+) -> bytes:
+    """Return the answers of all variants, with their ways, as the content of a PDF file.
+
+    `check` as for `exam`.
+    """
+    title = QCoreApplication.translate("Exam", "Key: {0}").format(name)
+
+    def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
+        blocks = [paper.text(title, width, 1.4 * TITLE_PT, title=True)]
+        if note:
+            blocks.append(paper.text(note, width, TEXT_PT))
+        seeds = {id(block): variants[0][0] for block in blocks}
+        for seed, exercises in variants:
+            blocks[-1].after = BETWEEN_STEPS_PT
+            variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
+            added = [paper.text(variant, width, TITLE_PT, title=True)]
+            for number, each in enumerate(exercises, 1):
+                added += _answer(number, each, width)
+            seeds |= {id(block): seed for block in added}
+            blocks += added
+        pages = paper.placed(blocks, height)
+        for number, page in enumerate(pages, 1):
+            check()
+            first, last = (seeds[id(page.pieces[place].block)] for place in (0, -1))
+            shown = f"{first}" if first == last else f"{first}–{last}"
+            left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, shown)
+            yield partial(paint, page, left, f"{number} / {len(pages)}", width, height)
+
+    def paint(
+        page: paper.Page, left: str, right: str, width: float, height: float, painter: QPainter
+    ) -> None:
+        paper.paint_page(painter, page, width, height, False)
+        paper.foot(painter, left, right, width, height)
+
+    return paper.pdf(title, lay_out)
+
+
+def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
+    """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
+    question, here = exercise.question, exercise.variant.here
+    answer = answer_of(question, here)
+    if isinstance(question, Matrix):
+        sides = question.sides(here) or [answer]
+        yield paper.text(f"**{number}.** {question.text}", width, TEXT_PT, kept=True)
+        row = [side for each in sides for side in ("=", each)][1:]
+        yield paper.in_row([paper.text(side, width, TEXT_PT) for side in row])
+        if question.why:
+            yield paper.text(question.why, width, TEXT_PT)
+        return
+    parts = [f"**{number}.** {question.told(answer, others=False)}"]
+    if isinstance(question, Click):
+        parts.append(f"**{answer}**")
+    if isinstance(question, Marked):
+        parts.append(question.solution(here))
+    texts = "\n\n".join(filter(None, (*parts, question.why)))
+    if not isinstance(question, Click):
+        yield paper.text(texts, width, TEXT_PT)
+        return
+    mark = paper.Mark(question.answer(here), question.within_px / PICTURE_PX)
+    figure = paper.figure(here.document, width, IN_KEY * width, exercise.panes, mark)
+    left = figure.wide + NOTE_INDENT_PT
+    yield paper.beside(figure, [paper.text(texts, width - left, TEXT_PT)], left)
+
+
+# --------------------------------------------------------------------------- a page of a test
+
+
+@dataclass
+class _Part:
+    """An exercise: its least height, and what paints it over the width in a given height."""
+
+    height: float
+    paint: Callable[[QPainter, float], object]
+
+
+def _head(title: str, seed: int, width: float) -> Block:
+    """The title and lines for name and date."""
+    variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
+    top = paper.text(title, width, TITLE_PT, title=True)
+    side = paper.text(variant, width, TEXT_PT)
+    name = paper.text(QCoreApplication.translate("Exam", "Name"), width, TEXT_PT)
+    date = paper.text(QCoreApplication.translate("Exam", "Date"), width, TEXT_PT)
+    below = top.height + RULE_PT
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        _draw(painter, top, 0.0, 0.0)
+        _draw(painter, side, width - side.wide, top.height - side.height)
+        for block, begin, end in ((name, 0.0, 0.62), (date, 0.66, 1.0)):
+            _draw(painter, block, begin * width, below - block.height)
+            _line(painter, begin * width + block.wide + BETWEEN_PT, end * width, below)
+
+    return Block(below, paint)
+
+
+def paged(
+    exercises: Sequence[Numbered], head: Block, width: float, height: float
+) -> list[list[_Part]]:
+    """Place exercises on few pages that are about equally full, with figures as wide as fit."""
+    layouts = []
+    for share in FIGURE_WIDTHS:
+        parts = [_part(n, each, width, share) for n, each in enumerate(exercises, 1)]
+        first = head.height + BETWEEN_STEPS_PT
+        least = [part.height + first * (number == 0) for number, part in enumerate(parts)]
+        longest = max(range(len(parts)), key=least.__getitem__)
+        if least[longest] > height:
+            raise refused(exercises[longest].question.line, TOO_LONG)
+        count = len(_ends(least, height))
+        low, high = least[longest], height
+        for _ in range(20):  # the least height with which they need no more pages
+            middle = (low + high) / 2.0
+            low, high = (low, middle) if len(_ends(least, middle)) == count else (middle, high)
+        ends = _ends(least, high)
+        layouts.append([parts[a:b] for a, b in zip([0, *ends[:-1]], ends, strict=True)])
+    return min(layouts, key=len)
+
+
+def _ends(heights: Sequence[float], height: float) -> list[int]:
+    """Return where pages end that are filled one after the other."""
+    ends, used = list[int](), 0.0
+    for place, each in enumerate(heights):
+        if used and used + each > height:
+            ends.append(place)
+            used = 0.0
+        used += each + BETWEEN_STEPS_PT
+    return [*ends, len(heights)]
+
+
+def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
+    """An exercise: title, text beside its picture, room to write, and the place for the answer."""
+    question, document = exercise.question, exercise.variant.here.document
+    title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
+    figure, is_click = None, isinstance(question, Click)
+    if exercise.panes:
+        figure = paper.figure(
+            document, width, (CLICKED if is_click else share) * width, exercise.panes
+        )
+    asked = question.posed()
+    if is_click:
+        mark = QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
+        asked = f"{asked}\n\n{mark}"
+    room = width - (figure.wide + NOTE_INDENT_PT if figure is not None else 0.0)
+    body = paper.text(asked, max(room, COLUMN * width), TEXT_PT)
+    is_beside = room >= COLUMN * width and body.wide <= room + 0.5
+    if not is_beside:
+        body = paper.text(asked, width, TEXT_PT)
+    top = title.height + BETWEEN_PT
+    picture_top = top if is_beside else top + body.height + BETWEEN_PT
+    high = figure.height if figure is not None else 0.0
+    body_end = top + body.height + BETWEEN_PT
+    picture_end = max(body_end, picture_top + high + BETWEEN_PT)
+    answer = _place_of_answer(question)
+    # Beside the picture, below the text, there may already be room enough.
+    squares = picture_end - BETWEEN_PT - body_end
+    is_roomy = squares >= ROOM_PT and room >= COLUMN * width
+    needs_room = not is_roomy and not isinstance(question, Click | Choices)
+    least = picture_end + (ROOM_PT + BETWEEN_PT) * needs_room + answer.height
+
+    def paint(painter: QPainter, height: float) -> None:
+        _draw(painter, title, 0.0, 0.0)
+        _draw(painter, body, 0.0, top)
+        if figure is not None:
+            _draw(painter, figure, width - figure.wide if is_beside else 0.0, picture_top)
+        if is_roomy:
+            left = 0.0 if is_beside else width - room
+            _squares(painter, QRectF(left, body_end, room, squares))
+        _squares(
+            painter,
+            QRectF(0.0, picture_end, width, height - answer.height - picture_end - BETWEEN_PT),
+        )
+        _draw(painter, answer, 0.0, height - answer.height)
+
+    return _Part(least, paint)
+
+
+def _place_of_answer(question: Question) -> Block:
+    """The line for a number or a choice, or the cells of a matrix; nothing for a place."""
+    if isinstance(question, Click):
+        return Block(0.0, lambda *_: None)
+    word = paper.text(QCoreApplication.translate("Exam", "Answer:"), 200.0, TEXT_PT)
+    unit = paper.text(question.unit if isinstance(question, Marked) else "", 200.0, TEXT_PT)
+    rows, columns = 1, 1
+    wide, high = LINE_PT, RULE_PT
+    if isinstance(question, Matrix):
+        rows, columns = question.rows, question.columns
+        wide, high = CELL_PT
+    left = word.wide + BETWEEN_PT + (BRACKET_PT if isinstance(question, Matrix) else 0.0)
+    right, low = left + columns * wide, rows * high
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        middle = low / 2.0 if isinstance(question, Matrix) else low - word.height / 2.0
+        _draw(painter, word, 0.0, middle - word.height / 2.0)
+        _draw(painter, unit, right + 2.0 * BRACKET_PT, middle - unit.height / 2.0)
+        if not isinstance(question, Matrix):
+            _line(painter, left, right, low)
+            return
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        for row in range(rows):
+            for column in range(columns):
+                cell = QRectF(left + column * wide, row * high, wide, high)
+                painter.drawRect(cell.adjusted(2.0, 2.0, -2.0, -2.0))
+        painter.setPen(QPen(QColor(LIGHT.ink), 1.0))
+        for x, inwards in ((left - BRACKET_PT, BRACKET_PT), (right + BRACKET_PT, -BRACKET_PT)):
+            corners = ((x + inwards, 0.0), (x, 0.0), (x, low), (x + inwards, low))
+            painter.drawPolyline([QPointF(*corner) for corner in corners])
+
+    return Block(low, paint)
+
+
+def _draw(painter: QPainter, block: Block, x: float, y: float) -> None:
+    painter.save()
+    painter.translate(x, y)
+    block.paint(painter, QRectF(0.0, 0.0, 1e4, block.height))
+    painter.restore()
+
+
+def _line(painter: QPainter, left: float, right: float, y: float) -> None:
+    painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+    painter.drawLine(QPointF(left, y), QPointF(right, y))
+
+
+def _squares(painter: QPainter, place: QRectF) -> None:
+    """Squares to write on, as many as are whole."""
+    rows, columns = (int(side / SQUARE_PT) for side in (place.height(), place.width()))
+    if rows < 2:
+        return
+    painter.setPen(QPen(QColor(LIGHT.muted).lighter(190), 0.3))
+    left, top = place.left(), place.top()
+    right, low = left + columns * SQUARE_PT, top + rows * SQUARE_PT
+    lines = [QLineF(left, y, right, y) for y in (top + n * SQUARE_PT for n in range(rows + 1))]
+    lines += (QLineF(x, top, x, low) for x in (left + n * SQUARE_PT for n in range(columns + 1)))
+    painter.drawLines(lines)

@@ -1,0 +1,357 @@
+"""A4 pages as PDF: texts, figures and lines to write on, placed below each other.
+
+A page consists of blocks. The figures of all blocks have the size with which the pages are filled
+best. No display is needed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import cache
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, Qt
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QGuiApplication,
+    QImage,
+    QPageLayout,
+    QPageSize,
+    QPainter,
+    QPdfWriter,
+    QPen,
+)
+
+from app.document.document import Document
+from app.document.view import PANES
+from app.drawings.drawing import Drawing
+from app.drawings.figures import DPI as DPI_OF_FIGURES
+from app.drawings.figures import render
+from app.drawings.style import LIGHT
+from app.lessons.course import scene_of
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from widgets.parts.lesson_text import set_text
+from widgets.parts.plain import TextDocument
+from widgets.window.pictures import image_of
+
+MARGIN_MM = 18.0
+TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.0, 8.0
+BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
+NOTE_INDENT_PT = 12.0
+FIGURE_PX_PER_INCH, FIGURE_TEXT_PT = 220, 7.0
+PANE_ASPECT = 1.6
+"""Width to height of a figure of one pane; the image has its own."""
+BLANK = 0.3
+"""Largest share of a page that may stay blank below its last line."""
+RULE_PT = 24.0
+"""Distance between lines to write on."""
+DPI = 1200
+"""Qt places lines and letters on whole pixels of the page."""
+
+NOT_IN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is not in the picture that is printed")
+
+PaintPage: TypeAlias = Callable[[QPainter], object]
+
+
+def pdf(title: str, lay_out: Callable[[float, float], Iterable[PaintPage]]) -> bytes:
+    """Return the content of a PDF file.
+
+    `lay_out` returns what paints each page, for the width and height between the margins in points.
+    """
+    application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
+    assert isinstance(application, QGuiApplication)
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    writer = QPdfWriter(buffer)
+    writer.setTitle(title)
+    writer.setCreator("Frustum Lab")
+    writer.setResolution(DPI)
+    margins = QMarginsF(MARGIN_MM, MARGIN_MM, MARGIN_MM, MARGIN_MM)
+    a4 = QPageSize(QPageSize.PageSizeId.A4)
+    writer.setPageLayout(
+        QPageLayout(a4, QPageLayout.Orientation.Portrait, margins, QPageLayout.Unit.Millimeter)
+    )
+    page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
+    pages = lay_out(page.width(), page.height() - 2.0 * FOOT_PT)
+    painter = QPainter(writer)
+    painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
+    painter.scale(DPI / 72.0, DPI / 72.0)
+    try:
+        for number, paint in enumerate(pages):
+            if number:
+                writer.newPage()
+            paint(painter)
+    finally:
+        painter.end()
+    return bytes(buffer.data().data())
+
+
+@dataclass
+class Block:
+    """A part of a page over its width, in points; `kept` on the same page as the next one."""
+
+    height: float
+    paint: Callable[[QPainter, QRectF], object]
+    """Paints the part of the block in a rectangle."""
+    left: float = 0.0
+    kept: bool = False
+    after: float = BETWEEN_PT
+    wide: float = 0.0
+    """How wide its content is."""
+
+
+def text(
+    text: str,
+    width: float,
+    size: float,
+    *,
+    title: bool = False,
+    left: float = 0.0,
+    kept: bool = False,
+) -> Block:
+    document = TextDocument()
+    font = QFont("DejaVu Sans")
+    font.setStyleHint(QFont.StyleHint.SansSerif)
+    screen = QGuiApplication.primaryScreen()  # a document is laid out in its pixels
+    font.setPointSizeF(size * 72.0 / screen.logicalDotsPerInchY())
+    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    document.setDefaultFont(font)
+    document.setUseDesignMetrics(True)
+    set_text(document, text, title=title)
+    document.setTextWidth(width - left)
+    wide = document.idealWidth() + left
+    return Block(document.size().height(), document.drawContents, left, title or kept, wide=wide)
+
+
+def beside(figure: Block, others: Sequence[Block], left: float) -> Block:
+    """A figure, and blocks below each other beside it."""
+    right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        figure.paint(painter, part)
+        painter.translate(left, 0.0)
+        for block in others:
+            _paint_block(painter, block, QRectF(0.0, 0.0, part.width() - left, block.height))
+            painter.translate(0.0, block.height + BETWEEN_PT)
+
+    return Block(max(figure.height, right), paint)
+
+
+def ruled(width: float, height: float) -> Block:
+    """Lines to write on."""
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        for number in range(1, int(height / RULE_PT + 0.5) + 1):
+            y = number * height / max(1, int(height / RULE_PT + 0.5))
+            if part.top() <= y <= part.bottom() + 0.5:
+                painter.drawLine(QPointF(0.0, y), QPointF(width, y))
+
+    return Block(height, paint)
+
+
+def picture(image: QImage, width: float) -> Block:
+    """A picture across the page."""
+    place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        painter.drawImage(place, image)
+        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        painter.drawRect(place)
+
+    return Block(place.height(), paint, wide=width)
+
+
+class Mark(NamedTuple):
+    """A ring round a place, as of `Drawing.spots_of`; its radius relative to the width."""
+
+    place: tuple[float, ...]
+    radius: float
+
+
+def panes_of(document: Document) -> list[str]:
+    """Return the panes that a class sees, or the large one."""
+    large = document.view.large or scene_of(document).leading
+    return [pane for pane in document.view.slide if pane in PANES] or [large]
+
+
+def figure(
+    document: Document,
+    width: float,
+    one_pane: float,
+    panes: Sequence[str] = (),
+    mark: Mark | None = None,
+) -> Block:
+    """The picture of a state: one pane, or the compared pictures across the page.
+
+    Painting it raises a `Refusal` if the place of a mark is not in the picture.
+    """
+    scene, panes = scene_of(document), panes or panes_of(document)
+    is_image = [*panes] == ["image"]
+    count = len(document.view.compare) if is_image else 0
+    aspect = document.projection.aspect if is_image else PANE_ASPECT
+    wide, high = one_pane, one_pane / PANE_ASPECT
+    if len(panes) > 1:
+        wide, high = width, width / (len(panes) * PANE_ASPECT)
+    elif count and not document.view.dividers:
+        wide, high = width, width / (count * aspect) + 3.0 * FIGURE_TEXT_PT
+    elif is_image:
+        wide = min(one_pane, high * aspect)
+        high = wide / aspect
+    px_per_pt = FIGURE_PX_PER_INCH / 72.0
+    spots: list[QPointF] = []
+
+    def find(drawing: Drawing, finer: int) -> None:
+        if mark is not None:
+            ((x, y),) = drawing.spots_of(np.array([mark.place])).tolist()
+            spots.append(QPointF(x, y) / (finer * px_per_pt))
+
+    @cache
+    def drawn() -> QImage:
+        return image_of(
+            render(
+                scene,
+                document.projection,
+                panes=panes,
+                size=(round(wide * px_per_pt), round(high * px_per_pt)),
+                style=LIGHT,
+                view=document.view,
+                settings=document.settings,
+                quality=document.quality,
+                text_pt=FIGURE_TEXT_PT * FIGURE_PX_PER_INCH / DPI_OF_FIGURES,
+                seen=find,
+            )
+        )
+
+    def paint(painter: QPainter, _part: QRectF) -> None:
+        place = QRectF(0.0, 0.0, wide, high)
+        painter.drawImage(place, drawn())
+        if is_image and not count:
+            painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+            painter.drawRect(place)
+        for spot in spots:
+            if not place.contains(spot):  # nor does it if the spot is not a number
+                raise Refusal("place", mark.place if mark else (), NOT_IN_PICTURE)
+            for brush, thick in ((Qt.GlobalColor.white, 3.0), (QColor(LIGHT.ink), 1.2)):
+                painter.setPen(QPen(brush, thick))
+                painter.drawEllipse(spot, *2 * [wide * (mark.radius if mark else 0.0)])
+                painter.drawPoint(spot)
+
+    return Block(high, paint, wide=wide)
+
+
+def in_row(blocks: Sequence[Block]) -> Block:
+    """Blocks beside each other, their middles on a line."""
+    height = max(block.height for block in blocks)
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        for block in blocks:
+            painter.save()
+            painter.translate(0.0, (height - block.height) / 2.0)
+            block.paint(painter, part)
+            painter.restore()
+            painter.translate(block.wide + BETWEEN_PT, 0.0)
+
+    return Block(height, paint)
+
+
+# --------------------------------------------------------------------------- pages
+
+
+class Piece(NamedTuple):
+    """What of a block is on a page, and where."""
+
+    block: Block
+    y: float
+    begin: float
+    height: float
+
+
+class Page(NamedTuple):
+    pieces: list[Piece]
+    blank: float
+    """Of its height, below the last piece."""
+
+
+def placed(blocks: Sequence[Block], height: float) -> list[Page]:
+    """Place blocks below each other, and begin a new page for one that does not fit."""
+    pages, pieces, y = list[Page](), list[Piece](), 0.0
+
+    def turn() -> None:
+        nonlocal pieces, y
+        end = max((piece.y + piece.height for piece in pieces), default=0.0)
+        pages.append(Page(pieces, 1.0 - end / height))
+        pieces, y = [], 0.0
+
+    for number, block in enumerate(blocks):
+        needed, place = block.height, number
+        while blocks[place].kept and place + 1 < len(blocks):
+            needed += blocks[place].after + blocks[place + 1].height
+            place += 1
+        if y > 0.0 and y + needed > height:
+            turn()
+        done = 0.0
+        while True:
+            part = min(block.height - done, height - y)
+            pieces.append(Piece(block, y, done, part))
+            y, done = y + part, done + part
+            if done >= block.height - 0.5:
+                break
+            turn()
+        y += block.after
+    turn()
+    return pages
+
+
+def best(layouts: Sequence[list[Page]]) -> list[Page]:
+    """The first of the layouts whose pages are full enough, or the one with the fullest pages."""
+
+    def emptiest(pages: list[Page]) -> float:
+        return max(page.blank for page in pages)
+
+    full = (pages for pages in layouts if emptiest(pages) <= BLANK)
+    return next(full, min(layouts, key=emptiest))
+
+
+def paint_page(painter: QPainter, page: Page, width: float, height: float, is_ruled: bool) -> None:
+    """Paint a page; what is blank becomes space between its blocks, or lines to write on."""
+    blank = page.blank * height
+    gaps = sum(not piece.block.kept for piece in page.pieces[:-1])
+    more = 0.0 if is_ruled else min(blank / max(1, gaps), BETWEEN_STEPS_PT)
+    down = 0.0
+    for piece in page.pieces:
+        painter.save()
+        painter.translate(0.0, piece.y + down - piece.begin)
+        _paint_block(painter, piece.block, QRectF(0.0, piece.begin, width, piece.height))
+        painter.restore()
+        down += 0.0 if piece.block.kept else more
+    if is_ruled and blank > 2.0 * RULE_PT:
+        painter.save()
+        painter.translate(0.0, height - blank + BETWEEN_PT)
+        ruled(width, blank - BETWEEN_PT).paint(painter, QRectF(0.0, 0.0, width, blank))
+        painter.restore()
+
+
+def _paint_block(painter: QPainter, block: Block, part: QRectF) -> None:
+    painter.save()
+    if block.left:
+        line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())
+        painter.fillRect(line, QColor(LIGHT.near))
+    painter.translate(block.left, 0.0)
+    block.paint(painter, QRectF(0.0, part.top(), part.width() - block.left, part.height()))
+    painter.restore()
+
+
+def foot(painter: QPainter, left: str, right: str, width: float, height: float) -> None:
+    painter.save()
+    font = QFont("DejaVu Sans")
+    font.setPointSizeF(FOOT_PT * 72.0 / DPI)
+    painter.setFont(font)
+    painter.setPen(QColor(LIGHT.muted))
+    place = QRectF(0.0, height + 0.7 * FOOT_PT, width, 1.3 * FOOT_PT)
+    painter.drawText(place, Qt.AlignmentFlag.AlignLeft, left)
+    painter.drawText(place, Qt.AlignmentFlag.AlignRight, right)
+    painter.restore()
