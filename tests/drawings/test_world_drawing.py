@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings import WORDS
 from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
+from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, Style
@@ -981,7 +982,10 @@ def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
     face = applied(free.with_depth("reversed").world_from_clip_at(origin), on_face)
     for eye in (np.array([12.0, 9.0, 20.0]), np.array([-4.0, 2.0, -9.0])):
         toward = SLAB * np.array([*eye, 1.0]) / np.linalg.norm(eye - face[0])
-        moved, sight = applied(flatten_free(free, origin, toward).surface, points) - face, eye - face
+        moved, sight = (
+            applied(flatten_free(free, origin, toward).surface, points) - face,
+            eye - face,
+        )
         assert np.allclose(np.cross(moved, sight), 0.0, atol=1e-9)
         assert ((moved * sight).sum(axis=1) > 0.0).all()
         assert np.linalg.norm(moved, axis=1).max() < 1.5 * SLAB
@@ -1011,3 +1015,48 @@ def test_a_view_that_was_turned_stays_while_the_frame_is_built(
     assert drawing.own.view == turned
     drawing.show_step(None)
     assert drawing.own.view == turned
+
+
+def test_a_label_waits_before_it_leaves_a_place_that_is_not_free(make_view: MakeView) -> None:
+    board = make_view().drawing.board
+    label = board.label("own", "own")
+
+    def offset(x: float, *, afresh: bool = False) -> tuple[float, float]:
+        """Where the label of a point stands from it, beside a mark in the middle."""
+        ground = Ground((0.0, 0.0, 600.0, 400.0), board.em)
+        ground.keep([(300.0, 200.0)], 20.0)
+        board.want_beside("own", (x, 200.0, 1.0), 0.0)
+        board.settle(ground, afresh=afresh)
+        left, _, low, _ = label.box_px
+        return left - x, low - 200.0
+
+    def light() -> float:
+        return float(label.actor.GetProperty().GetOpacity())
+
+    first = offset(200.0, afresh=True)
+    assert offset(268.0) != first, "a figure has no time"
+    board.is_patient = True
+    for soft in (True, False):
+        assert offset(200.0, afresh=True) == first
+        assert offset(268.0) == first and board.is_restless
+        assert not board.pass_time(0.25)
+        assert offset(200.0) == first and not board.is_restless, "free again"
+        assert offset(268.0) == first
+        board.is_soft = soft
+        assert not board.pass_time(0.25)
+        assert board.pass_time(0.06)
+        lights = []
+        for _ in range(4 if soft else 0):
+            assert board.is_restless and (label.box_px[0] - 268.0 == first[0]) == (len(lights) < 2)
+            board.pass_time(0.03)
+            lights.append(round(light(), 6))
+        assert lights == ([0.5, 0.0, 0.5, 1.0] if soft else [])
+        board.is_soft = False
+        assert not board.is_restless and light() == 1.0 and offset(268.0) != first
+    board.is_soft = True
+    moved = offset(268.0)
+    assert offset(200.0) == moved == offset(200.0, afresh=True), "at rest it fades, too"
+    board.pass_time(0.07)
+    assert offset(200.0) == first and light() < 0.5
+    board.is_soft = False
+    assert offset(200.0, afresh=True) == first and light() == 1.0 and not board.is_restless

@@ -97,9 +97,7 @@ class LessonCard(QFrame):
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
-    def __init__(
-        self, lessons: Lessons, store: Store, settings: Settings, record: Record
-    ) -> None:
+    def __init__(self, lessons: Lessons, store: Store, settings: Settings, record: Record) -> None:
         super().__init__()
         self.setObjectName("lesson")
         self.setAccessibleName(self.tr("Lesson"))

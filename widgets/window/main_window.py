@@ -321,6 +321,8 @@ class MainWindow(QMainWindow):
         self.transition = Transition(
             self.look, self.slide, self.settings, lambda: self.present.is_on
         )
+        for pane in self.panes.values():
+            pane.fades = partial(getattr, self.transition, "is_wanted")
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
             self.look.look_from, self.transition,
