@@ -362,6 +362,22 @@ def test_a_click_on_a_number_of_a_sweep_uses_its_value_and_its_buffer(
         {"lens.near": "2.0", **fixed}, {"lens.near": "2.0", **reversed_},
         {"lens.fov_y_deg": "30.0", "rung": "float64"}, {"lens.fov_y_deg": "30.0"},
     ]  # fmt: skip
+    for parameter, values, keys in (
+        ("near", (0.5, 2.0), {"0,1", "1,1"}), ("up", (30.0, 60.0), set[str]())
+    ):  # fmt: skip
+        curves = {next(iter(kept.BUFFERS)): curve((1.0, 20.0), ("", ""))}
+        swept = sweep(parameter, values, curves)
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(), sweeps=(swept,))))
+        panel.choose(parameter)
+        (diagram,) = (view for view in panel.diagrams if view.isVisible())
+        drawn = chart.diagrams(swept, {})[0].curves[0]
+        assert set(drawn.keys) == keys
+        QTest.mouseClick(
+            diagram, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+            diagram.to_px(*drawn.points[1]).toPoint(),
+        )  # fmt: skip
+    assert used.count() == 5 and used.at(4)[0] == {"lens.near": "2.0", **fixed}
+    assert (panel.table.currentRow(), panel.table.currentColumn()) == (1, 1)
 
 
 def test_memory_is_another_axis_of_chart_caption_and_grey(

@@ -209,7 +209,7 @@ class DiagramView(QWidget):
     """Draws one diagram at the size of the widget."""
 
     spot_clicked = Signal(str)
-    """Emits the key of a clicked `Spot`."""
+    """Emits the key of a clicked `Spot`, or of a point of a `Curve`."""
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
     """Emit the `picture` for the clipboard, or for a file."""
@@ -244,7 +244,9 @@ class DiagramView(QWidget):
         if diagram is self._diagram:
             return
         self._diagram = diagram
-        self.setMouseTracking(diagram is not None and bool(diagram.spots))
+        self.setMouseTracking(
+            diagram is not None and bool(diagram.spots or any(c.keys for c in diagram.curves))
+        )
         policies = Qt.FocusPolicy
         self.setFocusPolicy(policies.NoFocus if diagram is None else policies.TabFocus)
         for action in self.actions():
@@ -300,7 +302,16 @@ class DiagramView(QWidget):
 
     def _key_at(self, place: QPointF) -> str:
         spot = self.spot_at(place, key_only=True)
-        return "" if spot is None else spot.key
+        if spot is not None or self._diagram is None:
+            return "" if spot is None else spot.key
+        nearest, found = HIT_PX, ""
+        for curve in self._diagram.curves:
+            for key, (x, y) in zip(curve.keys, curve.points, strict=False):
+                away = self.to_px(x, y) - place
+                distance = math.hypot(away.x(), away.y())
+                if distance < nearest:  # never of a NaN
+                    nearest, found = distance, key
+        return found
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         is_left = event.button() == Qt.MouseButton.LeftButton
