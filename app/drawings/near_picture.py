@@ -29,6 +29,7 @@ under a free matrix to the picture's diagonal."""
 _MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
 _LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
 _LEAST_PX = 1.5
+_AT_EYE = 1e-12  # of the scene's extent
 _EDGE_ON = 1e-3  # sine of the angle between the near plane and a line of sight
 
 
@@ -61,6 +62,8 @@ class NearPicture:
             seen = (
                 seen and reach.near_break is None and depths[1] > lens.near and depths[0] < lens.far
             )
+        # From the eye itself the picture covers the scene exactly, and is left out.
+        seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
         for actor in self.actors:
             self._canvas.set_visible(actor, seen)
         if not seen:
