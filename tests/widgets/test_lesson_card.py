@@ -553,7 +553,7 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     view.settled.emit("7")
     assert window.settings.progress[str(lesson)].answers == {"one/mine": "7"}
     present(window)
-    window.talks.reveal()
+    assert window.talks.reveal() and window.talks.reveal()
     assert "Which number? It is 7." in window.slide.question.accessibleName()
     window.present.end()
 

@@ -86,6 +86,8 @@ class Lessons(QObject):
     """Why a step cannot be shown; the previous step stays."""
     stepped = Signal()
     """Another step is shown, or the same one again."""
+    arrived = Signal()
+    """The model has moved to where it goes."""
 
     def __init__(
         self,
@@ -352,6 +354,8 @@ class Lessons(QObject):
         self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
         if self._panes is not None:
             self._panes.go(eased)
+        if self._part == 1.0:
+            self.arrived.emit()
 
     def _finish(self) -> None:
         """Move the model to its end at once."""
@@ -365,6 +369,7 @@ class Lessons(QObject):
             self._clock.stop()
             if self._panes is not None:
                 self._panes.go(1.0)
+            self.arrived.emit()
 
     # -- the file
 
