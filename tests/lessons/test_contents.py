@@ -127,7 +127,7 @@ def test_the_check_of_all_lessons_is_clean_and_the_list_names_them() -> None:
     report = Report()
     for path in contained():
         report.read(path)
-    assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3} checks, 0 wrong", str(report)), report.wrong
+    assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3,} checks, 0 wrong", str(report)), report.wrong
     done = run_here("lesson", "list")
     assert done.returncode == 0 and done.stdout.startswith("lesson L1 ")
     assert len(done.stdout.splitlines()) == len(contained())

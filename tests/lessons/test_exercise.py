@@ -153,7 +153,7 @@ def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: st
 def test_numbers_are_written_for_a_reader() -> None:
     for value, text in (
         (Fraction(1, 2), "0.5"), (Fraction(4, 3), "4/3"), (Fraction(-7), "-7"),
-        (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"),
+        (Fraction(math.pi), "3.142"), (Fraction(24, 13), "1.846"), (Fraction(1, 8), "0.125"),
     ):  # fmt: skip
         assert written_number(value) == text
 

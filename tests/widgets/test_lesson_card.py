@@ -929,6 +929,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     view.asked.check()
     come_to_rest(window)
     assert not view.is_open and not is_hidden()
+    assert r"\frac{5d}{9} =" in texts(view), "the way to the answer, which nothing else explains"
     assert panels.open_panel is window.scene_panel, "which was asked for meanwhile"
     view.go_on()
     come_to_rest(window)

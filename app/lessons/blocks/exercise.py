@@ -281,4 +281,4 @@ def written_number(value: Fraction) -> str:
     short = f"{float(value):.10g}"
     if Fraction(short) == value:
         return short
-    return str(value) if value.denominator < 100 else f"{float(value):.4g}"
+    return str(value) if value.denominator <= 12 else f"{float(value):.4g}"

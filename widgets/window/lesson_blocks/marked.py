@@ -88,6 +88,8 @@ class Attempts(BlockView):
         self._show_verdict(verdict)
         self._close()
         self._praise(verdict)
+        if not verdict.says:
+            self._say("", "", self.question.solution(self.here))
 
     def give_hint(self) -> None:
         super().give_hint()
