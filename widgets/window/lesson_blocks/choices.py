@@ -151,9 +151,11 @@ class Chooses(BlockView):
         self._hush()
         self._close()
         said = self.tr("The answer is {0}.").format(_quoted(text))
-        self._say("help", "", f"{said} {self.question.why}".strip())
-        self._say("", "", self.question.solution(self.here))
-        self._announce(said)
+        said = f"{said} {self.question.why}".strip()
+        solution = self.question.solution(self.here)
+        self._say("help", "", said)
+        self._say("", "", solution)
+        self._announce(said, solution)
 
     def _close(self) -> None:
         for choice in self._choices:

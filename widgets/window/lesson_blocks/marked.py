@@ -112,6 +112,8 @@ class Attempts(BlockView):
         if "\n" in answer:  # a table stands by itself
             text = self.tr("The answer is:") + f"\n\n{answer}\n\n"
         self._close()
-        self._say("help", "", f"{text} {self.question.why}".strip())
-        self._say("", "", self.question.solution(self.here))
-        self._announce(text)
+        text = f"{text} {self.question.why}".strip()
+        solution = self.question.solution(self.here)
+        self._say("help", "", text)
+        self._say("", "", solution)
+        self._announce(text, solution)
