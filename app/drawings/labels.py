@@ -68,7 +68,7 @@ class Board:
         self.is_soft = False
         """Whether labels that are placed afresh fade to their new places, by `pass_time`."""
         self._asked: tuple[list[Wish], Ground, int] | None = None
-        """What was settled last, and how many boxes were taken before the labels'."""
+        """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}
         """The labels whose places are not free, and for how many seconds."""
         self._fades: dict[Hashable, tuple[float, Kept | None]] = {}
@@ -156,7 +156,13 @@ class Board:
             self._fade(key, 1.0)
             del self._fades[key]
         self._show(placed)
+        self._forget_asked()
         return self._kept != before
+
+    def _forget_asked(self) -> None:
+        """Drop what refers to the drawing, and would keep it alive."""
+        if not self.is_restless:
+            self._asked = None
 
     def _place(self, kept: Mapping[Hashable, Kept] | None) -> dict[Hashable, Placed]:
         """Place what was asked for last."""
@@ -218,6 +224,7 @@ class Board:
             placed = self._place(self._kept)
             self._kept = {key: each.kept for key, each in placed.items()}
             self._show(placed)
+        self._forget_asked()
         return is_seen
 
     def _fade(self, key: Hashable, light: float) -> None:
