@@ -143,7 +143,7 @@ def texts(widget: QWidget) -> str:
 
 def said_by(view: BlockView) -> str:
     """All texts of a block as they were written, with their TeX."""
-    return "\n".join(text._text for text in view.findChildren(LessonText) if text.isVisible())
+    return "\n".join(text.written for text in view.findChildren(LessonText) if text.isVisible())
 
 
 def buttons(widget: QWidget) -> dict[str, QPushButton]:

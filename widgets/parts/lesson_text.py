@@ -238,7 +238,7 @@ class LessonText(QTextEdit):
 
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
-        self._text, self._is_title = "", title
+        self.written, self._is_title = "", title
         self._heights: dict[int, int] = {}
         """Cached by width: layouts request heights often."""
         self.setDocument(TextDocument(self))
@@ -257,7 +257,7 @@ class LessonText(QTextEdit):
         self.say(text)
 
     def say(self, text: str) -> None:
-        self._text = text
+        self.written = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())
         self.setAccessibleName(plain_of(text))

@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from functools import cache
 
-import shiboken6
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAccessible, QAccessibleInterface
 from PySide6.QtWidgets import QAbstractButton, QAccessibleWidget, QWidget
 
-_ROLE = "screenReaderRole"
-_alive: list[QAccessibleInterface] = []
-"""Qt owns the interfaces and deletes them; without a reference Python would delete them first."""
+_ROLE, _MADE = "screenReaderRole", "screenReaderInterface"
+"""Properties of a widget. Qt deletes an interface just before its widget; without a reference of
+the widget, Python would delete it earlier."""
 
 
 class _Tab(QAccessibleWidget):
@@ -49,6 +48,5 @@ def _interface(_name: str, of: QObject) -> QAccessibleInterface | None:
         return None
     role = QAccessible.Role(number)
     made = (_Tab if role == QAccessible.Role.PageTab else QAccessibleWidget)(of, role)
-    _alive[:] = [each for each in _alive if shiboken6.isValid(each)]
-    _alive.append(made)
+    of.setProperty(_MADE, made)
     return made
