@@ -743,11 +743,12 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     activate(window)
     card, check = window.lesson_card, window.menus.lesson_menu.check
     assert not check.isEnabled()
+    right = lesson.read_text(encoding="utf-8").replace("<script>alert(1)</script> ", "")
+    lesson.write_text(right, encoding="utf-8")
     card.open(lesson)
     settle()
     check.trigger()
     assert "Nothing is wrong" in texts(card)
-    right = lesson.read_text(encoding="utf-8")
     wrong = right.replace("{angle-linear}", "{angle-liner}").replace("$a = 9/16$", "$a = 9/16")
     lesson.write_text(wrong, encoding="utf-8")
     window.lessons.read_again()
@@ -1218,7 +1219,8 @@ def test_every_response_is_seen_whole_and_announced(
         def answer(view: Any, *, right: bool) -> None:
             asked = view.asked
             if isinstance(asked, Points):
-                asked.take(lambda place: 0.0 if right and len(place) == 2 else 500.0)
+                place = asked.question.answer(asked.here)
+                asked.take(lambda at: 0.0 if right and len(at) == 2 else 500.0, place)
                 asked.check()
             elif isinstance(asked, Chooses):
                 asked.findChildren(QRadioButton)[0 if right else 1].click()
