@@ -731,10 +731,14 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
     assert window.store.document == task.variant.here.document, "beside its text"
     assert task.answer == f"1 {DONE}" and not task.is_open
-    wrong, good, done = window.record.read()
-    assert wrong[1:] == (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1)
-    assert good[1:] == (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1)
-    assert done[1:] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
+    attempts = window.record.read()
+    said, done = [each[1:] for each in attempts], attempts[-1]
+    assert said[:3] == [
+        (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
+        (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
+        (str(path), "widths/wide", 77, "", "shown", "", 1),
+    ]
+    assert said[-1] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
     own = task.variant
     assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 
@@ -754,7 +758,7 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     window.lessons.read_again()
     assert "line 5" in texts(card) and "no other $" in texts(card)
     assert "angle-liner" in texts(card) and not window.messages.text
-    lesson.write_text(wrong.replace("# The angle", "# The angle\n```nosuch\n```"), encoding="utf-8")
+    lesson.write_text(wrong.replace("It is", "```nosuch\n```\nIt is"), encoding="utf-8")
     window.lessons.read_again()
     assert "unknown kind of block, nosuch" in texts(card)
     lesson.write_text(right, encoding="utf-8")
