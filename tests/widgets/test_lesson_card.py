@@ -82,6 +82,7 @@ lens.fov_y_deg=45
 - [ ] 106.7° := aspect*fov {angle-linear}
 - [x] 91.5° := fov_x
 - [ ] 12°
+  says: That is a telephoto lens.
 show: lens.fov_y_deg=60
 why: The tangent grows faster.
 ```
