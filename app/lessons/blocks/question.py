@@ -279,8 +279,10 @@ def with_numbers(formulas: Sequence[Formula], known: Quantities) -> tuple[Formul
         for part in formula:
             is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
             if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
-                number = Number(abs(Fraction(f"{known.value(part):.4g}")))
-                terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
+                value = known.value(part)
+                digits = 10 if value.is_integer() else 4  # a count is no rounded number
+                number = Number(abs(Fraction(f"{value:.{digits}g}")))
+                terms[part.text] = number if value >= 0.0 else Negative(number)
     return tuple(formula.where(terms) for formula in formulas) if terms else ()
 
 
