@@ -71,6 +71,7 @@ MISTAKES = {
     "two right choices": ("- [ ] 12°", "- [x] 12°", "just one of them right"),
     "no right choice": ("- [x] 91.5°", "- [ ] 91.5°", "just one of them right"),
     "a number that its formula does not have": ("91.5°", "92.5°", "another number than its"),
+    "a wrong choice without a reply": (" {angle-linear}", "", "line 16 is wrong, but has no reply"),
     "a wrong value that is right": ("2*60", "98.2", "is wrong, but its formula gives the right"),
     "two wrong values that are equal": ("mine: 30", "mine: 120", "cannot be told from the wrong"),
     "an unclosed dollar": ("(h/2)$", "(h/2)", "no other $ on its line ends"),

@@ -36,6 +36,7 @@ from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
+from app.lessons.text import plain_of
 from app.model.projection import Perspective
 from tests.support.mistakes import LESSON as RIGHT_LESSON
 from tests.support.mistakes import MISTAKES
@@ -82,6 +83,7 @@ lens.fov_y_deg=45
 - [ ] 106.7° := aspect*fov {angle-linear}
 - [x] 91.5° := fov_x
 - [ ] 12°
+  says: That is a telephoto lens.
 show: lens.fov_y_deg=60
 why: The tangent grows faster.
 ```
@@ -139,11 +141,6 @@ def texts(widget: QWidget) -> str:
     found = [text.accessibleName() for text in widget.findChildren(LessonText) if text.isVisible()]
     found += [label.text() for label in widget.findChildren(QLabel) if label.isVisible()]
     return "\n".join(found)
-
-
-def said_by(view: BlockView) -> str:
-    """All texts of a block as they were written, with their TeX."""
-    return "\n".join(text.written for text in view.findChildren(LessonText) if text.isVisible())
 
 
 def buttons(widget: QWidget) -> dict[str, QPushButton]:
@@ -703,7 +700,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_I, ALT)
     assert "Show the answer" in buttons(view), "after a hint"
     press(KEY.Key_A, ALT)
-    assert view.asked.question.solution(view.variant.here) in said_by(view)
+    assert plain_of(view.asked.question.solution(view.variant.here)) in texts(view)
     assert view.answer == f"77 {TOLD}" and "Show the answer" not in buttons(view)
     view.seed.setText("1")
     view.begin()

@@ -27,6 +27,9 @@ NO_IDEA = QT_TRANSLATE_NOOP(
     "Refusal",
     "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
 )
+NO_REPLY = QT_TRANSLATE_NOOP(
+    "Refusal", "is wrong, but has no reply: name a wrong idea, or add “says:” below"
+)
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
@@ -101,6 +104,8 @@ class Reply:
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
             trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+        if not (self.right or self.idea or self.says):
+            trial.complain(refused(self.line, NO_REPLY))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
