@@ -530,7 +530,7 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
             if row + 1 < len(block.right):
                 press(KEY.Key_Tab)
     elif isinstance(view, Points):  # the crosshair has tests of its own; here are no pictures
-        view.take(lambda place: math.dist(place, block.answer(view.here)))
+        view.take(lambda place: math.dist(place, block.answer(view.here)), (0.0, 0.0))
         view.first.setFocus()
     else:
         QTest.keyClicks(keyboard(), f"{block.answer(view.here):.4g}".replace(".", ","))
