@@ -25,7 +25,7 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 SUMMARIES = {
-    "export": "draw a figure into a PNG picture or an SVG file, without a window or display",
+    "export": "draw a figure as PNG, SVG or PDF, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
@@ -271,8 +271,8 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the figure to write (.png, or .svg for shapes and text), and the document, picture or "
-        "mesh to draw (default: the letter F)"
+        "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
+        "or mesh to draw (default: the letter F)"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
