@@ -377,10 +377,11 @@ def _measure() -> Parser:
 def _lesson() -> Parser:
     text = (
         "check: try every state, answer key and sample of lessons and talks, and measure their "
-        "pictures (default: those that come with the program); list: list them; print: print "
-        "tests, see below. FILE may also be a name such as L5 or 001"
+        "pictures (default: those that come with the program); list: list them; names: "
+        "print every name that their files may use; print: print tests, see below. FILE may also "
+        "be a name such as L5 or 001"
     )
-    parser = Parser("lesson", "check|list|print [FILE...]", text)
+    parser = Parser("lesson", "check|list|names|print [FILE...]", text)
     parser.add_argument(
         "--topics", metavar="L3,L5,...",
         help="of print: the topics, or files of lessons, whose exercises make the test",

@@ -171,7 +171,7 @@ def test_numbers_are_written_for_a_reader() -> None:
     for value, text in (
         (Fraction(1, 2), "0.5"), (Fraction(4, 3), "4/3"), (Fraction(-7), "-7"),
         (Fraction(math.pi), "3.142"), (Fraction(24, 13), "1.846"), (Fraction(1, 8), "0.125"),
-        (Fraction(20, 7), "2.857"),
+        (Fraction(20, 7), "2.857"), (Fraction(16, 9), "16/9"),
     ):  # fmt: skip
         assert written_number(value) == text
 

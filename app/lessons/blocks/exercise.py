@@ -293,5 +293,5 @@ def written_number(value: Fraction) -> str:
     short = f"{float(value):.10g}"
     if Fraction(short) == value:
         return short
-    is_common = value.denominator < 10 and abs(value.numerator) <= 16
+    is_common = value.denominator <= 12 and abs(value.numerator) <= 16
     return str(value) if is_common else f"{float(value):.4g}"
