@@ -124,17 +124,17 @@ def _check_png(name: str, out: str) -> None:
 
 def _export(arguments: Sequence[str]) -> int:
     found, (out, *file) = parser_of("export").read(arguments)
-    if not out.lower().endswith((".png", ".svg")):
-        raise CliError(f"OUT = {out!r}: must end in .png or .svg.")
-    is_svg = out.lower().endswith(".svg")
-    if is_svg and found.scale != 1.0:
-        raise CliError("--scale: is for .png; an .svg is as fine at every scale.")
+    if not out.lower().endswith((".png", ".svg", ".pdf")):
+        raise CliError(f"OUT = {out!r}: must end in .png, .svg or .pdf.")
+    has_pixels = out.lower().endswith(".png")
+    if not has_pixels and found.scale != 1.0:
+        raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     check_out("OUT", out)
     shown = file[0] if file else None
     document = document_of(shown, found.set)
     scene = load_scene(document.scene, document.mesh, shown)
     with importing():
-        from app.drawings.figures import TEXT, render, write_png, write_svg
+        from app.drawings.figures import TEXT, render, write_png, write_shapes
         from app.drawings.style import DARK, LIGHT
     check_drawing()
     try:
@@ -148,8 +148,8 @@ def _export(arguments: Sequence[str]) -> int:
             "quality": document.quality,
             "text_pt": found.text_size,
         }
-        if is_svg:
-            write_svg(out, scene, document.projection, **options)
+        if not has_pixels:
+            write_shapes(out, scene, document.projection, **options)
         else:
             pixels = render(scene, document.projection, scale=found.scale, **options)
             write_png(out, pixels, picture_json(document), found.scale)

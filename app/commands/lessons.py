@@ -11,13 +11,14 @@ from app.commands.options import CliError, one_of, parser_of, write_out
 from app.lessons.checking import Report
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
+from app.lessons.names import page
 from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
-    """Check or list lessons, or print tests; return 1 if something is wrong with a lesson."""
+    """Check or list lessons, print tests or all names; return 1 if something is wrong with one."""
     found, (what, *names) = parser_of("lesson").read(arguments)
-    one_of("lesson", what, ("check", "list", "print"))
+    one_of("lesson", what, ("check", "list", "names", "print"))
     if what == "print":
         if names:
             raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
@@ -25,6 +26,9 @@ def lesson(arguments: Sequence[str]) -> int:
     for option in ("topics", "seeds", "out", "key"):
         if getattr(found, option):
             raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
+    if what == "names":
+        write_out(page())
+        return 0
     files = [file_of(name) for name in names] or list(contained())
     if what == "list":
         write_out(map(_line, files))

@@ -33,6 +33,7 @@ from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
+from app.drawings.pdf import pdf
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
@@ -237,13 +238,11 @@ def shapes(
     return (width, height), found
 
 
-def write_svg(
-    path: str | os.PathLike[str], scene: Scene, projection: Projection, **options: Any
-) -> None:
-    """Write a figure as SVG, whole or not at all; `options` are those of `shapes`."""
+def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
+    """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
     size, found = shapes(scene, projection, **options)
-    content = svg(found, size, size[0] / DPI * 25.4, scene.name)
-    write_bytes_atomically(path, content.encode())
+    write = pdf if path.lower().endswith(".pdf") else svg
+    write_bytes_atomically(path, write(found, size, size[0] / DPI * 25.4, scene.name))
 
 
 def write_png(

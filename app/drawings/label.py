@@ -56,7 +56,7 @@ _TOKEN = re.compile(
 )
 
 
-class _Piece(NamedTuple):
+class Piece(NamedTuple):
     vertices: Array  # (n, 2), in em from its place on the line
     codes: NDArray[Any]
     width: float
@@ -115,7 +115,7 @@ def laid(text: str, plain: bool = False) -> Laid:
     placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = 1.0 if len(piece) > 1 and not is_tex else larger
-        drawn = _piece(piece, is_tex)
+        drawn = piece_of(piece, is_tex)
         placed.append((piece, is_tex, size, x))
         if len(drawn.vertices):
             left, low, right, high = (size * side for side in drawn.box)
@@ -131,13 +131,13 @@ def is_set_in_words(piece: str) -> bool:
 
 
 @lru_cache(maxsize=1024)
-def _piece(text: str, is_tex: bool) -> _Piece:
+def piece_of(text: str, is_tex: bool) -> Piece:
     if is_tex:
         try:
             drawn = outline(text)
         except ValueError:
-            return _piece(f"${text}$", False)
-        return _Piece(drawn.vertices, drawn.codes, drawn.width)
+            return piece_of(f"${text}$", False)
+        return Piece(drawn.vertices, drawn.codes, drawn.width)
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
@@ -148,7 +148,7 @@ def _piece(text: str, is_tex: bool) -> _Piece:
     width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
     vertices, codes = reader.get_text_path(font, text, ismath=False)
     points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _SIZE
-    return _Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
+    return Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
 def drawn(
@@ -209,7 +209,7 @@ def _tile(
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    drawn = _piece(piece, is_tex)
+    drawn = piece_of(piece, is_tex)
     if not len(drawn.vertices):
         empty = np.zeros((0, 0), dtype=np.uint8)
         return empty, empty, 0, 0
@@ -402,7 +402,7 @@ class Label:
         along = -(to_right + 1) / 2.0 * wide - left * self.em
         up = -(to_top + 1) / 2.0 * high - low * self.em
         place = x + cos * along - sin * up, y + sin * along + cos * up
-        widths = tuple(_piece(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
+        widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
         return Written(
             self._text, label.pieces, widths, place, turn, self.em, self._tone,
             self._style.background, self._opacity * self._light, self._underlined,

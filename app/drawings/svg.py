@@ -31,7 +31,7 @@ _GREEK = dict(zip((
 _FUNCTIONS = ("tan", "sin", "cos", "log")
 
 
-def svg(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> str:
+def svg(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> bytes:
     """Return the file of a figure of a size in pixels, as wide on paper as `width_mm`."""
     width, height = size
     lines = [
@@ -63,7 +63,7 @@ def svg(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: 
                     number += 1
                     lines.extend(_text(shape, f"t{number}"))
         del kind
-    return "\n".join([*lines, "</svg>", ""])
+    return "\n".join([*lines, "</svg>", ""]).encode()
 
 
 def _kind(shape: Shape) -> object:

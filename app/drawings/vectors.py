@@ -17,7 +17,7 @@ from __future__ import annotations
 import heapq
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import chain, combinations, pairwise
+from itertools import combinations, pairwise
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -298,18 +298,21 @@ class _Pane:
                     r, g, b = (c + PAPER * (p - c) for c, p in zip(colour, paper, strict=True))
                     colour = (r, g, b)
                 width = properties.GetLineWidth() if kind is lines else properties.GetPointSize()
-                off = outside[cell]
-                if off.all(axis=0).any():
-                    continue
-                points = seen[cell]
-                if off.any():
-                    part = both[cell]
-                    for side in sides[off.any(axis=0)]:
-                        if len(part):
-                            part = _cut(part, side, kind is faces)
-                    points = self._on_screen(part[part[:, 3] > 0.0, :4])
-                if len(points) >= (3 if kind is faces else 2 if kind is lines else 1):
-                    kind.append(_Cell(points, colour, opacity, (place, number), width))
+                # A polyline may leave the frame and come back: each part is cut by itself.
+                is_whole = kind is not lines or not outside[cell].any()
+                for piece in [cell] if is_whole else map(list, pairwise(cell)):
+                    off = outside[piece]
+                    if off.all(axis=0).any():
+                        continue
+                    points = seen[piece]
+                    if off.any():
+                        part = both[piece]
+                        for side in sides[off.any(axis=0)]:
+                            if len(part):
+                                part = _cut(part, side, kind is faces)
+                        points = self._on_screen(part[part[:, 3] > 0.0, :4])
+                    if len(points) >= (3 if kind is faces else 2 if kind is lines else 1):
+                        kind.append(_Cell(points, colour, opacity, (place, number), width))
 
     def _on_screen(self, clip: Array) -> Array:
         """Clip coordinates, (n, 4), as pixels from left and bottom, and depth, (n, 3)."""
@@ -349,6 +352,8 @@ class _Pane:
             yield Area([self._placed(ring) for ring in rings], face.colour, face.opacity)
         hiding = _Hiding(faces)
         strokes = [piece for line in lines for piece in hiding.seen(line)]
+        # Of lines in the same place, the one that is lifted most is seen.
+        strokes.sort(key=lambda each: -float(each.points[:, 2].sum()))
         for stroke in strokes:
             width = stroke.width / self._finer
             yield Stroke(self._placed(stroke.points.tolist()), stroke.colour, stroke.opacity, width)
@@ -827,16 +832,6 @@ class _Hiding:
                             colour = (r, g, b)
                     ends = np.stack([begin + low * (end - begin), begin + high * (end - begin)])
                     yield replace(line, points=ends, colour=colour)
-
-
-def _grouped(lines: Iterable[_Cell]) -> Iterator[_Cell]:
-    """Yield lines together that look alike and belong together, the farthest first."""
-    groups: dict[object, list[_Cell]] = {}
-    for line in lines:
-        groups.setdefault((line.place[0], line.colour, line.opacity, line.width), []).append(line)
-    yield from chain.from_iterable(
-        sorted(groups.values(), key=lambda each: -np.mean([line.points[:, 2] for line in each]))
-    )
 
 
 def _covered(

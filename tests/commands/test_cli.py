@@ -1246,7 +1246,10 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
     assert np.median(dark) < 100 < 200 < np.median(light)
 
 
-def test_export_writes_shapes_as_svg(tmp_path: Path, by_hand: Path) -> None:
+def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> None:
+    done = run_here("export", tmp_path / "a.PDF", by_hand, "--panes=image")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert (tmp_path / "a.PDF").read_bytes().startswith(b"%PDF-")
     out = tmp_path / "figure.svg"
     done = run_here("export", out, by_hand, "--panes=world,ndc", "--theme=dark", "--transparent")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -1259,8 +1262,8 @@ def test_export_writes_shapes_as_svg(tmp_path: Path, by_hand: Path) -> None:
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["figure.gif"], "OUT = 'figure.gif': must end in .png or .svg."),
-        (["figure.svg", "--scale", "2"], "--scale: is for .png; an .svg is as fine at every scale"),
+        (["figure.gif"], "OUT = 'figure.gif': must end in .png, .svg or .pdf."),
+        (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
         (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import random
+import re
+import zlib
 from typing import Any
 from xml.etree import ElementTree
 
@@ -20,9 +22,10 @@ from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor,
 from app.drawings.figures import render, shapes
 from app.drawings.label import laid, pieces_of
 from app.drawings.off_screen import off_screen
+from app.drawings.pdf import pdf
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
-from app.drawings.vectors import Area, Stroke, Text, shapes_of
+from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -75,7 +78,7 @@ def figure(
     }  # fmt: skip
     found = shapes(scene, document.projection, **options)[1]
     pixels = render(scene, document.projection, **options)
-    return svg(found, size, 100.0, scene.name), found, pixels[..., :3].astype(np.float64)
+    return svg(found, size, 100.0, scene.name).decode(), found, pixels[..., :3].astype(np.float64)
 
 
 @pytest.mark.parametrize(
@@ -128,7 +131,7 @@ def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str |
     written = vectors.Written(
         label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
     )
-    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), 10.0, "a < b")
+    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), 10.0, "a < b").decode()
     tree = ElementTree.fromstring(text)
     (element,) = tree.iter("{http://www.w3.org/2000/svg}text")
     (title,) = tree.iter("{http://www.w3.org/2000/svg}title")
@@ -137,6 +140,44 @@ def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str |
         assert 'visibility="hidden"' in text and text.count("<path") == 2  # and its underline
     else:
         assert "".join(element.itertext()).replace("\u200b", "") == said
+
+
+def streams_of(content: bytes) -> list[bytes]:
+    """The streams of a PDF file that are compressed."""
+    found = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.DOTALL)
+    return [zlib.decompress(each) for each in found if each[:1] == b"x"]
+
+
+def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
+    document = Document("letter-f", load("letter-f").start)
+    _, found, _ = figure(document, ["world", "image"], (1280, 640))
+    content = pdf(found, (1280, 640), 100.0, "A title")
+    assert content == pdf(found, (1280, 640), 100.0, "A title") and len(content) <= 50_000
+    (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
+    sides_mm = [float(side) / 72.0 * 25.4 for side in box]
+    assert sides_mm == pytest.approx([100.0, 50.0], abs=0.01)
+    assert b"/Subtype /Image" not in content and b"(A title)" in content
+    fonts = set(re.findall(rb"/BaseFont /[A-Z]+\+(\S+)", content))
+    assert {b"DejaVuSans", b"STIXGeneral-Italic"} <= fonts
+    assert content.count(b"/FontFile2") >= 2  # TrueType
+    labels = sum(isinstance(shape, Text) for shape in found)
+    drawn = b"".join(streams_of(content))
+    assert len(re.findall(rb" T[jJ]\n", drawn)) >= labels > 2
+
+
+def test_a_pdf_has_each_shape_at_its_place() -> None:
+    red = (1.0, 0.0, 0.0)
+    found = [
+        Area([[(10.0, 20.0), (30.0, 20.0), (30.0, 60.0)]], red, 0.5),
+        Stroke([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
+        Picture(np.zeros((2, 2, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
+    ]
+    content = pdf(found, (100, 100), 25.4, "t")
+    drawn = b"".join(streams_of(content))  # a pixel is 0.72 pt
+    assert b"7.2 57.6 m\n21.6 57.6 l\n21.6 28.8 l\n" in drawn
+    assert b" 3.6 w " in drawn and b"0 0 m\n72 72 l\n\nS\n" in drawn
+    assert re.search(rb"36 0 0 18 18 18 cm", drawn), drawn
+    assert content.count(b"/Subtype /Image") == 1
 
 
 # --------------------------------------------------------------------------- what hides what
@@ -234,6 +275,14 @@ def test_everywhere_the_nearest_face_is_seen(seed: int) -> None:
             continue
         red = colour_at(found, (x + 1.0) / 2.0 * SIDE, (1.0 - y) / 2.0 * SIDE)[0]
         assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
+
+
+def test_a_line_that_leaves_the_frame_and_comes_back_is_two() -> None:
+    points = [(0.0, 0.5, 0.0), (1.5, 0.5, 0.0), (1.5, -0.5, 0.0), (0.0, -0.5, 0.0)]
+    line = line_actor(points, [(0, 1, 2, 3)], "#000000", 2.0)
+    assert ends_of(drawn(line)) == [
+        [(100.0, 50.0), (200.0, 50.0)], [(100.0, 150.0), (200.0, 150.0)]
+    ]  # fmt: skip
 
 
 def test_neighbours_in_a_plane_become_one_face() -> None:
