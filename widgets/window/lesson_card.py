@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -41,6 +42,7 @@ from app.document.view import View
 from app.lessons.blocks.block import Part
 from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
+from app.lessons.practice import Sheet, marked
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, Record
 from app.lessons.text import escaped, in_line
 from app.model.refusal import Refusal
@@ -51,19 +53,24 @@ from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label
+from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
+from widgets.window.lesson_blocks.exercise import Practises
 from widgets.window.lesson_blocks.task import DONE, Tries
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.settings import Progress, Settings
+from widgets.window.test_marks import TestMarks
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
 WIDTH_EM = 31.0
 """Width of the column while a lesson is open."""
 SHARE = 0.6
 """The card's share of the column's height."""
-MOST_MARKS = 10
+MOST_MARKS = 12
 """Most steps for which each has a mark."""
+MOST_COUNTED = 8
+"""Most marks beside which there is room for the number of the step."""
 LATE_MS = 1000
 """Delay before the current step is saved: writing the file takes as long as a frame."""
 CALL_MS = 1500
@@ -94,12 +101,12 @@ class LessonCard(QFrame):
     been answered so, or None."""
     handles_called = Signal(object)
     """The names or settings of handles that an open task needs, for a short time; then none."""
+    test_left = Signal()
+    """A test was closed before its end; its answers are kept."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
-    def __init__(
-        self, lessons: Lessons, store: Store, settings: Settings, record: Record
-    ) -> None:
+    def __init__(self, lessons: Lessons, store: Store, settings: Settings, record: Record) -> None:
         super().__init__()
         self.setObjectName("lesson")
         self.setAccessibleName(self.tr("Lesson"))
@@ -171,6 +178,21 @@ class LessonCard(QFrame):
     def _lesson(self) -> Lesson | None:
         return self._lessons.lesson
 
+    @property
+    def _sheet(self) -> Sheet | None:
+        """The open lesson, if it is made of exercises of others."""
+        course = self._lessons.course
+        return course if isinstance(course, Sheet) else None
+
+    @property
+    def _is_test(self) -> bool:
+        return self._sheet is not None and self._sheet.is_test
+
+    def play(self, sheet: Sheet) -> bool:
+        """Open a sheet of exercises at its last one."""
+        kept = self._settings.progress.get(sheet.name, Progress())
+        return self._lessons.play(sheet, kept.step)
+
     def open(self, path: str | Path) -> bool:
         """Open a lesson at its last step; return False if it cannot be opened."""
         kept = self._settings.progress.get(name_of(Path(path)), Progress())
@@ -180,11 +202,13 @@ class LessonCard(QFrame):
         """Close the lesson; it will reopen at this step."""
         self.keep_now()
         self._clear()
-        self._shown = None
+        self._shown, is_test = None, self._is_test
         self._lessons.close()
         self.is_on = False
         self.toggled.emit(False)
         self.went_on.emit()
+        if is_test:
+            self.test_left.emit()
 
     def begin_again(self) -> None:
         """Delete the answers of the lesson, and go to its first step; this can be undone."""
@@ -205,11 +229,11 @@ class LessonCard(QFrame):
         self.open(path)
 
     def _open(self) -> None:
-        lesson = self._lesson
+        lesson, course = self._lesson, self._lessons.course
         self.keep_now()
-        if lesson is None:
+        if lesson is None or course is None:
             return
-        self._progress = self._settings.progress.get(name_of(lesson.path), Progress())
+        self._progress = self._settings.progress.get(course.name, Progress())
         self._shown = None
         self._title.setText(lesson.title)
         self._make_marks(lesson)
@@ -279,6 +303,7 @@ class LessonCard(QFrame):
                 )
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
+        self._counted.setVisible(len(self._numbers) <= MOST_COUNTED)
 
     def _show_marks(self) -> None:
         lesson = self._lesson
@@ -303,6 +328,8 @@ class LessonCard(QFrame):
         asked, answered = ([v for v in aims if v.is_open == is_open] for is_open in (True, False))
         self.aimed.emit(asked, answered[-1] if answered else None)
         hides = frozenset[str]().union(*(block.hides for block in self.blocks))
+        if self.blocks and self._is_test:
+            hides |= {IN_TEST}
         if hides != self._hides:
             self._hides = hides
             self.hidden.emit(hides)
@@ -337,6 +364,9 @@ class LessonCard(QFrame):
                 self._column.addWidget(LessonText(part.text))
                 continue
             view = view_of(here, part)
+            if isinstance(view, Practises) and self._sheet is not None:
+                seed = self._sheet.items[self._shown[1]].seed
+                view.pose(seed, is_test=self._sheet.is_test)
             answer = self._progress.answers.get(self._key(view.block.name), "")
             if answer:
                 view.restore(answer)
@@ -388,7 +418,7 @@ class LessonCard(QFrame):
         """Add an answer to the record of this student."""
         idea = "" if word in (RIGHT, WRONG, SHOWN) else word
         attempt = Attempt(
-            int(time.time()), name_of(view.here.course.lesson.path),
+            int(time.time()), view.here.course.name,
             f"{view.here.step.name}/{view.block.name}", view.variant_seed, typed,
             WRONG if idea else word, idea, view.hints_read,
         )  # fmt: skip
@@ -409,11 +439,13 @@ class LessonCard(QFrame):
 
     def _keep(self) -> None:
         self._late.stop()
-        lesson = self._lesson if self._shown is None else self._shown[0].lesson
-        assert lesson is not None
-        done = sum(self._is_done(step) for step in lesson.steps)
-        self._progress = replace(self._progress, done=done, of=len(lesson.steps))
-        self._settings.keep_progress(name_of(lesson.path), self._progress)
+        course = self._lessons.course if self._shown is None else self._shown[0]
+        assert course is not None
+        steps = course.lesson.steps
+        done = sum(self._is_done(step) for step in steps)
+        self._progress = replace(self._progress, done=done, of=len(steps))
+        if course.name:
+            self._settings.keep_progress(course.name, self._progress)
 
     def _show_aside(self, document: Document) -> None:
         self._hide()  # before it is seen
@@ -467,7 +499,7 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._lesson is not None:
+        if self._lesson is not None and self._sheet is None:
             self._say(
                 self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
             )
@@ -480,6 +512,8 @@ class LessonCard(QFrame):
 
     def _finish(self, lesson: Lesson) -> None:
         """Close the lesson; the card lists unfinished steps and names the next lesson."""
+        course = self._lessons.course
+        assert course is not None
         if not self._here.asked:
             self._note("", DONE)
         self._progress = replace(self._progress, step="")
@@ -492,31 +526,70 @@ class LessonCard(QFrame):
                 rest = self.tr("Something is left to do in steps {0}.")
             said = f"{said} {rest.format(', '.join(str(place + 1) for place in left))}"
         following = _after(lesson.path)
+        if self._is_test:
+            self._finish_test(left)
+            return
         self._clear()
         self._shown = None
         self._lessons.close()
-        ways = []
+        ways: list[QPushButton] = []
         if following is not None:
             name = self.tr("Next lesson: {0}").format(following.title.replace("&", "&&"))
             ways.append(_push(name, self.tr("Open it"), partial(self.open, following.path)))
-        close = _push(self.tr("&Close"), self.tr("Close the lesson"), self.leave)
-        first = ways[0] if ways else close
+        ways.append(_push(self.tr("&Close"), self.tr("Close the lesson"), self.leave))
         if left:
             name = self.tr("Back to step {0}").format(left[0] + 1)
-            act = partial(self._lessons.open, lesson.path, lesson.steps[left[0]].name)
-            ways.append(_push(name, self.tr("Go on there"), act))
+            act = partial(self._lessons.play, course, lesson.steps[left[0]].name)
+            ways.insert(-1, _push(name, self.tr("Go on there"), act))
+        self._show_end(LessonText(escaped(said)), *ways)
+
+    def _finish_test(self, left: Sequence[int]) -> None:
+        """Mark a test, once it is finished or the student wants it."""
+        if not left:
+            self._mark_test()
+            return
+        self._clear()
+        said = self.tr("Not answered yet: {0}.").format(", ".join(str(at + 1) for at in left))
+        back = self.tr("Back to exercise {0}").format(left[0] + 1)
+        self._show_end(
+            LessonText(said),
+            _push(back, self.tr("Go on there"), partial(self._go_back_to, left[0])),
+            _push(self.tr("&Mark the test now"), self.tr("End the test"), self._mark_test),
+        )
+
+    def _go_back_to(self, place: int) -> None:
+        self._shown = None
+        self._show_way(True)
+        self._lessons.go(place)
+
+    def _mark_test(self) -> None:
+        """End the test: show its solutions beside the student's answers."""
+        sheet = self._sheet
+        assert sheet is not None
+        self._late.stop()
+        marks = marked(sheet, self._progress.answers)
+        self._settings.keep_progress(sheet.name, None)
+        self._clear()
+        self._shown = None
+        self._lessons.close()
+        close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
+        self._show_end(TestMarks(marks), close)
+
+    def _show_end(self, said: QWidget, *ways: QPushButton) -> None:
+        """Show a last page with its buttons, the first of which gets the focus."""
         page = QWidget()
-        in_column(LessonText(escaped(said)), *ways, close, FREE, on=page)
+        in_column(said, *ways, FREE, on=page)
         self._area.setWidget(page)
         self._show_way(False)
-        first.setFocus(Qt.FocusReason.OtherFocusReason)
+        ways[0].setFocus(Qt.FocusReason.OtherFocusReason)
         self.went_on.emit()
 
     def _show_way(self, on: bool) -> None:
         """Show or hide the buttons that only an open lesson needs."""
+        shown: dict[QWidget, bool] = {self.hint: not self._is_test, self.anew: self._sheet is None}
         for part in (self._marks, self.back, self.again, self.hint, self.next, self.anew):
-            part.setVisible(on)
-            part.setEnabled(on)
+            part.setVisible(on and shown.get(part, True))
+            part.setEnabled(on and shown.get(part, True))
 
     def _say(self, text: str) -> None:
         self._notice.setText(text)

@@ -68,6 +68,7 @@ from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
 from widgets.window.pointing import Pointing
+from widgets.window.practice import Practice
 from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
@@ -328,6 +329,7 @@ class MainWindow(QMainWindow):
         self.record = Record(data_folder() / RECORD)
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings, self.record)
         self.side.take_card(self.lesson_card)
+        self.practice = Practice(self, self.lesson_card, self.record, self.settings, self.messages)
         self.hiding = Hiding(
             self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
         )

@@ -42,10 +42,10 @@ class Practises(BlockView):
             self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
         )
         self._another.hide()
-        row = on_holder(
+        self._row = on_holder(
             Label(self.tr("Variant")), self.seed, self._begin, self._another, FREE, gap=5
         )
-        self._insert(row)
+        self._insert(self._row)
 
     @property
     def first(self) -> QWidget | None:
@@ -57,7 +57,7 @@ class Practises(BlockView):
 
     @property
     def hides(self) -> frozenset[str]:
-        is_asked = self.asked is not None and self.asked.is_open
+        is_asked = self.asked is not None and (self.is_test or self.asked.is_open)
         return self.exercise.hides if is_asked else frozenset()
 
     @property
@@ -76,8 +76,18 @@ class Practises(BlockView):
         seed, _, given = answer.partition(" ")
         self.seed.setText(seed)
         if self._draw() and self.asked is not None:
-            self.asked.restore(given)
+            if self.is_test:
+                self.asked.take_in(given)
+            else:
+                self.asked.restore(given)
             self.answer = answer
+
+    def pose(self, seed: int, *, is_test: bool) -> None:
+        """Ask with the numbers of a seed, which the window shows already."""
+        self.is_test = is_test
+        self._row.setHidden(is_test)
+        self.seed.setText(str(seed))
+        self._draw()
 
     def begin(self) -> None:
         """Draw the numbers of the seed, and show their state."""
@@ -109,6 +119,8 @@ class Practises(BlockView):
             self._column.removeWidget(self.asked)
             self.asked.hide()
             self.asked.deleteLater()
+        if self.is_test:
+            asked.begin_test()
         self.asked, self.answer, self.hints = asked, "", asked.hints
         self._insert(asked)
         self._begin.hide()

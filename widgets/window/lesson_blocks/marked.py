@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
+from PySide6.QtWidgets import QPushButton
+
 from app.lessons.blocks.question import Marked, Verdict
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
-from widgets.window.lesson_blocks.view import BlockView
+from widgets.window.lesson_blocks.view import BlockView, hand_in
 
 TRIES = 3
 """Number of attempts after which the answer is offered."""
@@ -21,14 +23,12 @@ TOLD = "told"
 class Attempts(BlockView):
     """A question whose answers are submitted with `_submit`."""
 
+    _check: QPushButton
+
     def __init__(self, here: AtStep, question: Marked) -> None:
         super().__init__(here, question)
         self.question = question
         self._tries = 0
-
-    @abstractmethod
-    def _show(self, typed: str) -> None:
-        """Show an answer that was given earlier."""
 
     @abstractmethod
     def _close(self) -> None:
@@ -54,8 +54,13 @@ class Attempts(BlockView):
             self.answer = answer
             self._praise_and_close(verdict)
 
-    def _submit(self, typed: str, given: str = "") -> None:
+    def begin_test(self) -> None:
+        super().begin_test()
+        hand_in(self._check)
+
+    def _submit(self, typed: str, given: str | None = None) -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
+        given = typed if given is None else given
         self._hush()
         try:
             verdict = self._mark(typed)
@@ -63,8 +68,11 @@ class Attempts(BlockView):
             self._refuse(error)
             self._announce(sentence(error))
             return
+        if self.is_test:
+            self._hand_in(given)
+            return
         if verdict.right:
-            self.tried.emit(given or typed, verdict.word)
+            self.tried.emit(given, verdict.word)
             self._praise_and_close(verdict)
             self._settle(typed)
             return
@@ -74,7 +82,7 @@ class Attempts(BlockView):
             self._say("help", self.tr("Too few digits"), text)
             self._announce(text)
             return
-        self.tried.emit(given or typed, verdict.word)
+        self.tried.emit(given, verdict.word)
         self._tries += 1
         if verdict.idea or verdict.says:
             self._refute(verdict)

@@ -1,0 +1,116 @@
+"""What a student practises besides one lesson: tests, and exercises that have come back."""
+
+from __future__ import annotations
+
+import random
+
+from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtWidgets import QWidget
+
+from app.lessons.blocks.exercise import LARGEST_SEED
+from app.lessons.practice import (
+    Sheet,
+    drawn,
+    exercises_of,
+    find,
+    test_name,
+    test_of,
+    to_review,
+    topics,
+)
+from app.lessons.record import Record, due, standings
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.window.lesson_card import LessonCard
+from widgets.window.settings import Settings
+from widgets.window.test_dialog import TestDialog
+
+
+def review_text(count: int) -> str:
+    """Return the name of the action that practises what has come back, with a mnemonic."""
+    if count == 1:
+        return QCoreApplication.translate("Practice", "&Review: 1 exercise")
+    if count:
+        return QCoreApplication.translate("Practice", "&Review: {0} exercises").format(count)
+    return QCoreApplication.translate("Practice", "&Review")
+
+
+class Practice(QObject):
+    """Begins tests and reviews on the lesson's card."""
+
+    def __init__(
+        self,
+        window: QWidget,
+        card: LessonCard,
+        record: Record,
+        settings: Settings,
+        messages: MessageBar,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._card, self._record = window, card, record
+        self._settings, self._messages = settings, messages
+        card.test_left.connect(self._tell_kept)
+
+    # -- tests
+
+    @property
+    def begun(self) -> str:
+        """The name of the test that is not finished yet; empty if there is none."""
+        return next((name for name in self._settings.progress if test_of(name) is not None), "")
+
+    def choose_test(self) -> None:
+        """Ask for the topics of a test, and begin it."""
+        counts = {
+            name: (course.lesson.title, sum(1 for _ in exercises_of(course)))
+            for name, course in topics().items()
+        }
+        number = random.randint(1, LARGEST_SEED)
+        dialog = TestDialog(counts, number, self._window)
+        if dialog.exec():
+            self.begin_test(dialog.topics, int(dialog.number.text()))
+        dialog.deleteLater()
+
+    def begin_test(self, names: list[str], number: int) -> None:
+        """Begin a test instead of one that was begun."""
+        if self.begun:
+            self._settings.keep_progress(self.begun, None)
+        self._play_test(names, number)
+
+    def go_on(self) -> None:
+        """Go on with the test that was begun."""
+        found = test_of(self.begun)
+        if found is not None:
+            self._play_test(*found)
+
+    def _tell_kept(self) -> None:
+        self._messages.say(self.tr("The test is kept."), (self.tr("Go on with it"), self.go_on))
+
+    def _play_test(self, names: list[str], number: int) -> None:
+        every = len(names) == len(topics()) > 1
+        said = self.tr("all topics") if every else ", ".join(names)
+        title = self.tr("Test {0}: {1}").format(number, said)
+        items = drawn(names, number)
+        if items:
+            self._card.play(Sheet(test_name(names, number), title, items, is_test=True))
+        else:
+            self._messages.say(self.tr("These topics have no exercises yet."))
+
+    # -- what has come back
+
+    @property
+    def due(self) -> list[tuple[str, str]]:
+        """The exercises that have come back and still exist."""
+        waiting = due(standings(self._record.read()))
+        return [key for key in waiting if find(key) is not None]
+
+    def review(self) -> None:
+        """Practise what has come back, with new numbers."""
+        attempts = self._record.read()
+        if self._record.problem is not None:
+            self._messages.say(sentence(self._record.problem))
+        known = standings(attempts)
+        items = to_review(due(known), known)
+        if items:
+            self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
+        else:
+            self._messages.say(self.tr("Nothing has come back today."))
