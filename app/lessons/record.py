@@ -4,7 +4,7 @@
 
     an answer -> Record.add: one line of JSON at the end of a file
     Record.read -> standings: each exercise as it was last solved, and when it is due again
-                -> met: how often each wrong idea was behind an answer
+                -> met: the wrong ideas behind the answers
 
 The record says what happened. Where a student stands in a lesson, and what is shown there, is
 `Progress`, which "Begin again" deletes; the record stays.
@@ -17,7 +17,6 @@ import json
 import os
 import stat
 import unicodedata
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date, timedelta
@@ -268,6 +267,21 @@ def due(
     return [key for _, key in sorted(waiting)]
 
 
-def met(attempts: Iterable[Attempt]) -> Counter[tuple[str, str]]:
-    """Count the wrong ideas behind a student's answers, by lesson and name of the idea."""
-    return Counter((each.lesson, each.idea) for each in attempts if each.idea)
+class Met(NamedTuple):
+    """A wrong idea: how often it was met, and how its last question was solved since."""
+
+    times: int
+    outcome: str
+
+
+def met(
+    attempts: Iterable[Attempt], known: Mapping[tuple[str, str], Standing]
+) -> dict[tuple[str, str], Met]:
+    """Return the wrong ideas behind a student's answers, by lesson and name of the idea."""
+    found: dict[tuple[str, str], Met] = {}
+    for attempt in attempts:
+        if attempt.idea:
+            key = attempt.lesson, attempt.idea
+            before = found[key].times if key in found else 0
+            found[key] = Met(before + 1, known[attempt.key].outcome)
+    return found

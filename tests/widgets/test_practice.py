@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QLineEdit, QRadioButton
+from PySide6.QtWidgets import QApplication, QCheckBox, QLineEdit, QRadioButton, QToolButton
 
 from app.lessons import practice
 from app.lessons.course import Course
@@ -17,7 +17,9 @@ from app.lessons.practice import drawn, exercises_of
 from app.lessons.record import Attempt
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
-from widgets.window.main_window import MainWindow
+from widgets.window.main_window import RECORD, MainWindow
+from widgets.window.overview import Overview
+from widgets.window.settings import data_folder
 from widgets.window.test_dialog import TestDialog
 
 HEAD = """---
@@ -177,6 +179,12 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
         record.add(Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict))
     menu.aboutToShow.emit()
     assert menu.review.text() == "&Review: 1 exercise"
+    window.menus.start_card.trigger()
+    settle()
+    assert window.start_card is not None
+    names = [button.text() for button in window.start_card.findChildren(QToolButton)]
+    assert "&Review: 1 exercise" in names
+    window.start_card.close()
     menu.review.trigger()
     come_to_rest(window)
     (view,) = window.lesson_card.blocks
@@ -190,3 +198,36 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     settle()
     assert "Done: “Review”." in texts(window.lesson_card)
     assert not any("Review" in name for name in window.settings.progress)
+
+
+def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow) -> None:
+    activate(window)
+    for exercise, verdict, idea in (
+        ("set", "shown", ""), ("wide", "wrong", "angle-linear"), ("wide", "right", ""),
+    ):  # fmt: skip
+        lesson = practice.topics()["L3"].name
+        window.record.add(
+            Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict, idea)
+        )
+    with (data_folder() / RECORD).open("a") as file:
+        file.write("\n{")
+    window.menus.lesson_menu.overview.trigger()
+    settle()
+    overview = window.practice.overview
+    said = texts(overview)
+    assert "unreadable lines (1)" in said and "once; then: solved with help" in said
+    names = [each.accessibleName() for each in overview.findChildren(QToolButton)]
+    assert [name.rpartition(".")[0][:36] for name in names if name] == [
+        "L3, exercise 1: solved with help. 20°"[:36], "L3, exercise 2: answer shown",
+        "L5, exercise 1: not yet",
+    ]  # fmt: skip
+    assert overview.review.text() == "&Review: 2 exercises" and keyboard() is overview.review
+    for _ in range(30):
+        press(KEY.Key_Tab)
+        if "exercise 2" in keyboard().accessibleName():
+            break
+    press(KEY.Key_Space)
+    assert window.lessons.step is not None and window.lessons.step.name == "practise"
+    assert not any(
+        isinstance(w, Overview) and w.isVisible() for w in QApplication.topLevelWidgets()
+    )

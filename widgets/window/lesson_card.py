@@ -193,10 +193,10 @@ class LessonCard(QFrame):
         kept = self._settings.progress.get(sheet.name, Progress())
         return self._lessons.play(sheet, kept.step)
 
-    def open(self, path: str | Path) -> bool:
-        """Open a lesson at its last step; return False if it cannot be opened."""
+    def open(self, path: str | Path, step: str = "") -> bool:
+        """Open a lesson at a step, or where it was left; return False if it cannot be opened."""
         kept = self._settings.progress.get(name_of(Path(path)), Progress())
-        return self._lessons.open(path, kept.step)
+        return self._lessons.open(path, step or kept.step)
 
     def leave(self) -> None:
         """Close the lesson; it will reopen at this step."""

@@ -59,7 +59,11 @@ class LessonMenu(QMenu):
             self.tr("&Review"), None, None,
             self.tr("What you did not solve alone comes back after 1, 3 and 7 days"),
         )  # fmt: skip
-        self.addActions([self.test, self.test_again, self.review])
+        self.overview = make(
+            self.tr("O&verview…"), None, None,
+            self.tr("Every topic with its exercises, as you solved them"),
+        )  # fmt: skip
+        self.addActions([self.test, self.test_again, self.review, self.overview])
         self.addSeparator()
         self.open = make(
             self.tr("&Open a lesson…"), None, None, self.tr("Open a lesson or a talk from its file")
@@ -95,6 +99,7 @@ class LessonMenu(QMenu):
             (self.test, practice.choose_test),
             (self.test_again, practice.go_on),
             (self.review, practice.review),
+            (self.overview, practice.show_overview),
             (self.again, card.show_again),
             (self.next, card.go_on),
             (self.back, card.go_back),

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
+    Found,
     Sheet,
     drawn,
     exercises_of,
@@ -18,10 +19,11 @@ from app.lessons.practice import (
     to_review,
     topics,
 )
-from app.lessons.record import Record, due, standings
+from app.lessons.record import Record, due, met, standings
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.window.lesson_card import LessonCard
+from widgets.window.overview import Overview
 from widgets.window.settings import Settings
 from widgets.window.test_dialog import TestDialog
 
@@ -94,6 +96,27 @@ class Practice(QObject):
             self._card.play(Sheet(test_name(names, number), title, items, is_test=True))
         else:
             self._messages.say(self.tr("These topics have no exercises yet."))
+
+    # -- what was practised
+
+    def show_overview(self) -> None:
+        """Show every topic with its exercises, as they were solved."""
+        attempts = self._record.read()
+        known, problem = standings(attempts), self._record.problem
+        count = len(self.due)
+        said = "" if problem is None else sentence(problem)
+        self.overview = overview = Overview(
+            topics(), known, met(attempts, known), review_text(count), said, self._window
+        )
+        overview.review.setEnabled(count > 0)
+        overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))
+        overview.exercise_wanted.connect(self._open)
+        overview.review_wanted.connect(self.review)
+        overview.test_wanted.connect(self.choose_test)
+        overview.show()
+
+    def _open(self, found: Found) -> None:
+        self._card.open(found.course.lesson.path, found.here.step.name)
 
     # -- what has come back
 
