@@ -128,13 +128,20 @@ def topics() -> Mapping[str, Course]:
 
 def find(key: tuple[str, str]) -> Found | None:
     """Return the exercise of a record's key; None if its lesson no longer has it."""
-    name, exercise = key
-    course = next((course for course in topics().values() if course.name == name), None)
+    course = course_named(key[0])
+    found = exercises_of(course) if course is not None else ()
+    return next((each for each in found if each.key[1] == key[1]), None)
+
+
+def course_named(name: str) -> Course | None:
+    """Return a lesson by its name in the record; None if it cannot be read."""
+    for course in topics().values():
+        if course.name == name:
+            return course
     try:
-        course = course or Course(read(file_of(name)))
+        return Course(read(file_of(name)))
     except Refusal:
         return None
-    return next((found for found in exercises_of(course) if found.key[1] == exercise), None)
 
 
 # --------------------------------------------------------------------------- sheets

@@ -107,17 +107,19 @@ def _checked(name: str, value: object) -> object:
         if type(value) is not int or not 0 <= value <= most:
             raise Refusal.in_document(A_WHOLE_NUMBER, 0, most, field=name, value=value)
         return value
-    longest = LONGEST_TYPED if name == "typed" else LONGEST_NAME
-    if not isinstance(value, str) or len(value) > longest or not _can_be_shown(value):
-        raise Refusal.in_document(A_TEXT, longest, field=name)
+    value = one_line(name, value, LONGEST_TYPED if name == "typed" else LONGEST_NAME)
     if name == "verdict" and value not in (RIGHT, WRONG, SHOWN):
         raise Refusal.in_document(ONE_OF, f"{RIGHT}, {WRONG}, {SHOWN}", field=name, value=value)
     return value
 
 
-def _can_be_shown(text: str) -> bool:
-    """Whether a text has neither control characters nor halves of surrogate pairs."""
-    return not any(unicodedata.category(letter) in ("Cc", "Cs") for letter in text)
+def one_line(name: str, value: object, longest: int) -> str:
+    """Return a text without control characters and halves of surrogate pairs, or refuse it."""
+    if not isinstance(value, str) or len(value) > longest:
+        raise Refusal.in_document(A_TEXT, longest, field=name)
+    if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in value):
+        raise Refusal.in_document(A_TEXT, longest, field=name)
+    return value
 
 
 # --------------------------------------------------------------------------- the file

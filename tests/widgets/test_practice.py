@@ -8,13 +8,22 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QCheckBox, QLineEdit, QRadioButton, QToolButton
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QFileDialog,
+    QInputDialog,
+    QLineEdit,
+    QRadioButton,
+    QToolButton,
+)
 
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson
 from app.lessons.practice import drawn, exercises_of
 from app.lessons.record import Attempt
+from app.lessons.results import read
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
 from widgets.window.main_window import RECORD, MainWindow
@@ -84,7 +93,9 @@ def test_a_number_gives_everyone_the_same_test() -> None:
     assert [found.key[1] for found in exercises_of(item.found.course)] == ["practise/choose"]
 
 
-def test_a_test_is_taken_by_keyboard_alone(window: MainWindow) -> None:
+def test_a_test_is_taken_by_keyboard_alone(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     activate(window)
     card, menus = window.lesson_card, window.menus.lesson_menu
 
@@ -165,6 +176,15 @@ def test_a_test_is_taken_by_keyboard_alone(window: MainWindow) -> None:
     attempts = {each.exercise.partition("/")[2]: each for each in window.record.read()}
     assert {name: each.typed for name, each in attempts.items()} == given
     assert attempts["wide"].idea == "angle-linear" and attempts["set"].verdict == "right"
+    out = tmp_path / "mine.json"
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    press(KEY.Key_Return)
+    assert window.messages.text == f"The result is in {out}."
+    result = read(out)
+    assert result.student == "Ana" and len(result.attempts) == 3
+    assert {each.exercise.partition("/")[2]: each.typed for each in result.attempts} == given
+    press(KEY.Key_Tab)
     press(KEY.Key_Return)
     assert not card.is_on
 

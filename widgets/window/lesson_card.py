@@ -101,6 +101,8 @@ class LessonCard(QFrame):
     been answered so, or None."""
     handles_called = Signal(object)
     """The names or settings of handles that an open task needs, for a short time; then none."""
+    result_wanted = Signal(object)
+    """The user wants a file with these marks of a test."""
     test_left = Signal()
     """A test was closed before its end; its answers are kept."""
     went_on = Signal()
@@ -572,8 +574,12 @@ class LessonCard(QFrame):
         self._clear()
         self._shown = None
         self._lessons.close()
+        save = _push(
+            self.tr("&Save the result…"), self.tr("Write a file for your teacher"),
+            partial(self.result_wanted.emit, marks),
+        )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
-        self._show_end(TestMarks(marks), close)
+        self._show_end(TestMarks(marks), save, close)
 
     def _show_end(self, said: QWidget, *ways: QPushButton) -> None:
         """Show a last page with its buttons, the first of which gets the focus."""

@@ -54,6 +54,7 @@ class Overview(QDialog):
     """A `Found`."""
     review_wanted = Signal()
     test_wanted = Signal()
+    export_wanted = Signal()
 
     def __init__(
         self,
@@ -90,7 +91,12 @@ class Overview(QDialog):
         test = push_button(self.tr("Test &yourself…"), act=partial(self._go, self.test_wanted))
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
-        last = in_row(self.review, test, FREE, buttons)
+        export = push_button(
+            self.tr("&Export…"), self.tr("Write all of it into a file for your teacher"),
+            partial(self._go, self.export_wanted),
+        )  # fmt: skip
+        export.setEnabled(bool(known))
+        last = in_row(self.review, test, export, FREE, buttons)
         in_column(self._legend(), warning, (area, 1), last, on=self)
         em = self.fontMetrics().height()
         wide = max(area.minimumWidth() + 30, 52 * em)

@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 import random
+import time
+from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QCoreApplication, QObject
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QInputDialog, QWidget
 
+from app import __version__
+from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
     Found,
@@ -19,9 +24,12 @@ from app.lessons.practice import (
     to_review,
     topics,
 )
-from app.lessons.record import Record, due, met, standings
+from app.lessons.record import Attempt, Record, due, met, standings
+from app.lessons.results import LONGEST_STUDENT, of_test, to_json
+from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.saving import ask_where
 from widgets.window.lesson_card import LessonCard
 from widgets.window.overview import Overview
 from widgets.window.settings import Settings
@@ -52,6 +60,7 @@ class Practice(QObject):
         self._window, self._card, self._record = window, card, record
         self._settings, self._messages = settings, messages
         card.test_left.connect(self._tell_kept)
+        card.result_wanted.connect(lambda marks: self.save(of_test(marks, int(time.time()))))
 
     # -- tests
 
@@ -97,6 +106,27 @@ class Practice(QObject):
         else:
             self._messages.say(self.tr("These topics have no exercises yet."))
 
+    # -- results
+
+    def save(self, attempts: Sequence[Attempt]) -> None:
+        """Ask for a file, and write answers to it for a teacher."""
+        title = self.tr("Save the result")
+        asked = self.tr("Your name, if your teacher is to read it in the file:")
+        student, is_wanted = QInputDialog.getText(self._window, title, asked)
+        path = ""
+        if is_wanted:
+            kinds = self.tr("Results (*.json);;All files (*)")
+            path = ask_where(self._window, title, self.tr("result") + ".json", kinds, ".json")
+        if not path:
+            return
+        text = to_json(student.strip()[:LONGEST_STUDENT], attempts, __version__)
+        try:
+            write_bytes_atomically(path, text.encode())
+        except Refusal as error:
+            self._messages.say(sentence(error))
+        else:
+            self._messages.say(self.tr("The result is in {0}.").format(path))
+
     # -- what was practised
 
     def show_overview(self) -> None:
@@ -113,6 +143,7 @@ class Practice(QObject):
         overview.exercise_wanted.connect(self._open)
         overview.review_wanted.connect(self.review)
         overview.test_wanted.connect(self.choose_test)
+        overview.export_wanted.connect(partial(self.save, attempts))
         overview.show()
 
     def _open(self, found: Found) -> None:
