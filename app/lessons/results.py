@@ -188,10 +188,10 @@ def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | Non
         part = course.at(place).asked.get(name) if each.name == step else None
         if isinstance(part, Exercise):
             try:
-                variant = part.variant(course.at(place), seed)
+                variant = part.variant(course.at(place), seed) if seed else None
             except Refusal:
-                return None
-            return variant.question, variant.here
+                variant = None
+            return (variant.question, variant.here) if variant is not None else None
         if part is not None:
             return part, course.at(place)
     return None

@@ -84,7 +84,7 @@ def rows(path: Path) -> list[dict[str, str]]:
 def test_every_mark_comes_from_what_was_typed(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    # By hand: seed 1 draws 30° and 2 (tests/lessons/test_exercise.py): 2 atan(2 tan 15°) = 56.36°.
+    # By hand: seed 1 draws 30° and 2 (tests/lessons/test_exercise.py): 2 atan(2 tan 15°) = 56.374°.
     tree = exported(
         answer("wide", 1, "56.4", "right"),
         answer("wide", 1, "60", "right"),  # edited: it is the idea that angles grow like widths
@@ -105,13 +105,13 @@ def test_every_mark_comes_from_what_was_typed(
     said = capsys.readouterr().out
     assert "2 files, 9 answers: 2 right, 5 wrong, 1 shown, 1 not marked\n" in said
     assert "3 marks differ" in said and "    2    2  angle-linear  " in said
-    assert "    1  own.md one/wide 1: 77 (56.361)" in said
+    assert "    1  own.md one/wide 1: 77 (56.374)" in said
     found = rows(folder / "out.csv")
     assert [row["mark"] for row in found] == [
         "right", "wrong", "wrong", "wrong", "shown", "wrong", "right", "", "wrong",
     ]  # fmt: skip
     assert [row["idea"] for row in found if row["idea"]] == ["angle-linear"] * 2
-    assert found[0]["right"] == "56.361" and found[0]["time"] == "2023-11-14T22:13:20+00:00"
+    assert found[0]["right"] == "56.374" and found[0]["time"] == "2023-11-14T22:13:20+00:00"
     assert {row["student"] for row in found} == {"'=cmd|' /C calc'!A0"}
     assert found[3]["typed"] == "'@SUM(A1)" and found[1]["note"] == "the file says right"
     assert found[-1]["note"] == "the student had another version of the lesson"
