@@ -326,7 +326,9 @@ def _of_sweep(
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])
                 own = named(name, translate) if each is sweep else ""
-                curves.append(Curve(line, colour, own, width))
+                keys = [f"{i},{number + 1}" for i in kept] if each is sweep else []
+                chosen = keys if each.use(kept[0], number + 1) else []
+                curves.append(Curve(line, colour, own, width, keys=tuple(chosen)))
                 if each is sweep:
                     bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (number + 0.5))
                     notes = [curve.notes[i] for i in kept]

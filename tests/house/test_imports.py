@@ -7,6 +7,7 @@ type checkers is late: importing the file does not bring it.
 from __future__ import annotations
 
 import ast
+import functools
 import subprocess
 import sys
 from graphlib import TopologicalSorter
@@ -79,6 +80,7 @@ def folder_of(module: str) -> str:
     return ".".join(module.split(".")[:2]) if module.count(".") else ""
 
 
+@functools.cache
 def imports(path: str, source: str) -> list[tuple[str, int, bool]]:
     """Every module that a source file imports.
 

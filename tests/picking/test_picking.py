@@ -281,16 +281,19 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
             if trace.outside.any():
                 continue
             x, y = trace.image.tolist()
-            faces = [first_hit(projection, triangles, (x + dx, y + dy)) for dx, dy in around]
-            in_front = [
-                face is not None and projection.trace(face).depth < trace.depth - 1e-6
-                for face in faces
-            ]
+            in_front = set()
+            for dx, dy in around:
+                face = first_hit(projection, triangles, (x + dx, y + dy))
+                in_front.add(
+                    face is not None and projection.trace(face).depth < trace.depth - 1e-6
+                )
+                if len(in_front) == 2:
+                    break
             hit = pick_in(scene, scene.start, sight, (x, y))
             assert hit is not None
             if not any(in_front):
                 clear += 1
-                assert min(distance_from(hit.point, other) for other in lines) <= 1e-6
+                assert any(distance_from(hit.point, other) <= 1e-6 for other in lines)
                 assert math.dist(projection.trace(hit.point).image, (x, y)) <= 6.0
             elif all(in_front):
                 hidden += 1

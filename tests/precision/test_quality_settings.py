@@ -235,6 +235,13 @@ def test_an_impossible_choice_for_a_pane_or_scene_is_reported_and_changes_nothin
     assert sentence not in window.status.health.toolTip()
 
 
+def test_a_swept_value_that_the_document_cannot_have_is_refused(window: MainWindow) -> None:
+    before = window.store.document
+    window.quality.use({"lens.near": "20.0"})  # its far is 18
+    assert "near" in window.messages.text and "20" in window.messages.text
+    assert window.store.document == before
+
+
 def test_too_few_samples_are_reported(window: MainWindow) -> None:
     window.quality.use({"smoothing": "MSAA 8"})
     settle()

@@ -35,6 +35,7 @@ from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panes.pane import SMOOTHINGS
 from widgets.parts import palette
+from widgets.parts.diagram import HIT_PX
 from widgets.window.main_window import MainWindow
 
 IN_USE = {"depth_format": "fixed24", "depth_mapping": "reversed", "rung": "good"}
@@ -75,7 +76,8 @@ def heads(panel: MeasurePanel) -> list[str]:
 def found(view: Any) -> dict[str, tuple[QPoint, bool]]:
     """A pixel of each spot that can be chosen, and whether the spot is marked."""
     spots = {}
-    for x, y in product(range(0, view.width(), 3), range(0, view.height(), 3)):
+    step = int(HIT_PX)  # a pixel of every spot, unless another one is as near
+    for x, y in product(range(0, view.width(), step), range(0, view.height(), step)):
         spot = view.spot_at(QPointF(x, y), key_only=True)
         if spot is not None:
             spots[spot.key] = QPoint(x, y), spot.marked
@@ -362,6 +364,22 @@ def test_a_click_on_a_number_of_a_sweep_uses_its_value_and_its_buffer(
         {"lens.near": "2.0", **fixed}, {"lens.near": "2.0", **reversed_},
         {"lens.fov_y_deg": "30.0", "rung": "float64"}, {"lens.fov_y_deg": "30.0"},
     ]  # fmt: skip
+    for parameter, values, keys in (
+        ("near", (0.5, 2.0), {"0,1", "1,1"}), ("up", (30.0, 60.0), set[str]())
+    ):  # fmt: skip
+        curves = {next(iter(kept.BUFFERS)): curve((1.0, 20.0), ("", ""))}
+        swept = sweep(parameter, values, curves)
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(), sweeps=(swept,))))
+        panel.choose(parameter)
+        (diagram,) = (view for view in panel.diagrams if view.isVisible())
+        drawn = chart.diagrams(swept, {})[0].curves[0]
+        assert set(drawn.keys) == keys
+        QTest.mouseClick(
+            diagram, Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier,
+            diagram.to_px(*drawn.points[1]).toPoint(),
+        )  # fmt: skip
+    assert used.count() == 5 and used.at(4)[0] == {"lens.near": "2.0", **fixed}
+    assert (panel.table.currentRow(), panel.table.currentColumn()) == (1, 1)
 
 
 def test_memory_is_another_axis_of_chart_caption_and_grey(
@@ -597,24 +615,24 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
-@pytest.mark.parametrize(("name", "drawn"), [(name, use) for name, (_, use) in CHEAP.items()])
 def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
-    window: MainWindow, name: str, drawn: dict[str, str], tmp_path: Path
+    window: MainWindow, tmp_path: Path
 ) -> None:
     panel = window.measure_panel
     window.panels.open(panel)
-    choice = Choice(
-        name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
-    )
-    trade = replace(TRADE, choices=(replace(TRADE.choices[2], bytes=12.0), choice))
-    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
-    panel.table.cellClicked.emit(1, 0)
-    document = window.store.document
-    assert document.scene == "cheap-arithmetic" and window.messages.text == ""
-    assert hardware_of(document.settings) == CHEAP[name][0]
-    assert chart.in_use(trade, window.quality.in_use()) == choice
-    window.store.undo()
-    assert window.store.document.scene == "letter-f"
+    for name, (hardware, drawn) in CHEAP.items():
+        choice = Choice(
+            name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
+        )
+        trade = replace(TRADE, choices=(replace(TRADE.choices[2], bytes=12.0), choice))
+        panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
+        panel.table.cellClicked.emit(1, 0)
+        document = window.store.document
+        assert document.scene == "cheap-arithmetic" and window.messages.text == "", name
+        assert hardware_of(document.settings) == hardware, name
+        assert chart.in_use(trade, window.quality.in_use()) == choice
+        window.store.undo()
+        assert window.store.document.scene == "letter-f"
 
 
 def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:

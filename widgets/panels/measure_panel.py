@@ -524,12 +524,15 @@ class MeasurePanel(DiagramPanel):
             self.used.emit(use)
 
     def _spot_used(self, key: str) -> None:
-        self._go_on()
-        for row, (_, choice) in enumerate(self._choices()):
-            if choice.name == key:
-                self.table.selectRow(row)
-                self._use(choice)
-                return
+        choices = self._choices()
+        if choices:
+            row = next(row for row, (_, choice) in enumerate(choices) if choice.name == key)
+            self.table.selectRow(row)
+            self._row_used(row)
+        else:  # a point of a sweep's curve
+            row, column = map(int, key.split(","))
+            self.table.setCurrentCell(row, column)
+            self._row_used(row, column)
 
     def _why_not(self, choice: Choice) -> str:
         """Say why the panes cannot use a choice; empty if they can."""

@@ -209,7 +209,7 @@ class DiagramView(QWidget):
     """Draws one diagram at the size of the widget."""
 
     spot_clicked = Signal(str)
-    """Emits the key of a clicked `Spot`."""
+    """Emits the key of a clicked `Spot`, or of a point of a `Curve`."""
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
     """Emit the `picture` for the clipboard, or for a file."""
@@ -244,7 +244,9 @@ class DiagramView(QWidget):
         if diagram is self._diagram:
             return
         self._diagram = diagram
-        self.setMouseTracking(diagram is not None and bool(diagram.spots))
+        self.setMouseTracking(
+            diagram is not None and bool(diagram.spots or any(c.keys for c in diagram.curves))
+        )
         policies = Qt.FocusPolicy
         self.setFocusPolicy(policies.NoFocus if diagram is None else policies.TabFocus)
         for action in self.actions():
@@ -290,17 +292,35 @@ class DiagramView(QWidget):
 
     def spot_at(self, place: QPointF, key_only: bool = False) -> Spot | None:
         """Return the nearest spot within `HIT_PX`; `key_only` ignores spots without a key."""
+        if self._diagram is None:
+            return None
         nearest, found = HIT_PX, None
-        for spot in self._diagram.spots if self._diagram is not None else ():
-            away = self.to_px(spot.x, spot.y) - place
-            distance = math.hypot(away.x(), away.y())
+        places = self._spots_px(self._diagram).tolist()
+        for spot, (x, y) in zip(self._diagram.spots, places, strict=True):
+            distance = math.hypot(x - place.x(), y - place.y())
             if distance < nearest and (spot.key or not key_only):
                 nearest, found = distance, spot
         return found
 
+    def _spots_px(self, diagram: Diagram) -> Floats:
+        """Return the places of the spots in the widget, (n, 2); laying out takes the time."""
+        frame, (across, up) = self._layout(diagram)
+        points = np.array([(spot.x, spot.y) for spot in diagram.spots]).reshape(-1, 2)
+        units = np.column_stack([across.unit(points[:, 0]), up.unit(points[:, 1])])
+        return _places(frame, units)
+
     def _key_at(self, place: QPointF) -> str:
         spot = self.spot_at(place, key_only=True)
-        return "" if spot is None else spot.key
+        if spot is not None or self._diagram is None:
+            return "" if spot is None else spot.key
+        nearest, found = HIT_PX, ""
+        for curve in self._diagram.curves:
+            for key, (x, y) in zip(curve.keys, curve.points, strict=False):
+                away = self.to_px(x, y) - place
+                distance = math.hypot(away.x(), away.y())
+                if distance < nearest:  # never of a NaN
+                    nearest, found = distance, key
+        return found
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         is_left = event.button() == Qt.MouseButton.LeftButton
@@ -556,8 +576,7 @@ class DiagramView(QWidget):
         metrics = QFontMetricsF(self._small)
         painter.setFont(self._small)
         radius = DOT_PX * self._style.line_width / LIGHT.line_width / self.devicePixelRatioF()
-        places = [self.to_px(spot.x, spot.y) for spot in spots]
-        points = np.array([(place.x(), place.y()) for place in places])
+        points = self._spots_px(diagram)
         shown = np.isfinite(points).all(axis=1)
         widths = [metrics.horizontalAdvance(spot.name) for spot in spots]
         sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])

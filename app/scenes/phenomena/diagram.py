@@ -11,7 +11,10 @@ from app.model.projection import Array
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """A curve: points (n, 2) in the diagram's units, NaN where it is broken."""
+    """A curve: points (n, 2) in the diagram's units, NaN where it is broken.
+
+    `keys` are what its points report when they are clicked; empty if they cannot be chosen.
+    """
 
     points: Array
     colour: str = "ink"
@@ -19,6 +22,7 @@ class Curve:
     width: float = 1.0
     closed: bool = False
     dots: bool = False
+    keys: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
