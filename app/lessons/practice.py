@@ -149,12 +149,12 @@ def course_named(name: str) -> Course | None:
 _TEST = re.compile(r"test((?: L\d+)+) (\d{1,4})")
 
 
-def test_name(names: Iterable[str], number: int) -> str:
+def name_of_test(names: Iterable[str], number: int) -> str:
     """Return the name under which a test's answers are kept; it says all of the test."""
     return " ".join(("test", *names, str(number)))
 
 
-def test_of(name: str) -> tuple[list[str], int] | None:
+def named_test(name: str) -> tuple[list[str], int] | None:
     """Return topics and number of a test from its name; None if it is no test's."""
     found = _TEST.fullmatch(name)
     return None if found is None else (found[1].split(), int(found[2]))
@@ -230,7 +230,9 @@ def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[Mark]:
     found = []
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
         kept = answers.get(f"{step.name}/{item.found.exercise.name}", "")
-        typed, variant = kept.partition(" ")[2], item.variant
+        (seed, _, typed), variant = kept.partition(" "), item.variant
+        if seed != str(item.seed):  # the lessons have changed since
+            typed = ""
         found.append(Mark(item, typed, verdict_on(variant.question, variant.here, typed)))
     return found
 

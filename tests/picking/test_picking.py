@@ -284,9 +284,7 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
             in_front = set()
             for dx, dy in around:
                 face = first_hit(projection, triangles, (x + dx, y + dy))
-                in_front.add(
-                    face is not None and projection.trace(face).depth < trace.depth - 1e-6
-                )
+                in_front.add(face is not None and projection.trace(face).depth < trace.depth - 1e-6)
                 if len(in_front) == 2:
                     break
             hit = pick_in(scene, scene.start, sight, (x, y))

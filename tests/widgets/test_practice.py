@@ -28,8 +28,8 @@ from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
 from widgets.window.main_window import RECORD, MainWindow
 from widgets.window.overview import Overview
+from widgets.window.self_test import SelfTestDialog
 from widgets.window.settings import data_folder
-from widgets.window.test_dialog import TestDialog
 
 HEAD = """---
 title: {0}
@@ -100,7 +100,7 @@ def test_a_test_is_taken_by_keyboard_alone(
     card, menus = window.lesson_card, window.menus.lesson_menu
 
     def answer_dialog() -> None:
-        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, TestDialog))
+        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, SelfTestDialog))
         assert not dialog.begin.isEnabled()
         for box in dialog.findChildren(QCheckBox):
             QTest.keyClick(box, KEY.Key_Space)

@@ -59,8 +59,8 @@ from widgets.window.lesson_blocks.exercise import Practises
 from widgets.window.lesson_blocks.task import DONE, Tries
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
+from widgets.window.self_test_marks import SelfTestMarks
 from widgets.window.settings import Progress, Settings
-from widgets.window.test_marks import TestMarks
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
 WIDTH_EM = 31.0
@@ -579,7 +579,7 @@ class LessonCard(QFrame):
             partial(self.result_wanted.emit, marks),
         )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
-        self._show_end(TestMarks(marks), save, close)
+        self._show_end(SelfTestMarks(marks), save, close)
 
     def _show_end(self, said: QWidget, *ways: QPushButton) -> None:
         """Show a last page with its buttons, the first of which gets the focus."""

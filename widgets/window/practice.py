@@ -19,8 +19,8 @@ from app.lessons.practice import (
     drawn,
     exercises_of,
     find,
-    test_name,
-    test_of,
+    name_of_test,
+    named_test,
     to_review,
     topics,
 )
@@ -32,8 +32,8 @@ from widgets.parts.messages import sentence
 from widgets.parts.saving import ask_where
 from widgets.window.lesson_card import LessonCard
 from widgets.window.overview import Overview
+from widgets.window.self_test import SelfTestDialog
 from widgets.window.settings import Settings
-from widgets.window.test_dialog import TestDialog
 
 
 def review_text(count: int) -> str:
@@ -67,7 +67,7 @@ class Practice(QObject):
     @property
     def begun(self) -> str:
         """The name of the test that is not finished yet; empty if there is none."""
-        return next((name for name in self._settings.progress if test_of(name) is not None), "")
+        return next((name for name in self._settings.progress if named_test(name) is not None), "")
 
     def choose_test(self) -> None:
         """Ask for the topics of a test, and begin it."""
@@ -76,7 +76,7 @@ class Practice(QObject):
             for name, course in topics().items()
         }
         number = random.randint(1, LARGEST_SEED)
-        dialog = TestDialog(counts, number, self._window)
+        dialog = SelfTestDialog(counts, number, self._window)
         if dialog.exec():
             self.begin_test(dialog.topics, int(dialog.number.text()))
         dialog.deleteLater()
@@ -89,7 +89,7 @@ class Practice(QObject):
 
     def go_on(self) -> None:
         """Go on with the test that was begun."""
-        found = test_of(self.begun)
+        found = named_test(self.begun)
         if found is not None:
             self._play_test(*found)
 
@@ -102,7 +102,7 @@ class Practice(QObject):
         title = self.tr("Test {0}: {1}").format(number, said)
         items = drawn(names, number)
         if items:
-            self._card.play(Sheet(test_name(names, number), title, items, is_test=True))
+            self._card.play(Sheet(name_of_test(names, number), title, items, is_test=True))
         else:
             self._messages.say(self.tr("These topics have no exercises yet."))
 

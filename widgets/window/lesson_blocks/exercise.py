@@ -74,6 +74,8 @@ class Practises(BlockView):
 
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
+        if self.is_test and seed != self.seed.text():  # the lessons have changed since
+            return
         self.seed.setText(seed)
         if self._draw() and self.asked is not None:
             if self.is_test:

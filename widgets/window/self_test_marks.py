@@ -18,10 +18,8 @@ from widgets.parts.lesson_text import LessonText, answer_of
 from widgets.window.lesson_blocks.view import Sign, on_holder
 
 
-class TestMarks(QWidget):
+class SelfTestMarks(QWidget):
     """The marks of a test and its solutions."""
-
-    __test__ = False  # pytest would take it for a test
 
     def __init__(self, marks: Sequence[Mark]) -> None:
         super().__init__()
