@@ -127,7 +127,8 @@ def make_window(
 ) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives.
 
-    Edges stay as they are while one drags, unless a test is marked as `smooth`.
+    Edges stay as they are while one drags, and labels do not fade, unless a test is marked as
+    `smooth`.
     """
     from app.document.document import Document
     from app.scenes.scene import load
@@ -135,7 +136,8 @@ def make_window(
     from widgets.panes import adaptive
     from widgets.window.settings import Settings
 
-    if request.node.get_closest_marker("smooth") is None:
+    is_smooth = request.node.get_closest_marker("smooth") is not None
+    if not is_smooth:
         monkeypatch.setattr(adaptive, "AT_REST", "none")
     windows: list[Any] = []
 
@@ -143,6 +145,8 @@ def make_window(
         options.setdefault("settings", Settings(own_home / "settings.ini"))
         document = document or Document("letter-f", load("letter-f").start)
         windows.append(opened(document, **options))
+        for pane in windows[-1].panes.values() if not is_smooth else ():
+            pane.fades = lambda: False
         return windows[-1]
 
     def forget(window: Any) -> None:

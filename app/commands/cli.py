@@ -124,29 +124,35 @@ def _check_png(name: str, out: str) -> None:
 
 def _export(arguments: Sequence[str]) -> int:
     found, (out, *file) = parser_of("export").read(arguments)
-    _check_png("OUT", out)
+    if not out.lower().endswith((".png", ".svg", ".pdf")):
+        raise CliError(f"OUT = {out!r}: must end in .png, .svg or .pdf.")
+    has_pixels = out.lower().endswith(".png")
+    if not has_pixels and found.scale != 1.0:
+        raise CliError("--scale: is for .png; shapes are as fine at every scale.")
+    check_out("OUT", out)
     shown = file[0] if file else None
     document = document_of(shown, found.set)
     scene = load_scene(document.scene, document.mesh, shown)
     with importing():
-        from app.drawings.figures import TEXT, render, write_png
+        from app.drawings.figures import TEXT, render, write_png, write_shapes
         from app.drawings.style import DARK, LIGHT
     check_drawing()
     try:
-        pixels = render(
-            scene,
-            document.projection,
-            panes=found.panes.split(","),
-            size=found.size,
-            scale=found.scale,
-            transparent=found.transparent,
-            style=DARK if found.theme == "dark" else LIGHT,
-            view=document.view,
-            settings=document.settings,
-            quality=document.quality,
-            text_pt=found.text_size,
-        )
-        write_png(out, pixels, picture_json(document), found.scale)
+        options = {
+            "panes": found.panes.split(","),
+            "size": found.size,
+            "transparent": found.transparent,
+            "style": DARK if found.theme == "dark" else LIGHT,
+            "view": document.view,
+            "settings": document.settings,
+            "quality": document.quality,
+            "text_pt": found.text_size,
+        }
+        if not has_pixels:
+            write_shapes(out, scene, document.projection, **options)
+        else:
+            pixels = render(scene, document.projection, scale=found.scale, **options)
+            write_png(out, pixels, picture_json(document), found.scale)
     except Refusal as error:
         of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
         text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))

@@ -99,7 +99,14 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
 
     `screen_px` is the height of the screen that a class looks at; None for a window.
     """
-    from app.drawings.composition import CAPITAL, LEAST_FILL, LETTERS, MOST_LABELS
+    from app.drawings.composition import (
+        CAPITAL,
+        FULL,
+        LEAST_AREA,
+        LEAST_FILL,
+        LETTERS,
+        MOST_LABELS,
+    )
 
     for one, other in picture.overlaps:
         yield "overlap", f"“{one}” overlaps “{other}”."
@@ -109,8 +116,9 @@ def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, s
         wide, high = picture.fill
         yield (
             "empty",
-            f"what is drawn covers {wide:.0%} of the width and {high:.0%} of the height;"
-            f" at least {LEAST_FILL:.0%} of one of them.",
+            f"what is drawn covers {wide:.0%} of the width and {high:.0%} of the height; at least"
+            f" {LEAST_FILL:.0%} of one of them, and below {FULL:.0%} also {LEAST_AREA:.0%} of the"
+            " area.",
         )
     for text in picture.left_out:
         yield "hidden", f"“{text}” is named and not drawn: there is no place for it."

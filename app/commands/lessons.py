@@ -12,13 +12,14 @@ from app.commands.results import results
 from app.lessons.checking import Report
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
+from app.lessons.names import page
 from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
     """Do what the first argument says; return 1 if something is wrong with a lesson."""
     found, (what, *names) = parser_of("lesson").read(arguments)
-    one_of("lesson", what, ("check", "list", "print", "results"))
+    one_of("lesson", what, ("check", "list", "names", "print", "results"))
     if found.csv and what != "results":
         raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")
     if what == "print":
@@ -30,6 +31,9 @@ def lesson(arguments: Sequence[str]) -> int:
             raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
     if what == "results":
         return results(found, names)
+    if what == "names":
+        write_out(page())
+        return 0
     files = [file_of(name) for name in names] or list(contained())
     if what == "list":
         write_out(map(_line, files))

@@ -25,7 +25,7 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 SUMMARIES = {
-    "export": "draw a figure into a PNG picture, without a window or display",
+    "export": "draw a figure as PNG, SVG or PDF, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
@@ -271,8 +271,8 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the picture to write (.png), and the document, picture or mesh to draw "
-        "(default: the letter F)"
+        "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
+        "or mesh to draw (default: the letter F)"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -377,11 +377,12 @@ def _measure() -> Parser:
 def _lesson() -> Parser:
     text = (
         "check: try every state, answer key and sample of lessons and talks, and measure their "
-        "pictures (default: those that come with the program); list: list them; print: print "
-        "tests, see below; results: mark files of results again from what was typed, count the "
-        "wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001"
+        "pictures (default: those that come with the program); list: list them; names: "
+        "print every name that their files may use; print: print tests, see below; results: mark "
+        "files of results again from what was typed, count the wrong ideas, and list what no idea "
+        "explains. FILE may also be a name such as L5 or 001"
     )
-    parser = Parser("lesson", "check|list|print|results [FILE...]", text)
+    parser = Parser("lesson", "check|list|names|print|results [FILE...]", text)
     parser.add_argument(
         "--topics", metavar="L3,L5,...",
         help="of print: the topics, or files of lessons, whose exercises make the test",

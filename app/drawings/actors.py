@@ -63,10 +63,12 @@ vec4 inFront(vec4 end, vec4 other)
   if (end.w >= least || other.w < least) return end;
   return mix(end, other, (least - end.w) / (other.w - end.w));
 }"""
-_PAPER = 0.7  # share of the paper's colour in a pale silhouette
+PAPER = 0.7
+"""Share of the paper's colour in a pale silhouette."""
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
+_AT_THE_END = 0.99999  # of the same
 
 
 class Space:
@@ -207,6 +209,27 @@ class Canvas:
         layout(width_px, height_px)
 
 
+class FlatActor(vtkActor):
+    """An actor in flat colours, and what its shaders do, for figures without pixels.
+
+    Attributes
+    ----------
+    lift : float
+        How much nearer its vertices are, in NDC of the pane's own camera.
+    depth : float, optional
+        The depth in NDC at which all of it is drawn.
+    paper : (float, float, float), optional
+        The colour of which `PAPER` is mixed into its own.
+    is_shaded : bool
+        Whether shaders decide more than that: its picture is known only in pixels.
+    """
+
+    lift = 0.0
+    depth: float | None = None
+    paper: tuple[float, float, float] | None = None
+    is_shaded = False
+
+
 def identity_camera() -> vtkCamera:
     """Return a camera that takes clip coordinates as they are."""
     camera = vtkCamera()
@@ -217,7 +240,7 @@ def identity_camera() -> vtkCamera:
     return camera
 
 
-def unlit_actor(mesh: pv.PolyData) -> vtkActor:
+def unlit_actor(mesh: pv.PolyData) -> FlatActor:
     """Return an actor in flat colours, without bounds and light.
 
     ``cell_data["rgb"]``, uint8 (n, 3), colours the mesh if present. The mesh is not copied, so that
@@ -236,11 +259,17 @@ def unlit_actor(mesh: pv.PolyData) -> vtkActor:
         mapper.ScalarVisibilityOn()
     else:
         mapper.ScalarVisibilityOff()
-    actor = vtkActor()
+    actor = FlatActor()
     actor.SetMapper(mapper)
     actor.UseBoundsOff()
     actor.PickableOff()
     actor.GetProperty().LightingOff()
+    return actor
+
+
+def flat(actor: vtkActor) -> FlatActor:
+    """Return an actor, of which it is known that it is from `unlit_actor`."""
+    assert isinstance(actor, FlatActor)
     return actor
 
 
@@ -467,11 +496,12 @@ def make_pale(actors: Iterable[vtkActor], style: Style) -> None:
     """Mix the colours of actors with much of the paper's: a silhouette beside what matters."""
     red, green, blue = rgb(style.background)
     place = "//VTK::TCoord::Impl"
-    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {_PAPER})"
+    mixed = f"mix(gl_FragData[0].rgb, vec3({red}, {green}, {blue}), {PAPER})"
     for actor in actors:
         actor.GetShaderProperty().AddFragmentShaderReplacement(
             place, True, f"{place}\n  gl_FragData[0].rgb = {mixed};\n", False
         )
+        flat(actor).paper = red, green, blue
 
 
 def lift_lines(actor: vtkActor, steps: float = 1) -> None:
@@ -481,6 +511,7 @@ def lift_lines(actor: vtkActor, steps: float = 1) -> None:
     buffer, which suits a pane's camera with a tight clipping range; under the model's camera use
     `lifted`. Moving vertices costs nothing; VTK's own offset writes every fragment's depth.
     """
+    flat(actor).lift = _LIFT_STEP * steps
     _after_position(
         actor, f"{_KEEP_OFF_ZERO}\n  gl_Position.z -= {_LIFT_STEP * steps} * gl_Position.w;"
     )
@@ -488,12 +519,14 @@ def lift_lines(actor: vtkActor, steps: float = 1) -> None:
 
 def put_in_front(actor: vtkActor) -> None:
     """Draw an actor before everything else; its own points no longer hide one another."""
-    _after_position(actor, "gl_Position.z = -0.99999 * gl_Position.w;")
+    flat(actor).depth = -_AT_THE_END
+    _after_position(actor, f"gl_Position.z = {-_AT_THE_END} * gl_Position.w;")
 
 
 def put_behind(actor: vtkActor) -> None:
     """Draw an actor behind everything else: a tint that colours no face of the scene."""
-    _after_position(actor, "gl_Position.z = 0.99999 * gl_Position.w;")
+    flat(actor).depth = _AT_THE_END
+    _after_position(actor, f"gl_Position.z = {_AT_THE_END} * gl_Position.w;")
 
 
 def _cut_behind(actor: vtkActor) -> None:

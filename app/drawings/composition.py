@@ -15,18 +15,25 @@ import numpy as np
 from app.document.document import Document
 from app.document.settings import pictured
 from app.drawings import Words
+from app.drawings.drawing import Drawing
 from app.drawings.figures import drawn_pane
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, pieces_of
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
+from app.drawings.world import WorldDrawing
+from app.lecture.highlight import WINDOW
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
 MOST_LABELS = 7
 LEAST_FILL = 0.6
 """Of a pane's width or height: what the box round everything named covers at least."""
+LEAST_AREA, FULL = 0.35, 0.75
+"""Of a pane's area, what that box covers at least, unless it has `FULL` of the width or height:
+then it is as large as its shape allows, such as a low triangle in a high pane. It is not asked of
+flat views, which leave room for rows of lengths, and of a construction that has only begun."""
 LETTERS = 0.022, 0.03
 """Height of the capitals of words, relative to the height of a screen that a class looks at."""
 CAPITAL = 0.729
@@ -70,6 +77,8 @@ class Measured(NamedTuple):
         The labels that are wanted, and have no place.
     points : tuple of (str, (float, float))
         The labels of points, with the points in pixels from the left and the bottom.
+    needs_area : bool
+        Whether `LEAST_AREA` holds for the picture.
     """
 
     pane: str
@@ -79,6 +88,7 @@ class Measured(NamedTuple):
     fill: tuple[float, float]
     left_out: tuple[str, ...] = ()
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
+    needs_area: bool = True
 
     @property
     def covered(self) -> list[tuple[str, str]]:
@@ -120,7 +130,9 @@ class Measured(NamedTuple):
 
     @property
     def is_empty(self) -> bool:
-        return max(self.fill) < LEAST_FILL
+        longest, area = max(self.fill), self.fill[0] * self.fill[1]
+        is_thin = self.needs_area and longest < FULL and area < LEAST_AREA
+        return longest < LEAST_FILL or is_thin
 
 
 def measured(
@@ -186,9 +198,10 @@ def _measured(
             drawing.show_layers(view.layers | (_LEAVES - {"frustum"} if is_of_planes else _LEAVES))
             drawing.show_projection(of.projection, illustration)
             window.Render()
-            fill = _fill(_ink(pixels_of(window)), labels)
+            fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
+        needs_area = not drawing.fixed and (pane != "world" or view.step is None)
     on_ink = tuple(_under(bare_ink, each) for each in labels)
-    return Measured(pane, size_px, tuple(labels), on_ink, fill, left_out, points)
+    return Measured(pane, size_px, tuple(labels), on_ink, fill, left_out, points, needs_area)
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
@@ -215,11 +228,25 @@ def _under(ink: Array, label: Placed) -> float:
     return float(part.mean()) if part.size else 0.0
 
 
-def _fill(ink: Array, labels: list[Placed]) -> tuple[float, float]:
+def _window_in(drawing: Drawing, scene: Scene) -> Array:
+    """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
+    if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
+        return np.empty((0, 2))
+    if not drawing.names.wanted & {"near", *WINDOW}:
+        return np.empty((0, 2))
+    corners = drawing.frustum.corners[:4] + np.array(scene.origin)
+    spots = drawing.spots_of(corners)
+    return spots[np.isfinite(spots).all(axis=1)]
+
+
+def _fill(ink: Array, labels: list[Placed], spots: Array) -> tuple[float, float]:
+    """Of the width and height: the box round ink, labels and spots, (n, 2) from the top left."""
     height, width = ink.shape
     rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))
     x = [*columns[[0, -1]].tolist()] if len(columns) else []
     y = [*rows[[0, -1]].tolist()] if len(rows) else []
+    x += np.clip(spots[:, 0], 0, width).tolist()
+    y += np.clip(spots[:, 1], 0, height).tolist()
     for each in labels:
         x += np.clip([each.left, each.right], 0, width).tolist()
         y += np.clip([height - each.high, height - each.low], 0, height).tolist()

@@ -15,7 +15,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise, starmap
-from typing import Any
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont, PngImagePlugin
@@ -31,11 +31,14 @@ from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
-from app.drawings.label import font_file
+from app.drawings.label import Label, font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
+from app.drawings.pdf import pdf
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
+from app.drawings.svg import svg
+from app.drawings.vectors import Area, Shape, Stroke, Text, moved, shapes_of, within
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
@@ -146,14 +149,10 @@ def render(
     may use Qt's context for its own.
     """
     width, height = checked_size(projection.image_size, panes, size, scale)
-    text_pt = checked_text(projection.image_size, panes, size, text_pt)
-    style = replace(style, margin=style.background, font_size=text_pt * DPI / 72.0).enlarged(scale)
+    style = _styled(style, projection, panes, size, text_pt).enlarged(scale)
     if words is WORDS:
         words = Words(view.letters)
-    illustration = None
-    if scene.phenomenon is not None:
-        chosen = scene.phenomenon.checked(settings or {})
-        illustration = scene.phenomenon.illustration(projection, chosen, scene.subject)
+    illustration = _illustration(scene, projection, settings)
     scene = reduced(scene, quality.detail)
     edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
@@ -174,10 +173,76 @@ def render(
         size_px, framed = (right - left, height), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
-            parts.append(_compared(pane, document, scene, draw, size_px, framed, style, words))
+            compared = _compared_in(pane, document, scene, size_px, framed, style, words)
+            parts.append(_compared(compared, draw, style))
         else:
             parts.append(draw(projection, illustration, size_px, framed=framed)[0])
     return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+
+
+def _styled(
+    style: Style,
+    projection: Projection,
+    panes: Sequence[str],
+    size: tuple[int, int] | None,
+    text_pt: float | None,
+) -> Style:
+    text_pt = checked_text(projection.image_size, panes, size, text_pt)
+    return replace(style, margin=style.background, font_size=text_pt * DPI / 72.0)
+
+
+def _illustration(
+    scene: Scene, projection: Projection, settings: Mapping[str, Any] | None
+) -> Illustration | None:
+    if scene.phenomenon is None:
+        return None
+    chosen = scene.phenomenon.checked(settings or {})
+    return scene.phenomenon.illustration(projection, chosen, scene.subject)
+
+
+def shapes(
+    scene: Scene,
+    projection: Projection,
+    panes: Sequence[str] = PANES,
+    size: tuple[int, int] | None = None,
+    transparent: bool = False,
+    style: Style = LIGHT,
+    view: View = AS_EVER,
+    settings: Mapping[str, Any] | None = None,
+    quality: Quality = AUTOMATIC,
+    text_pt: float | None = None,
+) -> tuple[tuple[int, int], list[Shape]]:
+    """Return a figure's size in pixels and its shapes, from the back to the front.
+
+    The parameters are those of `render`. A `Refusal` also for too many shapes.
+    """
+    width, height = checked_size(projection.image_size, panes, size, 1.0)
+    style, words = _styled(style, projection, panes, size, text_pt), Words(view.letters)
+    illustration = _illustration(scene, projection, settings)
+    scene = reduced(scene, quality.detail)
+    draw = partial(
+        _shapes_of_pane, scene=scene, transparent=transparent, style=style, words=words, view=view,
+        quality=quality,
+    )  # fmt: skip
+    edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
+    found: list[Shape] = []
+    for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
+        size_px, framed = (right - left, height), len(panes) > 1
+        if pane == view.compares_in and view.compare:
+            document = Document(scene.name, projection, view=view, settings=settings or {})
+            compared = _compared_in(pane, document, scene, size_px, framed, style, words)
+            part = _compared_shapes(compared, partial(draw, pane), style)
+        else:
+            part = draw(pane, projection, illustration, size_px, framed=framed)[0]
+        found += (moved(shape, left, 0.0) for shape in part)
+    return (width, height), found
+
+
+def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
+    """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
+    size, found = shapes(scene, projection, **options)
+    write = pdf if path.lower().endswith(".pdf") else svg
+    write_bytes_atomically(path, write(found, size, size[0] / DPI * 25.4, scene.name))
 
 
 def write_png(
@@ -261,20 +326,30 @@ def checked_size(
     return round(asked["width"] * scale), round(asked["height"] * scale)
 
 
-def _compared(
+class _Compared(NamedTuple):
+    """How a pane shows several pictures: each with its projection, illustration and name."""
+
+    pane: str
+    shown: list[tuple[Projection, Illustration | None, str]]
+    places: list[tuple[int, int, int, int]]
+    """Left, top, width and height of each, if they are side by side."""
+    dividers: tuple[float, ...]
+    live: int
+    size: tuple[int, int]
+    """Without the lines of words below."""
+    framed: bool
+    lines: list[str]
+
+
+def _compared_in(
     pane: str,
     document: Document,
     scene: Scene,
-    draw: Callable[..., tuple[Pixels, tuple[float, float]]],
     size: tuple[int, int],
     framed: bool,
     style: Style,
     words: Mapping[str, str],
-) -> Pixels:
-    """The document's picture and those it is compared with, divided or side by side.
-
-    `draw` returns a pane's pixels, and where its picture begins and ends in them.
-    """
+) -> _Compared:
     pictures, dividers = document.view.compare, document.view.dividers
     phenomenon = scene.phenomenon
     settings = () if phenomenon is None else phenomenon.settings
@@ -286,42 +361,49 @@ def _compared(
     given = [name_of(document, picture) for picture in pictures]
     states = [pictured(document, picture).state for picture in pictures]
     names = names_in([words.get(name, name) for name in given], states, settings, written)
-    shown = []
-    for name, of in zip(names, states, strict=True):
-        illustration = None
-        if phenomenon is not None:
-            illustration = phenomenon.illustration(of.projection, of.settings, scene.subject)
-        shown.append((of.projection, illustration, name))
+    shown = [
+        (of.projection, _illustration(scene, of.projection, of.settings), name)
+        for name, of in zip(names, states, strict=True)
+    ]
     aspects = [projection.aspect for projection, _, _ in shown]
     is_divided = bool(dividers) and len(set(aspects)) == 1 and pane == "image"
     # A divided picture without a frame has no names.
-    ink = None
+    lines = list[str]()
     if framed or not is_divided:
         differing = in_words(pictures, states, settings, written)
-        ink = _in_words(", ".join(differing), size, style)
-    width, height = size[0], size[1] - (0 if ink is None else len(ink))
-    if not is_divided:
-        places = places_of(pane, width, height, aspects, style.font_size)
+        lines = _lines_of(", ".join(differing), size, style)
+    width, height = size[0], size[1] - _line_px(style) * len(lines)
+    places = [] if is_divided else places_of(pane, width, height, aspects, style.font_size)
+    live = next((place for place, picture in enumerate(pictures) if picture.live), 0)
+    return _Compared(
+        pane, shown, [*places], dividers if is_divided else (), live, (width, height), framed, lines
+    )
+
+
+def _compared(
+    compared: _Compared, draw: Callable[..., tuple[Pixels, tuple[float, float]]], style: Style
+) -> Pixels:
+    """The document's picture and those it is compared with, divided or side by side.
+
+    `draw` returns a pane's pixels, and where its picture begins and ends in them.
+    """
+    (width, height), shown = compared.size, compared.shown
+    ink = _in_words(compared.lines, width, style)
+    if not compared.dividers:
         drawn = [
             draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
-            for (*each, name), (_, _, wide, high) in zip(shown, places, strict=True)
+            for (*each, name), (_, _, wide, high) in zip(shown, compared.places, strict=True)
         ]
-        if pane == "world":
+        if compared.pane == "world":
             named = zip(drawn, shown, strict=True)
             drawn = [_titled(part, name, style) for part, (_, _, name) in named]
         whole = np.empty((height, width, drawn[0].shape[2]), np.uint8)
         whole[:] = drawn[0][0, 0]  # beside the pictures
-        for part, (left, top, wide, high) in zip(drawn, places, strict=True):
+        for part, (left, top, wide, high) in zip(drawn, compared.places, strict=True):
             whole[top : top + high, left : left + wide] = part
         return _with_words(whole, ink, style)
-    middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
-    layers = [
-        draw(projection, illustration, (width, height), framed=framed, caption=name, middle=middle)
-        for (projection, illustration, name), middle in zip(shown, middles, strict=True)
-    ]
-    live = next(place for place, picture in enumerate(pictures) if picture.live)
-    begin, end = layers[live][1]
-    edges = [0, *(round(begin + part * (end - begin)) for part in dividers), width]
+    layers = _layers(compared, draw)
+    edges = _edges(compared, layers[compared.live][1])
     whole = layers[0][0].copy()
     for (pixels, _), strip in zip(layers, starmap(slice, pairwise(edges)), strict=True):
         whole[:, strip] = pixels[:, strip]
@@ -332,10 +414,71 @@ def _compared(
     return _with_words(whole, ink, style)
 
 
+_Drawn = TypeVar("_Drawn")
+
+
+def _layers(
+    compared: _Compared, draw: Callable[..., tuple[_Drawn, tuple[float, float]]]
+) -> list[tuple[_Drawn, tuple[float, float]]]:
+    """The whole pictures of which a divided one shows strips."""
+    middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *compared.dividers, 1.0))]
+    return [
+        draw(*each, compared.size, framed=compared.framed, caption=name, middle=middle)
+        for (*each, name), middle in zip(compared.shown, middles, strict=True)
+    ]
+
+
+def _edges(compared: _Compared, ends: tuple[float, float]) -> list[int]:
+    begin, end = ends
+    inner = (round(begin + part * (end - begin)) for part in compared.dividers)
+    return [0, *inner, compared.size[0]]
+
+
+def _compared_shapes(
+    compared: _Compared,
+    draw: Callable[..., tuple[list[Shape], tuple[float, float]]],
+    style: Style,
+) -> list[Shape]:
+    """The shapes of `_compared`."""
+    (width, height), found = compared.size, list[Shape]()
+    line_px = _line_px(style)
+    if compared.dividers:
+        layers = _layers(compared, draw)
+        edges = _edges(compared, layers[compared.live][1])
+        for (part, _), (left, right) in zip(layers, pairwise(edges), strict=True):
+            found += within(part, left, right)
+        for x in edges[1:-1]:
+            ends = [(float(x), 0.0), (float(x), float(height))]
+            found.append(Stroke(ends, rgb(style.ink), 1.0, style.line_width))
+    for (*each, name), (left, top, wide, high) in zip(
+        compared.shown, compared.places, strict=False
+    ):
+        part = draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
+        if compared.pane == "world":
+            part.append(_line_of_text(name, wide / 2.0, line_px / 2.0, style))
+        found += (moved(shape, left, top) for shape in part)
+    ground = next((each for each in found if isinstance(each, Area)), None)
+    if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
+        low = height + line_px * len(compared.lines)
+        corners = [(0.0, 0.0), (float(width), 0.0), (float(width), low), (0.0, low)]
+        found.insert(0, ground._replace(rings=[corners]))
+    for number, text in enumerate(compared.lines):
+        found.append(_line_of_text(text, width / 2.0, height + (number + 0.5) * line_px, style))
+    return found
+
+
+def _line_of_text(text: str, x: float, y: float, style: Style) -> Text:
+    """A line of words round a point."""
+    label = Label(text, style, plain=True)
+    written = label.written
+    left, low = written.place
+    return Text(written, (x + left, y - low), written.em)
+
+
 def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
     """A picture with its name at the top, where a pane has its title."""
     height, width, _ = pixels.shape
-    ink = _in_words(text, (width, height), style)
+    ink = _in_words(_lines_of(text, (width, height), style), width, style)
     below = len(ink)
     colour = np.array([*(255.0 * part for part in rgb(style.ink)), 255.0])[: pixels.shape[2]]
     head = pixels[:below].astype(float)
@@ -343,9 +486,9 @@ def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
     return np.concatenate([np.round(head).astype(np.uint8), pixels[below:]])
 
 
-def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
+def _with_words(pixels: Pixels, ink: Array, style: Style) -> Pixels:
     """A picture with a band of text below it, on the same background."""
-    if ink is None or not len(ink):
+    if not len(ink):
         return pixels
     beside = pixels[0, 0].astype(float)
     colour = np.array([*(255.0 * part for part in rgb(style.ink)), 255.0])[: len(beside)]
@@ -353,11 +496,12 @@ def _with_words(pixels: Pixels, ink: Array | None, style: Style) -> Pixels:
     return np.concatenate([pixels, words])
 
 
-def _in_words(text: str, size: tuple[int, int], style: Style) -> Array:
-    """The differences of the pictures in words, as ink from 0 to 1, (n, width).
+def _line_px(style: Style) -> int:
+    return round(LINE_EM * style.font_size)
 
-    Whole lines, at most a quarter of the height; the rest is dropped. Empty without a difference.
-    """
+
+def _lines_of(text: str, size: tuple[int, int], style: Style) -> list[str]:
+    """Break a text into lines, at most a quarter of a height; the rest is dropped."""
     width, height = size
     font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
     room = width - 2.0 * BARE_EM * style.font_size
@@ -367,8 +511,13 @@ def _in_words(text: str, size: tuple[int, int], style: Style) -> Array:
             lines[-1] += f" {word}"
         else:
             lines.append(word)
-    line_px = round(LINE_EM * style.font_size)
-    lines = lines[: int(_MOST_WORDS * height / line_px)]
+    return lines[: int(_MOST_WORDS * height / _line_px(style))]
+
+
+def _in_words(lines: Sequence[str], width: int, style: Style) -> Array:
+    """Lines of text as ink from 0 to 1, (n, width)."""
+    font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
+    line_px = _line_px(style)
     band = Image.new("L", (width, line_px * len(lines)))
     for place, line in enumerate(lines):
         middle = width / 2.0, (place + 0.5) * line_px
@@ -405,11 +554,34 @@ def _render_pane(
         drawn = pixels_of(window)
         if seen is not None:
             seen(drawing, factor)
-        ends = (0.0, float(size[0]))
-        if isinstance(drawing, ImageDrawing):
-            place = drawing.picture_rectangle_px
-            ends = place.left / factor, (place.left + place.width) / factor
+        ends = _ends(drawing, size, factor)
     return _averaged(drawn, factor, transparent), ends
+
+
+def _shapes_of_pane(
+    pane: str,
+    projection: Projection,
+    illustration: Illustration | None,
+    size: tuple[int, int],
+    *,
+    scene: Scene,
+    framed: bool,
+    **options: Any,
+) -> tuple[list[Shape], tuple[float, float]]:
+    """A pane's shapes, and where its picture begins and ends in them."""
+    factor = _oversampling(size)
+    with drawn_pane(
+        pane, scene, projection, illustration, size, framed=framed, finer=factor, **options
+    ) as (window, drawing):
+        return shapes_of(window, factor), _ends(drawing, size, factor)
+
+
+def _ends(drawing: Drawing, size: tuple[int, int], factor: int) -> tuple[float, float]:
+    """Where a pane's picture begins and ends."""
+    if isinstance(drawing, ImageDrawing):
+        place = drawing.picture_rectangle_px
+        return place.left / factor, (place.left + place.width) / factor
+    return 0.0, float(size[0])
 
 
 @contextmanager

@@ -34,8 +34,9 @@ LARGER = 1.3
 _AMONG_WORDS = 1.12
 """Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
 HALO_EM = 0.14
-_HALO = 0.8  # its opacity: the tint of a plane shows through
-_UNDER_EM = 0.2
+HALO_OPACITY = 0.8
+"""The tint of a plane shows through."""
+UNDER_EM = 0.2
 _LOWERED = re.compile("[₀-₉]+")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
@@ -55,7 +56,7 @@ _TOKEN = re.compile(
 )
 
 
-class _Piece(NamedTuple):
+class Piece(NamedTuple):
     vertices: Array  # (n, 2), in em from its place on the line
     codes: NDArray[Any]
     width: float
@@ -114,7 +115,7 @@ def laid(text: str, plain: bool = False) -> Laid:
     placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = 1.0 if len(piece) > 1 and not is_tex else larger
-        drawn = _piece(piece, is_tex)
+        drawn = piece_of(piece, is_tex)
         placed.append((piece, is_tex, size, x))
         if len(drawn.vertices):
             left, low, right, high = (size * side for side in drawn.box)
@@ -124,27 +125,30 @@ def laid(text: str, plain: bool = False) -> Laid:
     return Laid(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
 
 
+def is_set_in_words(piece: str) -> bool:
+    """Whether a piece that is no formula is set in the font of words."""
+    return any(map(str.isalpha, piece)) or not _signs("STIXGeneral").issuperset(piece)
+
+
 @lru_cache(maxsize=1024)
-def _piece(text: str, is_tex: bool) -> _Piece:
+def piece_of(text: str, is_tex: bool) -> Piece:
     if is_tex:
         try:
             drawn = outline(text)
         except ValueError:
-            return _piece(f"${text}$", False)
-        return _Piece(drawn.vertices, drawn.codes, drawn.width)
+            return piece_of(f"${text}$", False)
+        return Piece(drawn.vertices, drawn.codes, drawn.width)
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
     reader: Any = TextToPath()
-    name = "STIXGeneral"
-    if any(map(str.isalpha, text)) or not _signs(name).issuperset(text):
-        name = "DejaVuSans"
+    name = "DejaVuSans" if is_set_in_words(text) else "STIXGeneral"
     text = "".join(sign if sign in _signs(name) else "\ufffd" for sign in text)
     font: Any = FontProperties(fname=font_file(name), size=_SIZE)
     width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
     vertices, codes = reader.get_text_path(font, text, ismath=False)
     points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _SIZE
-    return _Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
+    return Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
 def drawn(
@@ -166,7 +170,7 @@ def drawn(
     """
     label, rim = laid(text, plain), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
-    under = max(2, round(_UNDER_EM * em)) if underlined else 0
+    under = max(2, round(UNDER_EM * em)) if underlined else 0
     width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
     line = height - rim - under + math.floor(low)  # the row below which letters descend
     ink, around = np.zeros((2, height + 2, width + 2), dtype=np.uint8)
@@ -182,7 +186,7 @@ def drawn(
     if underlined:
         ink[height - rim - under // 2 : height - rim, rim : width - rim] = 255
     over = ink[:height, :width] / np.float32(255.0)
-    behind = around[:height, :width] / np.float32(255.0 / _HALO) * (1.0 - over)
+    behind = around[:height, :width] / np.float32(255.0 / HALO_OPACITY) * (1.0 - over)
     opacity = over + behind
     pixels = np.empty((height, width, 4), dtype=np.uint8)
     share = over / np.maximum(opacity, 1e-6)
@@ -205,7 +209,7 @@ def _tile(
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    drawn = _piece(piece, is_tex)
+    drawn = piece_of(piece, is_tex)
     if not len(drawn.vertices):
         empty = np.zeros((0, 0), dtype=np.uint8)
         return empty, empty, 0, 0
@@ -239,6 +243,24 @@ def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
     """Return the width and the height of a label's letters, without its halo."""
     left, low, right, high = laid(text, plain).box
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
+
+
+class Written(NamedTuple):
+    """A label as text: its pieces as of `Laid`, and where its line of writing begins, in pixels.
+
+    `place` is counted from the renderer's left and bottom; `turn` is in radians.
+    """
+
+    text: str
+    pieces: tuple[tuple[str, bool, float, float], ...]
+    widths: tuple[float, ...]
+    place: tuple[float, float]
+    turn: float
+    em: float
+    colour: str
+    halo: str
+    opacity: float
+    underlined: bool
 
 
 class LabelActor(vtkTexturedActor2D):
@@ -370,6 +392,21 @@ class Label:
         ):
             self._corners.SetPoint(i, cos * right - sin * up, sin * right + cos * up, 0.0)
         self._corners.Modified()
+
+    @property
+    def written(self) -> Written:
+        label = laid(self._text, self._plain)
+        left, low, _, _ = label.box
+        (x, y, turn), (to_right, to_top) = self._place, self._anchor
+        (wide, high), (cos, sin) = self.size_px, (math.cos(turn), math.sin(turn))
+        along = -(to_right + 1) / 2.0 * wide - left * self.em
+        up = -(to_top + 1) / 2.0 * high - low * self.em
+        place = x + cos * along - sin * up, y + sin * along + cos * up
+        widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
+        return Written(
+            self._text, label.pieces, widths, place, turn, self.em, self._tone,
+            self._style.background, self._opacity * self._light, self._underlined,
+        )  # fmt: skip
 
     @property
     def box_px(self) -> tuple[float, float, float, float]:

@@ -91,6 +91,7 @@ class Placed(NamedTuple):
     turn: float
     leader: tuple[Spot, Spot] | None
     kept: Kept
+    is_free: bool = True
 
 
 # --------------------------------------------------------------------------- candidates
@@ -295,16 +296,21 @@ class Ground:
 
 
 def place(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept] | None = None
+    wishes: Sequence[Wish],
+    ground: Ground,
+    kept: Mapping[Hashable, Kept] | None = None,
+    *,
+    patient: bool = False,
 ) -> dict[Hashable, Placed]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
-    from what moves. Only the others are placed anew.
+    from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
+    anyway, and say whether their places are free.
     """
     stays: dict[Hashable, Placed] = {}
     if kept:
-        stays = _stay(wishes, ground, kept)
+        stays = _stay(wishes, ground, kept, patient)
         wishes = [wish for wish in wishes if wish.key not in stays]
     choices = [(wish, wish.places()) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
@@ -320,9 +326,9 @@ def place(
 
 
 def _stay(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept]
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept], patient: bool
 ) -> dict[Hashable, Placed]:
-    """The labels whose kept places are still free; no other label may overlap them."""
+    """The labels whose kept places are still free, or all; no other label may overlap them."""
     found: dict[Hashable, Placed] = {}
     taken = ground.taken
     left_most, lowest, right_most, highest = ground.limits
@@ -337,16 +343,17 @@ def _stay(
         left, right = x + to_right - half_x, x + to_right + half_x
         low, high = y + up - half_y, y + up + half_y
         inside = left >= left_most and low >= lowest and right <= right_most and high <= highest
-        if not inside or any(
+        is_free = inside and not any(
             left < t_right and t_left < right and low < t_high and t_low < high
             for t_left, t_low, t_right, t_high in taken
-        ):
+        )
+        if not is_free and not (patient and math.isfinite(x + y)):
             continue
         taken.append((left, low, right, high))
         centre, leader = (x + to_right, y + up), None
         if was.leads:
             leader = _leader((x, y), centre, wish.size, ground.em)
-        found[wish.key] = Placed(centre, was.turn, leader, was)
+        found[wish.key] = Placed(centre, was.turn, leader, was, is_free)
     return found
 
 

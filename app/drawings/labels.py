@@ -19,6 +19,7 @@ from app.drawings.label_placement import (
     NOWHERE,
     Ground,
     Kept,
+    Placed,
     Places,
     Wish,
     along,
@@ -41,6 +42,8 @@ MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4
 """Half the width of what labels keep off at a point."""
+PATIENCE_S, FADE_S = 0.3, 0.12
+"""How long a label keeps a place that is not free, and how long it then takes to another one."""
 _LINE_EM = 0.14  # the width of the lines round the camera's body
 _MOST_INSIDE = 6  # places on a plane that are tried
 
@@ -60,10 +63,34 @@ class Board:
         self._labels: dict[Hashable, tuple[Label, Leader]] = {}
         self._wishes: list[Wish] = []
         self._kept: dict[Hashable, Kept] = {}
+        self.is_patient = False
+        """Whether labels wait for `pass_time` before they leave a place that is not free."""
+        self.is_soft = False
+        """Whether labels that are placed afresh fade to their new places, by `pass_time`."""
+        self._asked: tuple[list[Wish], Ground, int] | None = None
+        """What was settled last, while time matters, and how many boxes were taken before."""
+        self._waits: dict[Hashable, float] = {}
+        """The labels whose places are not free, and for how many seconds."""
+        self._fades: dict[Hashable, tuple[float, Kept | None]] = {}
+        """The labels on the way to other places, and for how many seconds."""
         self.left_out: list[str] = []
         """The texts of the labels that were wanted, and have no place."""
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
+
+    @property
+    def boxes(self) -> list[tuple[float, float, float, float]]:
+        """What is named: the visible labels and their points, from the pane's left and bottom.
+
+        Left, low, right and high, in pixels.
+        """
+        found, rim = [], DOT_EM * self.em
+        for label, _ in self._labels.values():
+            if label.actor.GetVisibility():
+                left, right, low, high = label.box_px
+                found.append((left, low, right, high))
+        found += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
+        return found
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
         """Return the label of a key, which is created when it is first asked for."""
@@ -100,20 +127,59 @@ class Board:
 
         If not `afresh`, labels stay where they are as long as possible.
         """
-        kept, taken = None if afresh else self._kept, len(ground.taken)
-        placed = place(self._wishes, ground, kept)
-        if any(wish.rank in (PLANE, TARGET) and wish.key not in placed for wish in self._wishes):
-            # The window's sides stand back: the planes and the target are named before them.
-            later = [wish._replace(rank=TARGET + 0.5) for wish in self._wishes if wish.rank == SIDE]
-            if later:
-                del ground.taken[taken:]
-                first = [wish for wish in self._wishes if wish.rank != SIDE]
-                placed = place([*first, *later], ground, kept)
+        self._asked = self._wishes, ground, len(ground.taken)
+        placed = self._place(None if afresh else self._kept)
+        goals = dict[Hashable, Kept | None]()
+        if afresh:
+            if self.is_soft:
+                goals = {
+                    key: placed[key].kept
+                    for key in placed.keys() & self._kept.keys()
+                    if _is_elsewhere(placed[key].kept, self._kept[key])
+                }
+            self._end_fades()
+        if goals:  # they begin where they are
+            old = {key: self._kept[key] for key in goals}
+            placed = self._place({key: each.kept for key, each in placed.items()} | old)
+            self._fades = {key: (0.0, goal) for key, goal in goals.items()}
         texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
         self._wishes = []
         before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
+        self._waits = {
+            key: self._waits.get(key, 0.0)
+            for key, each in placed.items()
+            if not each.is_free and key not in self._fades
+        }
+        for key in self._fades.keys() - placed.keys():
+            self._fade(key, 1.0)
+            del self._fades[key]
+        self._show(placed)
+        self._forget_asked()
+        return self._kept != before
+
+    def _forget_asked(self) -> None:
+        """Drop what refers to the drawing, and would keep it alive."""
+        if not self.is_restless:
+            self._asked = None
+
+    def _place(self, kept: Mapping[Hashable, Kept] | None) -> dict[Hashable, Placed]:
+        """Place what was asked for last."""
+        assert self._asked is not None
+        wishes, ground, taken = self._asked
+        del ground.taken[taken:]
+        placed = place(wishes, ground, kept, patient=self.is_patient)
+        if any(wish.rank in (PLANE, TARGET) and wish.key not in placed for wish in wishes):
+            # The window's sides stand back: the planes and the target are named before them.
+            later = [wish._replace(rank=TARGET + 0.5) for wish in wishes if wish.rank == SIDE]
+            if later:
+                del ground.taken[taken:]
+                first = [wish for wish in wishes if wish.rank != SIDE]
+                placed = place([*first, *later], ground, kept, patient=self.is_patient)
+        return placed
+
+    def _show(self, placed: Mapping[Hashable, Placed]) -> None:
         for key, (label, leader) in self._labels.items():
             found = placed.get(key)
             label.set_visible(found is not None)
@@ -122,7 +188,60 @@ class Board:
                 label.set_position(*found.centre, found.turn)
                 if found.leader is not None:
                     leader.join(*found.leader)
-        return self._kept != before
+
+    # -- in time
+
+    @property
+    def is_restless(self) -> bool:
+        """Whether `pass_time` has anything to do."""
+        return bool(self._waits or self._fades)
+
+    def pass_time(self, seconds: float) -> bool:
+        """Move labels that have waited long enough, and fade them; return whether that is seen.
+
+        If the board is not `is_soft`, they move without fading.
+        """
+        self._waits = {key: waited + seconds for key, waited in self._waits.items()}
+        late = {key for key, waited in self._waits.items() if waited >= PATIENCE_S}
+        if late:
+            placed = self._place({k: each for k, each in self._kept.items() if k not in late})
+            for key in late:
+                del self._waits[key]
+                self._fades[key] = -seconds, placed[key].kept if key in placed else None
+        is_seen, arrived = bool(self._fades), False
+        for key, (before, goal) in list(self._fades.items()):
+            now = before + seconds if self.is_soft else FADE_S
+            if before < FADE_S / 2.0 <= now:
+                arrived = True
+                self._kept.pop(key, None)
+                if goal is not None:
+                    self._kept[key] = goal
+            self._fades[key] = now, goal
+            self._fade(key, min(1.0, abs(2.0 * now / FADE_S - 1.0)))
+            if now >= FADE_S:
+                del self._fades[key]
+        if arrived:
+            placed = self._place(self._kept)
+            self._kept = {key: each.kept for key, each in placed.items()}
+            self._show(placed)
+        self._forget_asked()
+        return is_seen
+
+    def _fade(self, key: Hashable, light: float) -> None:
+        label, leader = self._labels[key]
+        light *= self._canvas.labels_light
+        label.fade(light)
+        leader.actor.GetProperty().SetOpacity(light)
+
+    def _end_fades(self) -> None:
+        for key in self._fades:
+            self._fade(key, 1.0)
+        self._fades = {}
+
+
+def _is_elsewhere(place: Kept, other: Kept) -> bool:
+    apart = math.dist(place.offset, other.offset) + abs(place.turn - other.turn)
+    return place.spot != other.spot or apart > 1.0
 
 
 class Named(NamedTuple):

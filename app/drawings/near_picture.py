@@ -2,8 +2,8 @@
 
     local_from_film . flatten . clip_from_local
 
-where flatten squeezes all depths into a thin slab at the near face, on the viewer's side, so that
-nearer objects stay in front.
+where flatten lays all depths onto the near face. What is nearer is then moved a little towards the
+pane's camera, so that it stays in front: along a line of sight no pixel moves.
 """
 
 from __future__ import annotations
@@ -23,11 +23,14 @@ from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
 
 SLAB = 0.005
-"""Thickness of the picture on the near plane, relative to near (parallel lens: the reach)."""
+"""Thickness of the picture on the near plane, relative to near, with a parallel lens to the reach,
+under a free matrix to the picture's diagonal."""
 
 _MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
 _LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
 _LEAST_PX = 1.5
+_AT_EYE = 1e-12  # of the scene's extent
+_EDGE_ON = 1e-3  # sine of the angle between the near plane and a line of sight
 
 
 class NearPicture:
@@ -51,24 +54,27 @@ class NearPicture:
         lens, reach, depths = projection.lens, frustum.reach, standing.depths
         left_bottom, right_top = frustum.corners[0], frustum.corners[2]
         px = pane.unit(math.dist(pane.eye, left_bottom))
-        seen = math.dist(left_bottom, right_top) > _LEAST_PX * px
+        across = math.dist(left_bottom, right_top)
+        seen = across > _LEAST_PX * px and not _is_edge_on(frustum.corners[:4], pane)
         if reach is None:
             seen = seen and projection.frustum_sign > 0
         else:
             seen = (
                 seen and reach.near_break is None and depths[1] > lens.near and depths[0] < lens.far
             )
+        # From the eye itself the picture covers the scene exactly, and is left out.
+        seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
         for actor in self.actors:
             self._canvas.set_visible(actor, seen)
         if not seen:
             return
+        thick = across if reach is None else reach.high if lens.parallel else lens.near
+        toward = SLAB * thick * toward_viewer(pane, frustum.corners[:4].mean(axis=0))
         if reach is None:
-            film = flatten_free(projection, standing.origin, pane.eye)
+            film = flatten_free(projection, standing.origin, toward)
         else:
-            away = pane.eye - standing.eye
-            from_eye_side = float(away @ standing.camera.frame[2]) > -reach.near
             view = standing.view_from_local, standing.local_from_view
-            film = flatten(projection, view, depths, reach.high, toward_eye=from_eye_side)
+            film = flatten(projection, view, depths, reach.high, toward)
         self.space.set(film.surface @ local_from_object)
         self._lines_space.set(film.lines @ local_from_object)
         self._ground_space.set(film.lines)
@@ -85,24 +91,39 @@ class Film(NamedTuple):
     planes: Array  # (6, 4): left, right, bottom, top, near, far; a x + b y + c z + d >= 0
 
 
+def toward_viewer(pane: PaneView, place: Array) -> Array:
+    """Return the way from a place to the pane's camera, homogeneous, for a step of length 1."""
+    if pane.flat:
+        return np.array([*-pane.axes[2], 0.0])
+    return np.array([*pane.eye, 1.0]) / math.dist(pane.eye, place)
+
+
+def _is_edge_on(face: Array, pane: PaneView) -> bool:
+    """Whether a face, (4, 3), is seen as a line."""
+    normal = np.cross(face[1] - face[0], face[3] - face[0])
+    sight = pane.axes[2] if pane.flat else face.mean(axis=0) - pane.eye
+    lengths = float(np.linalg.norm(normal) * np.linalg.norm(sight))
+    return not abs(float(normal @ sight)) > _EDGE_ON * lengths
+
+
 def flatten(
     projection: Projection,
     view: tuple[Array, Array],
     depths: tuple[float, float],
     reach: float,
-    *,
-    toward_eye: bool,
+    toward: Array,
 ) -> Film:
-    """Squeeze the scene into a thin slab at the near face, every point along its ray to the eye.
+    """Lay the scene onto the near face, every point along its ray to the lens's eye.
 
     `view` are view from scene-local coordinates, (4, 4), and back. `depths` are the least and
     largest distance of anything in the scene from the eye plane, in front (+) or behind (-); the
-    slab's thickness is spent on them. A parallel lens' slab is proportional to the length `reach`.
-    `toward_eye` is the side of the near plane. Seen from its own side the nearest is on top: from
-    behind, a picture is its mirror image, not the things' back sides.
+    picture's thickness is spent on them. `reach` is the length of a parallel lens' drawn volume.
+    `toward` is how far the nearest things are moved to the viewer, homogeneous, (4,); see
+    `toward_viewer`. From behind, a picture is its mirror image, not the things' back sides.
 
     In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
-    ``flatten: z' = w +- slab z``; x, y and w stay, so that each point keeps its ray.
+    ``flatten: z' = w``; x, y and w stay, so that each point keeps its ray. Then
+    ``p' = p + z toward``, which is on the line of sight through p.
     """
     lens = projection.lens
     near, far = lens.near, lens.far
@@ -115,20 +136,17 @@ def flatten(
     film = matrices_between(projection, near, film_end)
     film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
     side_planes = _side_planes(projection) @ view_from_local
-    side = 1.0 if toward_eye else -1.0
-    return _film(clip_from_local, film_from_local, local_from_film, side_planes, side)
+    return _film(clip_from_local, film_from_local, local_from_film, side_planes, toward)
 
 
-def flatten_free(projection: Projection, origin: Array, pane_eye: Array) -> Film:
-    """`flatten` under a free matrix: onto the cube's near face, on the viewer's side."""
+def flatten_free(projection: Projection, origin: Array, toward: Array) -> Film:
+    """`flatten` under a free matrix: onto the cube's near face."""
     reversed_range = projection.with_depth("reversed")
     clip_from_local = reversed_range.clip_from_world_at(origin)
     local_from_clip = reversed_range.world_from_clip_at(origin)
-    z, w = clip_from_local[2:] @ (*pane_eye, 1.0)
-    side = 1.0 if w <= 0.0 or z > w else -1.0
     x, y, _, w = clip_from_local
     side_planes = np.array([w + x, w - x, w + y, w - y])
-    return _film(clip_from_local, clip_from_local, local_from_clip, side_planes, side)
+    return _film(clip_from_local, clip_from_local, local_from_clip, side_planes, toward)
 
 
 def _film(
@@ -136,22 +154,24 @@ def _film(
     film_from_local: Array,
     local_from_film: Array,
     side_planes: Array,
-    side: float,
+    toward: Array,
 ) -> Film:
-    """The slab on one side of the near face, 1 toward the eye, between four planes, (4, 4)."""
-    squeeze = np.eye(4)
-    squeeze[2] = 0.0, 0.0, side * SLAB, 1.0
-    lifted = squeeze.copy()
-    lifted[2, 3] += side * SLAB * _LINES_IN_FRONT
-    z, w = film_from_local[2:]
-    planes = np.vstack([side_planes, SLAB * w - side * (z - w), side * (z - w)])
+    """The picture between four planes, (4, 4), which are right on the near face."""
+    flat = np.eye(4)
+    flat[2] = 0.0, 0.0, 0.0, 1.0
+    scale = float(local_from_film[3, 2:].sum())  # of a point in the middle of the near face
+    z, w = clip_from_local[2:]
+    surface = local_from_film @ flat @ clip_from_local + scale * np.outer(toward, z)
+    lines = surface + _LINES_IN_FRONT * scale * np.outer(toward, w)
+    # On the near face the plane `face` is 0, so that it measures how far a point was moved.
+    face, film_w = film_from_local[2] - film_from_local[3], film_from_local[3]
+    away = float(face @ toward)
+    depth = face / (scale * away)
+    sides = side_planes - np.outer(side_planes @ toward / away, face)
+    planes = np.vstack([sides, film_w - float(film_w @ toward) / away * face - depth, depth])
     planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
     planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
-    return Film(
-        normalised(local_from_film @ squeeze @ clip_from_local),
-        normalised(local_from_film @ lifted @ clip_from_local),
-        planes,
-    )
+    return Film(normalised(surface), normalised(lines), planes)
 
 
 def _side_planes(projection: Projection) -> Array:

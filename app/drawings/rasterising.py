@@ -35,7 +35,14 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import Canvas, Space, colour_by_points, identity_camera, unlit_actor
+from app.drawings.actors import (
+    Canvas,
+    Space,
+    colour_by_points,
+    flat,
+    identity_camera,
+    unlit_actor,
+)
 from app.drawings.moved_vertices import PLACE
 from app.drawings.off_screen import pixels_of
 from app.drawings.style import LIGHT, Style, rgb
@@ -230,6 +237,7 @@ class Rasteriser:
         for kind, place, text in parts:
             add = getattr(shader, f"Add{kind}ShaderReplacement")
             add(place, True, f"{place}\n{text}", False)
+        flat(actor).is_shaded = True
         self._shader_parts.append((actor, space, parts))
         itself = weakref.ref(self)  # or mapper and rasteriser would keep each other alive
 
@@ -247,6 +255,7 @@ class Rasteriser:
             return
         self.refused = True
         for actor, _, parts in self._shader_parts:
+            flat(actor).is_shaded = False
             shader = actor.GetShaderProperty()
             for kind, place, _ in parts:
                 getattr(shader, f"Clear{kind}ShaderReplacement")(place, True)
@@ -451,12 +460,12 @@ def counted_wrong_share(
     plain = scene.surface.copy(deep=False)
     plain.clear_cell_data()
     for matrix, colour in zip((np.eye(4), back @ behind @ shift), (_RED, _BLUE), strict=True):
-        actor, space = unlit_actor(plain), Space()
-        actor.GetProperty().SetColor(*colour)
-        space.add(actor)
+        face, space = unlit_actor(plain), Space()
+        face.GetProperty().SetColor(*colour)
+        space.add(face)
         space.set_projective(clip_from_local @ matrix)
-        renderer.AddViewProp(actor)
-        actors.append((actor, space))
+        renderer.AddViewProp(face)
+        actors.append((face, space))
     rasteriser = Rasteriser(scene, LIGHT, {"depth"}, renderer.AddViewProp, actors[0], actors[1:])
     rasteriser.show(Rendering(buffer=buffer), seen)
 

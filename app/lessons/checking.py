@@ -11,11 +11,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from app.document.naming import nameable
+from app.document.view import EVERYTHING, PANES
 from app.lessons.blocks.block import Trial, of_kind
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.course import Course
+from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
+from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -33,11 +36,14 @@ TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
+NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
+NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step can name")
 NO_LINKS = QT_TRANSLATE_NOOP(
     "Refusal", "has a picture or a link, which a lesson shows as it is typed"
 )
 _CODE = re.compile(r"(`+).+?\1|\\[$\[\]<]", re.DOTALL)
 _LINK = re.compile(r"!?\[[^\]\n]*\]\([^)\n]*\)|<(?:https?:|mailto:)[^>\n]*>|<(?:img|a)\s[^>\n]*>")
+_HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>")
 
 
 @dataclass
@@ -90,6 +96,7 @@ def _check(course: Course, trial: Trial) -> None:
         is_possible = len(trial.wrong) == before
         _check_texts(step, trial)
         if is_possible:  # nothing can be computed from an impossible state
+            _check_view(course, place, trial)
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)
@@ -104,6 +111,21 @@ def _count(steps: Sequence[Step], trial: Trial) -> None:
     ):
         if len(some) > most:
             trial.complain(refused(some[most].line, said, most + 1, most))
+
+
+def _check_view(course: Course, place: int, trial: Trial) -> None:
+    """Report a name of the step's own state that no pane can draw."""
+    state = course.lesson.steps[place].state
+    line = (
+        next((at for at, text in state.values if path_of(text) == "view.names"), 0) if state else 0
+    )
+    document = course.shown(place).document
+    if line and document.view.names not in (None, EVERYTHING):
+        scene = scene_of(document)
+        drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in PANES))
+        for name in document.view.names:
+            if name not in drawn:
+                trial.complain(refused(line, NOT_NAMED, name))
 
 
 def _check_texts(step: Step, trial: Trial) -> None:
@@ -129,9 +151,11 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
     for number, words in enumerate(MATH.sub("", bare).split("\n"), line):
         if "$" in words:
             trial.complain(refused(number, UNCLOSED, value=words.strip()[:60]))
-        link = _LINK.search(words)
+        link, html = _LINK.search(words), _HTML.search(words)
         if link is not None:
             trial.complain(refused(number, NO_LINKS, value=link[0][:60]))
+        elif html is not None:
+            trial.complain(refused(number, NO_HTML, value=html[0][:60]))
 
 
 def _problem_of_tex(tex: str) -> str:

@@ -183,7 +183,7 @@ class AtStep:
         given: Mapping[str, float] | None = None,
     ) -> None:
         self.course, self.place = course, place
-        self._own, self._given = own, given or {}
+        self._own, self.given = own, given or {}
 
     @property
     def step(self) -> Step:
@@ -217,11 +217,15 @@ class AtStep:
         return AtStep(self.course, self.place, own, given)
 
     def quantities(self, now: Document | None = None, view: View | None = None) -> Quantities:
-        own, given = self.document, self._given
-        before = Quantities(own, lambda: scene_of(own), given=given)
         if now is None:
-            return before
-        return Quantities(now, lambda: scene_of(now), view, before, given)
+            return self._known
+        return Quantities(now, lambda: scene_of(now), view, self._known, self.given)
+
+    @cached_property
+    def _known(self) -> Quantities:
+        """The quantities of the own state: a question asks for several."""
+        own = self.document
+        return Quantities(own, lambda: scene_of(own), given=self.given)
 
 
 def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:

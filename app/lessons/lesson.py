@@ -10,7 +10,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
@@ -167,7 +167,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
     ----------
     path : path
     complain : callable, optional
-        Receives the refusal of every faulty step; the lesson then lacks these steps.
+        Receives the refusal of every faulty block and step; the lesson then lacks these.
     """
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
@@ -287,17 +287,22 @@ def _steps(
 ) -> tuple[Step, ...]:
     steps: list[Step] = []
     names: dict[str, int] = {}
+
+    def at_fault(error: Refusal) -> None:
+        if complain is None:
+            raise error
+        error.file = str(path)
+        complain(error)
+
     for group, _ in _groups(lines, first):
         try:
             if group:
-                step = _StepReader(lines, first, group).step()
-                _claim(names, step.name, step.line)
-                steps.append(step)
+                step = _StepReader(lines, first, group, at_fault).step()
+                if step is not None:
+                    _claim(names, step.name, step.line)
+                    steps.append(step)
         except Refusal as error:
-            if complain is None:
-                raise
-            error.file = str(path)
-            complain(error)
+            at_fault(error)
     if not steps and complain is None:
         raise refused(first, NO_STEPS)
     return tuple(steps)
@@ -343,21 +348,42 @@ def _line(token: Token, first: int) -> int:
 class _StepReader:
     """Reads one step from its tokens."""
 
-    def __init__(self, lines: Sequence[str], first: int, tokens: Sequence[Token]) -> None:
+    def __init__(
+        self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: Complain
+    ) -> None:
         self._lines, self._first, self._tokens = lines, first, tokens
+        self._complain = complain
+        self._lacking: list[str] = []
+        """The kinds of the blocks that cannot be read."""
         self._names: dict[str, int] = {}
         self._blocks: list[Block] = []
         self._words: list[Token] = []
 
-    def step(self) -> Step:
+    def step(self) -> Step | None:
+        """Return the step with the blocks that can be read; None if its state cannot be."""
         name, title, line = self._heading()
         for token in self._tokens[1:]:
             self._take(token)
         self._end_words()
         step = Step(name, title, line, tuple(self._blocks))
-        for block in step.blocks:
+        for block in step.blocks if not self._lacking else ():
             block.check_names([part.name for part in step.asked])
-        return step
+        return step if not self._lacking else self._without_samples(step)
+
+    def _without_samples(self, step: Step) -> Step | None:
+        """Return the step without samples of blocks that it lacks; None if it lacks its state."""
+        if ShownState.kind in self._lacking:
+            return None
+        names = [part.name for part in step.asked]
+        return replace(
+            step,
+            blocks=tuple(
+                replace(block, samples=tuple(s for s in block.samples if s.block in names))
+                if isinstance(block, Samples)
+                else block
+                for block in step.blocks
+            ),
+        )
 
     def _heading(self) -> tuple[str, str, int]:
         heading = self._tokens[0]
@@ -386,11 +412,21 @@ class _StepReader:
                 self._words.append(token)
             return
         self._end_words()
+        try:
+            self._blocks.append(self._read(token, kind, given.strip(), line))
+        except Refusal as error:
+            self._lacking.append(kind)
+            self._complain(error)
+
+    def _read(self, token: Token, kind: str, given: str, line: int) -> Block:
+        if kind not in KINDS:
+            near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
+            raise refused(line, NO_BLOCK, kind, near)
         cls = KINDS[kind]
         if cls.once and of_kind(self._blocks, cls):
             raise refused(line, ONLY_ONCE, kind)
-        name = self._name(given.strip(), kind, line) if cls.asks else ""
-        self._blocks.append(cls.read(Body(kind, name, line, self._body(token))))
+        name = self._name(given, kind, line) if cls.asks else ""
+        return cls.read(Body(kind, name, line, self._body(token)))
 
     def _end_words(self) -> None:
         if self._words:
@@ -400,9 +436,6 @@ class _StepReader:
             self._words = []
 
     def _check_fence(self, token: Token, line: int, kind: str) -> None:
-        if kind and kind not in KINDS:
-            near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
-            raise refused(line, NO_BLOCK, kind, near)
         assert token.map is not None
         for number, text in self._body(token):  # its end is missing, or it is itself an end
             begun = _BLOCK.match(text)

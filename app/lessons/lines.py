@@ -124,7 +124,11 @@ class Items(tuple[Item, ...]):
         """Return every sentence for the student that may contain formulas, with its line."""
         own = [(item.line, item.text) for item in self if item.key in ("why", "hint", "done")]
         below = [each for item in self for each in item.below if each.key == "says"]
-        return (*own, *((each.line, each.text) for each in below))
+        found = *own, *((each.line, each.text) for each in below)
+        for line, text in found:
+            if not text:
+                raise refused(line, LACKS, "a text")
+        return found
 
 
 class Body(NamedTuple):

@@ -56,8 +56,12 @@ _LITERAL = re.compile(rf"([-+]?)({_DECIMAL})(?:(?:e|[*x×]10\^)([-+]?[0-9]+))?")
 _MIXED = re.compile(r"(-?)([0-9]+) +([0-9]+)/([0-9]+)")
 _THOUSANDS = re.compile(r"(?<![0-9.,])[0-9]{1,3}(?: [0-9]{3})+(?![0-9])")
 _RAISED = re.compile("[⁺⁻⁰¹²³⁴-⁹]+")
+_RATIO = re.compile(r"(?<=[0-9]) *: *(?=[0-9])")
 _SAME = str.maketrans({"−": "-", "·": "*", "∙": "*", "\u22c5": "*", "\u2044": "/", "\u2215": "/"})
+_DEGREE = str.maketrans("º˚", "°°")
+"""Signs on keyboards that look like the one of degrees."""
 _REWRITTEN = (
+    (re.compile(r"\barc(?=sin|cos|tan)"), "a"),
     (re.compile(rf"(?:√|sqrt) *({_DECIMAL})"), r"sqrt(\1)"),
     (re.compile("√"), "sqrt"),
     (re.compile("π"), "pi"),
@@ -83,6 +87,8 @@ _UNITS: dict[str, tuple[str, Fraction]] = {
     "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
 }  # fmt: skip
 """What each unit measures, and how much of it one is."""
+UNITS = tuple(_UNITS)
+"""The units that are converted, as they are typed."""
 
 
 class Typed(NamedTuple):
@@ -128,13 +134,15 @@ def read(text: str, unit: str = "") -> Typed:
 def _in_one_line(text: str) -> str:
     """Return the text in lower case with plain signs, spaces, fractions and decimal points."""
     text = _RAISED.sub(lambda raised: "^" + unicodedata.normalize("NFKC", raised[0]), text)
-    text = "".join(
-        f" {part}" if unicodedata.decomposition(part).startswith("<fraction>") else part
-        for part in text
-    )
+    letters = list(text.translate(_DEGREE).lstrip("=≈~ "))
+    for at, part in enumerate(letters):
+        if unicodedata.decomposition(part).startswith("<fraction>"):  # ½, of its own: 1½, √½
+            letters[at] = f"({part})" if letters[at - 1 : at] == ["√"] else f" {part}"
+    text = "".join(letters)
     text = unicodedata.normalize("NFKC", text).translate(_SAME).lower()
     text = "".join("-" if unicodedata.category(part) == "Pd" else part for part in text)
     text = _THOUSANDS.sub(lambda group: group[0].replace(" ", ""), " ".join(text.split()))
+    text = _RATIO.sub("/", text)
     text = re.sub(r"(?<![0-9]),(?=[0-9])|(?<=[0-9]),(?=[0-9]|\b|$)", ".", text)
     return re.sub(r"^([-+]?)10 *\^", r"\g<1>1*10^", text)
 

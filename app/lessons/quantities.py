@@ -14,6 +14,7 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -25,6 +26,7 @@ from app.model import formula
 from app.model.formula import Arithmetic, Formula
 from app.model.infinity import trace_at_infinity
 from app.model.limits import Row
+from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.readout import Reading
@@ -209,12 +211,11 @@ class Quantities:
             return self._reading(name.removeprefix("reading_"))
         if name.startswith("settings_"):
             return self._setting(name.removeprefix("settings_"))
-        if name in self._matrices:
-            return self._matrices[name]
         space, _, part = name.partition("_")
         if part in _SPACES.get(space, ()):
             return lambda number=1: self._coordinate(number, space, part)
-        return None
+        stage = self._stages.get(name) or self._direct_stages.get(name)
+        return stage.matrix if stage is not None else None
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -222,18 +223,28 @@ class Quantities:
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self.readings]
-        return (*self._given, *_SIMPLE, *probes, *self._matrices, *settings, *readings)
+        return (
+            *self._given,
+            *_SIMPLE,
+            *probes,
+            *self._stages,
+            *self._direct_stages,
+            *settings,
+            *readings,
+        )
 
     @property
     def projection(self) -> Projection:
         return self.document.projection
 
-    @property
-    def _matrices(self) -> dict[str, Array]:
-        projection = self.projection
-        return {
-            stage.name: stage.matrix for stage in (*projection.stages, *projection.direct_stages)
-        }
+    @cached_property
+    def _stages(self) -> dict[str, Stage]:
+        return {stage.name: stage for stage in self.projection.stages}
+
+    @cached_property
+    def _direct_stages(self) -> dict[str, Stage]:
+        """Return the products of stages; they are made only for a name that needs them."""
+        return {stage.name: stage for stage in self.projection.direct_stages}
 
     def _setting(self, name: str) -> Any:
         settings: Mapping[str, Any] = self.document.settings

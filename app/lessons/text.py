@@ -17,8 +17,8 @@ if TYPE_CHECKING:
     from markdown_it import MarkdownIt
     from markdown_it.rules_inline import StateInline
 
-FORMULA = "\ue000"
-"""Placeholder for a formula in the HTML."""
+FORMULA, DISPLAYED = "\ue000", "\ue001"
+"""Placeholders in the HTML: for a formula in a line, and for one on a line of its own."""
 FONT = "stix"
 """A font of mathtext that goes with any text."""
 DEEPEST = 12
@@ -26,8 +26,11 @@ DEEPEST = 12
 WIDEST = 400
 """Largest width of a formula, in em."""
 _EM = 100.0
+_SCRIPTS = re.compile(r"([_^]?\{|\}|\\frac)")
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
-_ALONE = re.compile(rf"<p>((?:{FORMULA}\s*)+)</p>")
+_ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
+_APART = re.compile(rf"<p>((?:(?!</p>).)*{DISPLAYED}(?:(?!</p>).)*)</p>", re.DOTALL)
+_ROW = re.compile(rf"((?:{DISPLAYED}\s*)+[.,;:]?)")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
 
 
@@ -151,22 +154,46 @@ def _refuse(warning: logging.LogRecord) -> bool:
 
 
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:
-    """Return a text as HTML, with `FORMULA` for each formula, and the TeX of the formulas.
+    """Return a text as HTML, with placeholders for the formulas, and the TeX of the formulas.
 
-    A formula may be broken at a ``\\quad``: then it counts as several. A table without headings,
-    such as a matrix, has no heading row.
+    A formula between double dollars stands on its own line. A formula may be broken at a
+    ``\\quad``: then it counts as several. A table without headings, such as a matrix, has no
+    heading row.
     """
     found: list[str] = []
 
     def math(tokens: Any, place: int, _options: Any, _environment: Any) -> str:
         pieces = _pieces(tokens[place].content, tokens[place].markup == "$$")
         found.extend(pieces)
-        return " ".join(FORMULA for _ in pieces)
+        return " ".join((DISPLAYED if tokens[place].markup == "$$" else FORMULA) for _ in pieces)
 
     reader = markdown()
     reader.add_render_rule("math", lambda _self, *given: math(*given))
-    html = _NO_HEAD.sub("", str(reader.render(text.replace(FORMULA, "\ufffd"))))
+    text = re.sub(f"[{FORMULA}{DISPLAYED}]", "\ufffd", text)
+    html = _APART.sub(_parted, _NO_HEAD.sub("", str(reader.render(text))))
     return _ALONE.sub(r'<p align="center">\1</p>', html.strip()), tuple(found)
+
+
+def _parted(paragraph: re.Match[str]) -> str:
+    """Give the displayed formulas of a paragraph lines of their own."""
+    parts = (part.strip() for part in _ROW.split(paragraph[1]))
+    return "".join(
+        f'<p align="center">{part}</p>' if DISPLAYED in part else f"<p>{part}</p>"
+        for part in parts
+        if part
+    )
+
+
+def readable(tex: str) -> str:
+    """Return a formula whose fractions have letters of full size, unless they are scripts."""
+    parts, small = list[str](), [False]
+    for part in _SCRIPTS.split(tex):
+        if part.endswith("{"):
+            small.append(small[-1] or len(part) > 1)
+        elif part == "}" and len(small) > 1:
+            small.pop()
+        parts.append("\\dfrac" if part == "\\frac" and not small[-1] else part)
+    return "".join(parts)
 
 
 def _pieces(tex: str, is_displayed: bool) -> list[str]:

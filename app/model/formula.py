@@ -456,7 +456,7 @@ class _Source:
         if isinstance(formula, Negative):
             return _bracketed(f"{self.minus}{self.write(formula.operand, _IN_PRODUCT)}", outer > 1)
         if isinstance(formula, Product):
-            left, right = self.first(formula.left), self.write(formula.right, _FACTOR)
+            left, right = self.first(formula.left, outer), self.write(formula.right, _FACTOR)
             return _bracketed(self.product(left, right), outer > _IN_PRODUCT)
         if isinstance(formula, Quotient):
             return self.quotient(formula.left, formula.right, outer)
@@ -465,9 +465,10 @@ class _Source:
         left, right = self.write(formula.left, _IN_SUM), self.write(formula.right, _IN_PRODUCT)
         return _bracketed(f"{left}{sign}{right}", outer > _IN_SUM)
 
-    def first(self, formula: Formula) -> str:
-        """The first factor, whose sign needs no brackets."""
-        return self.write(formula, _IN_SUM if isinstance(formula, Negative) else _IN_PRODUCT)
+    def first(self, formula: Formula, outer: int) -> str:
+        """The first factor, whose sign needs no brackets unless another sign precedes it."""
+        is_bare = isinstance(formula, Negative | Product | Quotient) and outer < _IN_PRODUCT
+        return self.write(formula, _IN_SUM if is_bare else _IN_PRODUCT)
 
     def symbol(self, name: str) -> str:
         return name
@@ -482,7 +483,7 @@ class _Source:
         return f"{left}{self.space}{right}"
 
     def quotient(self, above: Formula, below: Formula, outer: int) -> str:
-        text = f"{self.first(above)}/{self.write(below, _FACTOR)}"
+        text = f"{self.first(above, outer)}/{self.write(below, _FACTOR)}"
         return _bracketed(text, outer > _IN_PRODUCT)
 
 

@@ -219,6 +219,14 @@ def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = Fals
     return _moved_point(point, sight, pixel, shift)
 
 
+def slid_grip(
+    start: Vector, along: Vector, before: float, sight: Sight, pixel: Spot
+) -> float | None:
+    """The new number of a grip on the rail ``start + t along``; None if it is seen end-on."""
+    value, per_px = _slide(sight, np.array(start), np.array(along), pixel)
+    return _tidy(value, before, per_px) if math.isfinite(value) else None
+
+
 def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
     """New eye and target when the image is dragged by (right, down) pixels.
 

@@ -17,6 +17,7 @@ from dataclasses import fields, replace
 from importlib import metadata
 from pathlib import Path
 from typing import Any
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -1245,10 +1246,25 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
     assert np.median(dark) < 100 < 200 < np.median(light)
 
 
+def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> None:
+    done = run_here("export", tmp_path / "a.PDF", by_hand, "--panes=image")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    assert (tmp_path / "a.PDF").read_bytes().startswith(b"%PDF-")
+    out = tmp_path / "figure.svg"
+    done = run_here("export", out, by_hand, "--panes=world,ndc", "--theme=dark", "--transparent")
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    tree = ElementTree.parse(out).getroot()
+    assert tree.get("viewBox") == "0 0 1280 640" and tree.get("width") == "108.37mm"
+    text = out.read_text()
+    assert 'fill="#16181b"' not in text, "no background"
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["figure.svg"], "OUT = 'figure.svg': must end in .png"),
+        (["figure.gif"], "OUT = 'figure.gif': must end in .png, .svg or .pdf."),
+        (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
+        (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (
             ["figure.png", "--size", "960x100000"],

@@ -58,7 +58,14 @@ def test_a_far_away_subject_leaves_its_cube_full_and_a_small_one_is_empty() -> N
     assert tiny.is_empty and "30% of the width and 59% of the height" in str(
         [*faults_in(tiny, None)]
     )
-    assert not base._replace(fill=(0.3, 0.61)).is_empty
+    thin = base._replace(fill=(0.3, 0.61))
+    assert thin.is_empty and "35% of the area" in str([*faults_in(thin, None)])
+    assert not thin._replace(needs_area=False).is_empty, "in a flat view its shape decides"
+    assert (
+        not base._replace(fill=(0.3, 0.76)).is_empty and not base._replace(fill=(0.6, 0.6)).is_empty
+    )
+    flat = picture("world", "view.names=eye", "view.fixed=side")
+    assert base.needs_area and not flat.needs_area
 
 
 def test_a_named_far_plane_fills_a_flat_view() -> None:

@@ -17,6 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings import WORDS
 from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
+from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.off_screen import OffScreen
 from app.drawings.style import DARK, LIGHT, Style
@@ -211,9 +212,9 @@ def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
             assert np.abs(found - expected).max() < 1e-9 * np.abs(expected).max(), projection
 
 
-@pytest.mark.parametrize("toward_eye", [True, False])
-def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> None:
-    """They are in the slab on the near plane, on the ray to the eye, the nearest on top."""
+@pytest.mark.parametrize("parallel", [True, False])
+def test_a_flattened_picture_is_where_its_corners_are_seen_and_in_order(parallel: bool) -> None:
+    """Each point is on the pane's line of sight to its place on the near face, nearest on top."""
     random = np.random.default_rng(1)
     checked = 0
     for projection in random_projections(200, seed=2):
@@ -225,21 +226,29 @@ def test_flattened_points_keep_their_ray_and_their_order(toward_eye: bool) -> No
         if inside.sum() < 2:
             continue
         checked += 1
-        view = view_matrices(camera, np.zeros(3))
-        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward_eye=toward_eye)
-        flat = applied(film.surface, points[inside])
-        again = projection.trace(flat)
-        assert np.allclose(again.image, trace.image[inside], rtol=0, atol=1e-5)
-        flat_depths = (np.array(camera.eye) - flat) @ camera.frame[2]
+        on_face = np.column_stack([trace.ndc[inside, :2], np.full(inside.sum(), -1.0)])
+        face = applied(projection.with_depth("opengl").world_from_clip_at(np.zeros(3)), on_face)
         thick = SLAB * (10.0 if lens.parallel else lens.near)
-        above = (lens.near - flat_depths) * (1.0 if toward_eye else -1.0)
-        rounding = 1e-9 * (thick + abs(lens.near))
-        assert above.min() >= -rounding and above.max() <= 1.02 * thick + rounding
-        # From the slab's free side, what the camera sees in front lies on top.
+        pane_eye = random.uniform(20.0, 40.0, 3) * random.choice([-1.0, 1.0], 3)
+        sight = pane_eye - face
+        toward = thick * np.array([*pane_eye, 1.0]) / np.linalg.norm(sight[0])
+        if parallel:
+            sight = np.tile(pane_eye / np.linalg.norm(pane_eye), (len(face), 1))
+            toward = thick * np.array([*sight[0], 0.0])
+        view = view_matrices(camera, np.zeros(3))
+        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward)
+        moved = applied(film.surface, points[inside]) - face
+        parts = (moved * sight).sum(axis=1) / (sight * sight).sum(axis=1)
+        rounding = 1e-9 * (1.0 + np.abs(face).max())
+        assert np.abs(moved - parts[:, None] * sight).max() < rounding, "no pixel moves"
+        lengths = parts * np.linalg.norm(sight[0])
+        assert lengths.min() >= -rounding and lengths.max() <= 1.02 * thick + rounding
         order = np.argsort(depths[inside])
-        assert (np.diff(above[order]) <= rounding).all()
-        spread = (np.ptp(above) / thick) / (np.ptp(depths[inside]) / np.ptp(depths))
-        assert spread > 0.005  # the slab is spent on the scene, not on near to far
+        assert (np.diff(lengths[order]) <= rounding).all()
+        spread = (np.ptp(lengths) / thick) / (np.ptp(depths[inside]) / np.ptp(depths))
+        assert spread > 0.005  # the thickness is spent on the scene, not on near to far
+        lifted = applied(film.lines, points[inside]) - face
+        assert ((lifted * sight).sum(axis=1) > (moved * sight).sum(axis=1)).all()
     assert checked > 40
 
 
@@ -255,7 +264,8 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
             continue
         bounds = depths.min(), depths.max()
         view = view_matrices(projection.camera, np.zeros(3))
-        film = flatten(projection, view, bounds, 10.0, toward_eye=True)
+        toward = 0.05 * np.array([*random.uniform(-1.0, 1.0, 3), 0.0])
+        film = flatten(projection, view, bounds, 10.0, toward)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
         outside = projection.trace(points).outside
@@ -968,14 +978,17 @@ def test_the_picture_of_a_free_matrix_lies_on_its_near_face() -> None:
     origin = np.zeros(3)
     points = np.array([[0.5, 2.0, 0.5], [-1.0, 1.0, -0.5], [1.0, 3.0, 0.0]])
     clip = free.with_depth("reversed").clip_from_world
-    for eye in (np.array(free.camera.eye), np.array([-4.0, 2.0, -9.0])):
-        film = flatten_free(free, origin, eye)
-        flat = applied(film.surface, points)
-        pressed, before = applied(clip, flat), applied(clip, points)
-        assert np.allclose(pressed[:, :2], before[:, :2], atol=1e-9)
-        assert (np.abs(pressed[:, 2] - 1.0) <= 1.01 * SLAB).all()
-        toward_eye = pressed[:, 2] > 1.0
-        assert toward_eye.all() if eye[2] > 0.0 else not toward_eye.any()
+    on_face = np.column_stack([applied(clip, points)[:, :2], np.ones(3)])
+    face = applied(free.with_depth("reversed").world_from_clip_at(origin), on_face)
+    for eye in (np.array([12.0, 9.0, 20.0]), np.array([-4.0, 2.0, -9.0])):
+        toward = SLAB * np.array([*eye, 1.0]) / np.linalg.norm(eye - face[0])
+        moved, sight = (
+            applied(flatten_free(free, origin, toward).surface, points) - face,
+            eye - face,
+        )
+        assert np.allclose(np.cross(moved, sight), 0.0, atol=1e-9)
+        assert ((moved * sight).sum(axis=1) > 0.0).all()
+        assert np.linalg.norm(moved, axis=1).max() < 1.5 * SLAB
 
 
 @pytest.mark.parametrize("times", [1.0, 3.0])
@@ -1002,3 +1015,49 @@ def test_a_view_that_was_turned_stays_while_the_frame_is_built(
     assert drawing.own.view == turned
     drawing.show_step(None)
     assert drawing.own.view == turned
+
+
+def test_a_label_waits_before_it_leaves_a_place_that_is_not_free(make_view: MakeView) -> None:
+    board = make_view().drawing.board
+    label = board.label("own", "own")
+
+    def offset(x: float, *, afresh: bool = False) -> tuple[float, float]:
+        """Where the label of a point stands from it, beside a mark in the middle."""
+        ground = Ground((0.0, 0.0, 600.0, 400.0), board.em)
+        ground.keep([(300.0, 200.0)], 20.0)
+        board.want_beside("own", (x, 200.0, 1.0), 0.0)
+        board.settle(ground, afresh=afresh)
+        left, _, low, _ = label.box_px
+        return round(left - x, 6), round(low - 200.0, 6)
+
+    def light() -> float:
+        return float(label.actor.GetProperty().GetOpacity())
+
+    first = offset(200.0, afresh=True)
+    assert offset(268.0) != first, "a figure has no time"
+    board.is_patient = True
+    for soft in (True, False):
+        assert offset(200.0, afresh=True) == first
+        assert offset(268.0) == first and board.is_restless
+        assert not board.pass_time(0.25)
+        assert offset(200.0) == first and not board.is_restless, "free again"
+        assert offset(268.0) == first
+        board.is_soft = soft
+        assert not board.pass_time(0.25)
+        assert board.pass_time(0.06)
+        lights = []
+        for _ in range(4 if soft else 0):
+            is_first = abs(label.box_px[0] - 268.0 - first[0]) < 1e-6
+            assert board.is_restless and is_first == (len(lights) < 2)
+            board.pass_time(0.03)
+            lights.append(round(light(), 6))
+        assert lights == ([0.5, 0.0, 0.5, 1.0] if soft else [])
+        board.is_soft = False
+        assert not board.is_restless and light() == 1.0 and offset(268.0) != first
+    board.is_soft = True
+    moved = offset(268.0)
+    assert offset(200.0) == moved == offset(200.0, afresh=True), "at rest it fades, too"
+    board.pass_time(0.07)
+    assert offset(200.0) == first and light() < 0.5
+    board.is_soft = False
+    assert offset(200.0, afresh=True) == first and light() == 1.0 and not board.is_restless

@@ -79,6 +79,15 @@ def test_state_text_and_formulas_use_the_numbers() -> None:
         assert variant.question.why == f"Its half is {fov / 2:g}°."
 
 
+def test_the_exercises_own_lines_continue_on_indented_ones() -> None:
+    body = WIDE.replace("; image.width", ";\n  image.width").replace(", 1.5,", ",\n  1.5,")
+    (asked, here), (before, there) = exercise(body), exercise(WIDE)
+    for seed in range(1, 9):
+        one, other = asked.variant(here, seed), before.variant(there, seed)
+        assert one.here.document == other.here.document
+        assert one.question.text == other.question.text
+
+
 def test_a_task_of_an_exercise_is_done_in_the_window() -> None:
     asked, here = exercise(SET)
     variant = asked.variant(here, 5)
@@ -118,6 +127,14 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     )
 
 
+def test_the_solution_has_whole_numbers_with_all_their_digits() -> None:
+    asked, here = exercise("vary m: 16777215 .. 16777240\nHow many over three?\nvalue: m/3\n")
+    variant = asked.variant(here, 1)
+    (m,) = map(int, variant.numbers.values())
+    solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
+    assert rf"\frac{{{m}}}{{3}}" in solution
+
+
 def test_a_number_has_any_letter_of_a_lecture() -> None:
     asked, here = exercise(
         "vary D: 3..12\nvary θ_v: 20..100 step 5\nHalf of {=θ_v}°, at {=D}?\nvalue: D*tan(θ_v/2)\n"
@@ -153,7 +170,8 @@ def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: st
 def test_numbers_are_written_for_a_reader() -> None:
     for value, text in (
         (Fraction(1, 2), "0.5"), (Fraction(4, 3), "4/3"), (Fraction(-7), "-7"),
-        (Fraction(math.pi), "3.142"), (Fraction(1, 8), "0.125"),
+        (Fraction(math.pi), "3.142"), (Fraction(24, 13), "1.846"), (Fraction(1, 8), "0.125"),
+        (Fraction(20, 7), "2.857"), (Fraction(16, 9), "16/9"),
     ):  # fmt: skip
         assert written_number(value) == text
 

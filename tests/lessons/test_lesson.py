@@ -288,11 +288,11 @@ def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path)
 @pytest.mark.parametrize(("word", "wrong"), [("sun", 0), ("point", 1)])
 def test_a_prediction_can_check_a_word_of_the_state_that_it_shows(word: str, wrong: int) -> None:
     text = STEP + block("state\nscene=planar-shadow") + block(
-        "predict\nWhich?\n- [x] a\n- [ ] b\nshow: settings.kind=sun\n"
+        "predict\nWhich?\n- [x] a\n- [ ] b\n  says: No.\nshow: settings.kind=sun\n"
         f"check: settings.kind = {word}"
     )  # fmt: skip
     report = Report()
     report.take(parsed(text))
     assert [str(error) for error in report.wrong] == wrong * [
-        "lesson.md: line 13 = 'settings.kind = point': does not hold."
+        "lesson.md: line 14 = 'settings.kind = point': does not hold."
     ]

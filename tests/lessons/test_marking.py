@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 
 import pytest
@@ -10,6 +11,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.lessons import marking
+from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.exercise import Exercise
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.course import Course, contained
+from app.lessons.lesson import read
 from app.model.refusal import Refusal
 
 
@@ -52,7 +59,12 @@ WAYS = (
     ("12 345.5", 12345.5), ("3\u20444", 0.75), ("1.5x", 1.5), ("45 %", 0.45), ("2²", 4.0),
     ("2/1e3", 0.002), ("2*tan(30°)", 2 / math.sqrt(3)), ("2 tan(30)", 2 / math.sqrt(3)),
     ("(1+2)/4", 0.75), ("-(1/2)", -0.5), ("2**3", 8.0), ("sqrt(3^2+4^2)", 5.0),
-    ("\uff10.\uff15", 0.5),
+    ("\uff10.\uff15", 0.5), ("1.5 · 10^3", 1500.0), ("1.5×10³", 1500.0), ("2π/3", 2 * math.pi / 3),
+    ("1e3", 1000.0), (".5", 0.5), ("5.", 5.0), ("√½", math.sqrt(0.5)), ("16:9", 16 / 9),
+    ("= 0.5", 0.5), ("≈0.5", 0.5), ("arctan(1)", 45.0), ("⅔", 2 / 3), ("1e−3", 1e-3),
+    ("1\u2009280", 1280.0), ("1\u202f280", 1280.0), ("33 1/3", 100 / 3),
+    ("1/(2√3)", 0.5 / math.sqrt(3)),
+    *((f"{minus}7", -7.0) for minus in "-\u2212\u2010\u2011\u2012\u2013\u2014\u2015\ufe63\uff0d"),
 )  # fmt: skip
 
 
@@ -68,7 +80,9 @@ def test_every_way_to_write_a_right_number_is_right(text: str, value: float) -> 
         ("340 cm", "m", 3.4), ("3400 mm", "m", 3.4), ("3.4 m", "mm", 3400), ("0.05 km", "m", 50),
         ("pi/6 rad", "°", 30), ("π/6 rad", "°", 30), ("90°", "rad", math.pi / 2),
         ("45 %", "", 0.45),
-        ("0.45×", "%", 45), ("√3/2 m", "cm", 50 * math.sqrt(3)), ("1 1/2 m", "cm", 150),
+        ("0.45×", "%", 45), ("30º", "°", 30), ("30 ˚", "°", 30), ("30\u2009deg", "°", 30),
+        ("60°", "rad", math.pi / 3), ("1.5 mm", "cm", 0.15), ("12px", "px", 12),
+        ("√3/2 m", "cm", 50 * math.sqrt(3)), ("1 1/2 m", "cm", 150),
     ],
 )  # fmt: skip
 def test_a_unit_of_the_same_kind_is_converted(text: str, unit: str, value: float) -> None:
@@ -178,3 +192,64 @@ def test_the_tolerance_is_the_same_upwards_and_downwards(value: float, off: int)
         marking.Typed(exact + sign * away, 4, Fraction(1, 1000) * exact) for sign in (1, -1)
     )
     assert marking.equals(up, float(exact)) is marking.equals(down, float(exact))
+
+
+def test_every_right_number_may_be_written_in_30_ways() -> None:
+    """Each of some values, in each of the ways to write such a value."""
+    for value in (0.5, 1.5, -0.75, 12.0, 0.0117, 1280.0, 91.25, -0.8125):
+        size, power = abs(Fraction(f"{value:.4g}")), math.floor(math.log10(abs(value)))
+        digits, minus = f"{float(size):.4g}", "-" if value < 0 else ""
+        head = f"{float(size):.3e}".partition("e")[0]
+        longer = f"{digits}0" if "." in digits else f"{digits}.0"
+        raised = str(power).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        whole, part = divmod(size, 1)
+        top, bottom = size.numerator, size.denominator
+        ways = [
+            digits, digits.replace(".", ","), f" {digits} ", longer, longer.replace(".", ","),
+            f"{top}/{bottom}", f"{top} / {bottom}", f"{top}:{bottom}", f"{top}\u2044{bottom}",
+            f"{whole} {part}" if whole and part else f"{digits}×", f"({digits})", f"={digits}",
+            f"{float(size):.3e}", f"{float(size):.3E}", f"{digits}e0", f"{head}·10^{power}",
+            f"{head} · 10^{power}", f"{head}×10^{power}", f"{head}x10^({power})",
+            f"{head}·10{raised}", f"{head} × 10{raised}", f"{head}*10**{power}",
+            f"√({digits}^2)", f"sqrt({digits}*{digits})", f"{digits}·√4/2", f"√16*{digits}/4",
+            f"2*{digits}/2", f"{digits}·π/pi", f"{100 * top}/{bottom} %", f"½*{digits}*2",
+            "".join(chr(ord(sign) + 0xFEE0) if sign.isdigit() else sign for sign in digits),
+        ]  # fmt: skip
+        assert len(ways) >= 30
+        for way in ways:
+            signed = f"={minus}{way[1:]}" if way[0] == "=" else minus + way.lstrip()
+            assert marking.equals(marking.read(signed), value), (value, signed)
+
+
+def right_numbers() -> Iterator[tuple[float, str]]:
+    """Yield the right numbers of all lessons with their units; three variants of an exercise."""
+    for path in contained():
+        course = Course(read(path))
+        for place, step in enumerate(course.lesson.steps):
+            here = course.at(place)
+            for part in step.asked:
+                asked: list[tuple[object, Here]] = [(part, here)]
+                if isinstance(part, Exercise):
+                    variants = [part.variant(here, seed) for seed in (1, 2, 3)]
+                    asked = [(variant.question, variant.here) for variant in variants]
+                for question, there in asked:
+                    if isinstance(question, Answer | Matrix):
+                        values = question.values(there, *question.key)
+                        yield from ((value, question.unit) for value in values if value)
+
+
+def test_random_wrong_numbers_are_not_right() -> None:
+    """Of 10 000 at most 10 count on average: three digits, of the size of the right number.
+
+    Their logarithms are distributed evenly from a tenth of the right number to ten times as much;
+    half have the other sign. The right number at three digits is not wrong. The average is exact:
+    only numbers within 3 % of the right one could count, and all of them are tried.
+    """
+    known, share = list(right_numbers()), 0.0
+    for value, unit in known:
+        near = {f"{value * (1.0 + part / 2000.0):.2e}" for part in range(-60, 61)}
+        for text in near - {f"{value:.2e}"}:
+            typed = marking.read(text, unit)
+            if marking.equals(typed, value):
+                share += float(typed.unit / abs(typed.value)) / (2.0 * math.log(100.0))
+    assert len(known) > 50 and 1e-4 < share / len(known) <= 1e-3, share / len(known)

@@ -166,6 +166,8 @@ def test_a_term_may_be_known_as_a_whole() -> None:
         ("x^2*y", "x^2\u2009y", r"x^{2} \, y"),
         ("(x + y)^2", "(x + y)^2", r"(x + y)^{2}"),
         ("-dot(axis_u, eye)", "−axis_u·eye", r"-\mathrm{axis}_{u} \cdot \mathrm{eye}"),
+        ("a - (-b)*c", "a − (−b)\u2009c", r"a - (-b) \, c"),
+        ("a + (-b)/c*d", "a + (−b)/c\u2009d", r"a + \left(-\frac{b}{c}\right) \, d"),
         ("a - (b - 1/c)", "a − (b − 1/c)", r"a - (b - \frac{1}{c})"),
     ],
 )

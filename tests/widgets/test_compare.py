@@ -312,6 +312,16 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     assert not window.comparing.button.isVisible()
     assert not compare.others[0].pane.header.isVisible(), "its name is above the picture"
     screen_px = window.screen().size().height()
+    compare.toggle_way()
+    settle()
+
+    def gaps() -> list[int]:
+        """Between each caption and the picture below it."""
+        drawing, other = compare.others[0].pane.drawing, compare.others[0]
+        top = other.y() + drawing.rectangle_in(other.width(), other.height()).top
+        return [top - 1 - caption.geometry().bottom() for caption in compare.captions]
+
+    assert gaps()[0] > 0
     for caption in compare.captions:
         letters = caption.fontMetrics().capHeight()
         assert 0.022 * screen_px <= letters <= 0.03 * screen_px, "a class reads them"
@@ -319,6 +329,10 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     settle()
     assert window.comparing.is_on and not window.present.is_on and compare.bar.isVisible()
     assert compare.captions[0].fontMetrics().capHeight() < 0.022 * screen_px
+    title, first = window.panes["image"].title, compare.captions[0]
+    place = first.mapToGlobal(QPoint()).y(), first.height()
+    assert place == (title.mapToGlobal(QPoint()).y(), title.height()), "on the title's line"
+    assert gaps()[0] > 0
 
 
 def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -> None:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import pytest
 import shiboken6
-from PySide6.QtCore import QPoint, Qt, QTimer
+from PySide6.QtCore import QPoint, QRect, Qt, QTimer
+from PySide6.QtGui import QAccessible, QFont
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QRadioButton,
+    QScrollArea,
     QToolButton,
     QWidget,
 )
@@ -33,7 +36,10 @@ from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
+from app.lessons.text import plain_of
 from app.model.projection import Perspective
+from tests.support.mistakes import LESSON as RIGHT_LESSON
+from tests.support.mistakes import MISTAKES
 from tests.support.window import (
     NO_KEY,
     MakeWindow,
@@ -45,13 +51,15 @@ from tests.support.window import (
     present,
     seen,
     settle,
+    show_scene,
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
+from widgets.window.lesson_blocks.choices import Chooses
 from widgets.window.lesson_blocks.click import Points
 from widgets.window.lesson_blocks.exercise import Practises
-from widgets.window.lesson_blocks.task import DONE
-from widgets.window.lesson_blocks.view import BlockView
+from widgets.window.lesson_blocks.task import DONE, Tries
+from widgets.window.lesson_blocks.view import TOLD, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
@@ -75,6 +83,7 @@ lens.fov_y_deg=45
 - [ ] 106.7° := aspect*fov {angle-linear}
 - [x] 91.5° := fov_x
 - [ ] 12°
+  says: That is a telephoto lens.
 show: lens.fov_y_deg=60
 why: The tangent grows faster.
 ```
@@ -283,6 +292,10 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert idea is not None
     for typed, said in (
         ("wide", "must be a number"), ("98", "three significant digits"),
+    ):  # fmt: skip
+        assert said in answered(window, typed) and card.blocks[0].is_open, typed
+        assert "Show the answer" not in buttons(card), "nothing was tried yet"
+    for typed, said in (
         ("77", "not it. It is too small, by a factor of about 1.3."),
     ):  # fmt: skip
         assert said in answered(window, typed) and card.blocks[0].is_open, typed
@@ -292,7 +305,6 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert "Take the tangent." in texts(card) and "Of half the angle." in texts(card)
     assert not card.hint.isEnabled()
     assert idea.title.rstrip(".") in answered(window, "120")
-    assert "Show the answer" not in buttons(card)
     press(KEY.Key_W, ALT)
     come_to_rest(window)
     assert window.store.document == idea.state
@@ -301,6 +313,7 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
     assert "The answer is 98.21°. It is 98.2." in texts(card)
     assert not card.blocks[0].is_open
     which = card.blocks[2]
+    assert "Show the answer" not in buttons(which)
     for choice, said in zip(
         reversed(which.findChildren(QRadioButton)), ("That is another.", "Right."), strict=True
     ):
@@ -309,6 +322,7 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
         buttons(which)["Check"].click()
         settle()
         assert said in texts(which)
+        assert ("Show the answer" in buttons(which)) is which.is_open
     assert not which.is_open
     said = [(*each[2:7], each.hints) for each in window.record.read()]
     assert said == [
@@ -319,6 +333,57 @@ def test_an_answer_is_marked_with_its_idea_hints_and_reason(
         ("numbers/which", 0, "2", "wrong", "", 0),
         ("numbers/which", 0, "1", "right", "", 0),
     ], "what costs no try is no answer"
+
+
+HINTS = """---
+title: Hints
+---
+# Two {#two}
+```state
+scene=letter-f
+```
+```answer one
+Half?
+value: 1/2
+hint: One by two.
+```
+```answer other
+A third?
+value: 1/3
+hint: One by three.
+```
+```answer bare
+Four?
+value: 4
+```
+```task near
+Closer.
+until: near < 0.5
+hint: Drag it.
+```
+"""
+
+
+def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "hints.md"
+    path.write_text(HINTS, encoding="utf-8")
+    activate(window)
+    card = window.lesson_card
+    card.open(path)
+    come_to_rest(window)
+    one, other, bare, near = card.blocks
+    other.field.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "One by three." in texts(other) and "One by two." not in texts(card)
+    window.panes["world"].canvas.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "Drag it." in texts(near), "which no cursor can be in"
+    assert "One by two." not in texts(card) and not card.hint.isEnabled()
+    bare.field.setFocus()
+    assert not card.hint.isEnabled(), "it has none"
+    one.field.setFocus()
+    press(KEY.Key_I, ALT)
+    assert "One by two." in texts(one) and not card.hint.isEnabled()
 
 
 def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
@@ -485,7 +550,7 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     view.settled.emit("7")
     assert window.settings.progress[str(lesson)].answers == {"one/mine": "7"}
     present(window)
-    window.talks.reveal()
+    assert window.talks.reveal() and window.talks.reveal()
     assert "Which number? It is 7." in window.slide.question.accessibleName()
     window.present.end()
 
@@ -530,7 +595,8 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
             if row + 1 < len(block.right):
                 press(KEY.Key_Tab)
     elif isinstance(view, Points):  # the crosshair has tests of its own; here are no pictures
-        view.take(lambda place: math.dist(place, block.answer(view.here)))
+        right = block.answer(view.here)
+        view.take(lambda place: math.dist(place, right), right)
         view.first.setFocus()
     else:
         QTest.keyClicks(keyboard(), f"{block.answer(view.here):.4g}".replace(".", ","))
@@ -599,12 +665,11 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     card.open(path)
     settle()
     view, task = card.blocks
-    assert QApplication.focusWidget() is view.first and not card.hint.isEnabled()
-    assert "How wide" not in texts(view)
-    press(KEY.Key_Return, NO_KEY)
     come_to_rest(window)
     variant = view.variant
-    assert window.store.document == variant.here.document
+    assert window.store.document == variant.here.document, "it has begun by itself"
+    assert keyboard() is view.first is view.asked.field and task.variant is None
+    assert not card.again.isEnabled(), "this is what the step shows"
     assert variant.question.text in texts(view) and variant.seed == 1
     assert card.hint.isEnabled(), "the hints of its question are the card's"
     press(KEY.Key_I, ALT)
@@ -613,6 +678,11 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     QTest.keyClicks(QApplication.focusWidget(), f"{right / 2:.4g}")
     press(KEY.Key_Return, NO_KEY)
     assert "too small, by a factor of about 2." in texts(view) and view.is_open
+    window.store.set_document(set_values(window.store.document, ["lens.near=0.5"]))
+    come_to_rest(window)
+    press(KEY.Key_F7)
+    come_to_rest(window)
+    assert window.store.document == variant.here.document, "the numbers of the text again"
     QTest.keyClicks(QApplication.focusWidget(), f"{right:.4g}")
     press(KEY.Key_Return, NO_KEY)
     assert "Right." in texts(view) and view.answer == f"1 {right:.4g}"
@@ -627,24 +697,45 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_Return, NO_KEY)
     come_to_rest(window)
     assert view.variant.seed == 77
+    press(KEY.Key_I, ALT)
+    assert "Show the answer" in buttons(view), "after a hint"
+    press(KEY.Key_A, ALT)
+    assert plain_of(view.asked.question.solution(view.variant.here)) in texts(view)
+    assert view.answer == f"77 {TOLD}" and "Show the answer" not in buttons(view)
+    view.seed.setText("1")
+    view.begin()
+    view.asked.field.setText(f"{right:.4g}")
+    view.asked.check()
 
     task.begin()
     come_to_rest(window)
-    assert task.is_open
+    assert task.is_open and "Show the answer" not in buttons(task)
+    wanted = float(task.variant.numbers["near_wanted"])
+    enter(window.controls.rows["near"].field, str(wanted + 0.5))
+    come_to_rest(window)
+    assert "Show the answer" in buttons(task), "after a wrong try"
+    assert task.asked.task.solution(task.variant.here) == (
+        f"$\\mathrm{{near}} = \\mathrm{{near}}_{{\\mathrm{{wanted}}}} = {wanted:g}$"
+    )
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
 
     window.lessons.close()
     card.open(path)
-    settle()
+    come_to_rest(window)
     view, task = card.blocks
     assert view.answer == f"1 {right:.4g}" and "Right." in texts(view)
+    assert window.store.document == task.variant.here.document, "beside its text"
     assert task.answer == f"1 {DONE}" and not task.is_open
-    wrong, good, done = window.record.read()
-    assert wrong[1:] == (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1)
-    assert good[1:] == (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1)
-    assert done[1:] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
+    attempts = window.record.read()
+    said, done = [each[1:] for each in attempts], attempts[-1]
+    assert said[:3] == [
+        (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
+        (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
+        (str(path), "widths/wide", 77, "", "shown", "", 1),
+    ]
+    assert said[-1] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
     own = task.variant
     assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 
@@ -653,22 +744,43 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     activate(window)
     card, check = window.lesson_card, window.menus.lesson_menu.check
     assert not check.isEnabled()
+    right = lesson.read_text(encoding="utf-8").replace("<script>alert(1)</script> ", "")
+    lesson.write_text(right, encoding="utf-8")
     card.open(lesson)
     settle()
     check.trigger()
     assert "Nothing is wrong" in texts(card)
-    right = lesson.read_text(encoding="utf-8")
     wrong = right.replace("{angle-linear}", "{angle-liner}").replace("$a = 9/16$", "$a = 9/16")
     lesson.write_text(wrong, encoding="utf-8")
     window.lessons.read_again()
     assert "line 5" in texts(card) and "no other $" in texts(card)
     assert "angle-liner" in texts(card) and not window.messages.text
-    lesson.write_text(wrong.replace("# The angle", "# The angle\n```nosuch\n```"), encoding="utf-8")
+    lesson.write_text(wrong.replace("It is", "```nosuch\n```\nIt is"), encoding="utf-8")
     window.lessons.read_again()
     assert "unknown kind of block, nosuch" in texts(card)
     lesson.write_text(right, encoding="utf-8")
     window.lessons.read_again()
     assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
+
+
+def test_the_card_says_every_kind_of_mistake(make_window: MakeWindow, tmp_path: Path) -> None:
+    window = make_window(drawn=False, shown=False)
+    path = tmp_path / "mistakes.md"
+    path.write_text(RIGHT_LESSON, encoding="utf-8")
+    window.lesson_card.open(path)
+    notice = window.lesson_card.findChild(QLabel, "notice")
+    assert notice is not None
+    for kind, (old, new, said) in MISTAKES.items():
+        path.write_text(RIGHT_LESSON.replace(old, new, 1), encoding="utf-8")
+        window.lessons.read_again()
+        assert said in notice.text() and "line" in notice.text(), (kind, notice.text())
+    text = RIGHT_LESSON.replace("until: near <", "until: near ").replace("matrix: 2,", "matrix: ")
+    path.write_text(text, encoding="utf-8")
+    window.lessons.read_again()
+    assert len(notice.text().splitlines()) == 2, "all at once, also if a step cannot be shown"
+    path.write_text(RIGHT_LESSON, encoding="utf-8")
+    window.lessons.read_again()
+    assert notice.isHidden()
 
 
 MATRIX = """---
@@ -807,13 +919,12 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
         assert len({*found}) == 1, f"everything, or nothing: {found}"
         return found[0]
 
-    card.open(path)
-    come_to_rest(window)
+    show_scene(window, "camera-obscura")
     panels.open(window.probe_panel)
     assert not is_hidden()
-    (view,) = card.blocks
-    view.begin()
+    card.open(path)
     come_to_rest(window)
+    (view,) = card.blocks
     assert is_hidden() and panels.open_panel is None
     scene.explanation_wanted.emit()
     assert panels.open_panel is None, "by no way"
@@ -821,6 +932,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     view.asked.check()
     come_to_rest(window)
     assert not view.is_open and not is_hidden()
+    assert r"\frac{5d}{9} =" in texts(view), "the way to the answer, which nothing else explains"
     assert panels.open_panel is window.scene_panel, "which was asked for meanwhile"
     view.go_on()
     come_to_rest(window)
@@ -829,7 +941,9 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     come_to_rest(window)
     assert not is_hidden()
     card.go_back()
-    card.blocks[0].begin()
+    come_to_rest(window)
+    assert not is_hidden(), "the one that is answered is shown"
+    card.blocks[0].go_on()
     come_to_rest(window)
     assert is_hidden()
     card.leave()
@@ -993,3 +1107,176 @@ def test_a_task_needs_the_handles_of_what_it_names() -> None:
     ):  # fmt: skip
         body = Body("task", "t", 1, list(enumerate(task.format(condition).splitlines(), 2)))
         assert Task.read(body).handles == handles, condition
+
+
+KINDS_OF_ANSWER = """---
+title: Feedback
+---
+# Number {#number}
+```state
+scene=letter-f
+```
+The tangent of half an angle is the half height at the distance 1: $\\tan(fov/2) = h/2$.
+```exercise wide
+vary fov: 20..60 step 1
+The picture is {=fov}° high and twice as wide. How wide is its angle, seen from the eye?
+value: 2*atan(2*tan(fov/2))
+unit: °
+wrong angle-linear: 2*fov
+hint: Draw the right triangle from the eye to the middle of the upper edge of the window.
+why: Half of the angle has twice the tangent, and so less than twice the angle.
+```
+
+---
+# Matrix {#matrix}
+```exercise scale
+vary k: 2..30
+Scale by {=k} in x and by 3.5 in y. Which matrix does so, with columns for the images of the axes?
+matrix: k, 0; 0, 3.5
+wrong order: 3.5, 0; 0, k
+hint: The first column is the image of the x axis, which becomes {=k} times as long.
+why: The numbers on the diagonal scale.
+```
+
+---
+# Click {#click}
+```exercise point
+vary x: 0..600 step 10
+Where in the picture is the point x = {=x}, y = 200, both in pixels from the upper left?
+click: image
+at: x, 200
+wrong order: 200, x
+  says: That is x and y exchanged.
+where: abs(x - 200) > 40
+hint: x goes to the right, y goes down.
+why: Pixels are counted from the upper left.
+```
+
+---
+# Task {#task}
+```exercise set
+vary w: 2..9 step 0.1
+Bring the near plane to the distance {=w} from the eye.
+until: near = w
+hint: The near plane can be dragged in the world, or typed in the dock.
+done: The plane is where the picture begins.
+```
+
+---
+# Choice {#choice}
+```exercise twice
+vary w: 1..3 step 0.1
+state: lens.near={=w}
+Which number is twice the distance of the near plane from the eye?
+- [x] {=2*w} := 2*near
+- [ ] {=3*w} := 3*near {order}
+- [ ] {=4*w} := 4*near
+  says: That is four times, because it is twice the double.
+hint: The near plane is {=w} away from the eye.
+why: It is twice {=w}.
+```
+"""
+
+
+@pytest.mark.parametrize("size", [1.0, 1.75])
+def test_every_response_is_seen_whole_and_announced(
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, size: float
+) -> None:
+    """At the size of a small laptop, also with large letters."""
+    heard: list[str] = []
+    listening = SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message()))
+    monkeypatch.setattr("widgets.window.lesson_blocks.view.QAccessible", listening)
+    path = tmp_path / "feedback.md"
+    path.write_text(KINDS_OF_ANSWER, encoding="utf-8")
+    own = QApplication.font()
+    large = QFont(own)
+    large.setPointSizeF(size * own.pointSizeF())
+    QApplication.setFont(large)
+    try:
+        window = make_window(drawn=False)
+        window.resize(1366, 768)
+        activate(window)
+        card, side = window.lesson_card, window.side
+        card.open(path)
+        said: list[QWidget] = []
+
+        def response(of: str) -> str:
+            """Return the newest response, once it is seen as a whole."""
+            settle()
+            settle()
+            page = card.findChild(QScrollArea)
+            (view,) = card.blocks
+            assert page is not None and heard, of
+            for widget in view.said:
+                corner = widget.mapTo(page.viewport(), QPoint())
+                seen = page.viewport().rect().contains(QRect(corner, widget.size()))
+                assert seen and widget not in said, of
+            said[:] = view.said
+            text = "\n".join(texts(widget) for widget in view.said)
+            assert heard[-1].split()[0] in text or heard[-1].split()[1] in text, of
+            heard.clear()
+            return text
+
+        def answer(view: Any, *, right: bool) -> None:
+            asked = view.asked
+            if isinstance(asked, Points):
+                place = asked.question.answer(asked.here)
+                asked.take(lambda at: 0.0 if right and len(at) == 2 else 500.0, place)
+                asked.check()
+            elif isinstance(asked, Chooses):
+                asked.findChildren(QRadioButton)[0 if right else 1].click()
+                asked.commit()
+            elif isinstance(asked, Tries):
+                number = float(view.variant.numbers["w"]) + (not right)
+                lens = Perspective(45.0, number, 100.0)
+                window.store.set_projection(seen(window, lens=lens))
+                come_to_rest(window)
+            else:
+                fields = asked.findChildren(QLineEdit)
+                values = asked.question.values(asked.here, *asked.question.key)
+                for field, value in zip(fields, values, strict=True):
+                    field.setText(f"{value * (1 if right else 3):.6g}")
+                asked.check()
+
+        for place in range(5):
+            go_to(window.lessons, place)
+            come_to_rest(window)
+            (view,) = card.blocks
+            before = side.sizes()
+            of = f"{place} at {size}"
+            assert view.variant is not None, of
+            answer(view, right=False)
+            if not isinstance(view.asked, Tries):
+                assert "not it" in response(f"wrong {of}") or "idea" in texts(view)
+            press(KEY.Key_I, ALT)
+            assert "Hint" in response(f"hint {of}")
+            press(KEY.Key_A, ALT)
+            assert response(f"shown {of}") and view.answer == f"1 {TOLD}"
+            view.go_on()
+            come_to_rest(window)
+            heard.clear()
+            answer(view, right=True)
+            assert response(f"right {of}") and view.answer.startswith("2 ")
+            window.controls.rows["near"].field.setFocus()
+            settle()
+            assert side.sizes() == before, "the controls are as high as before where they are used"
+    finally:
+        QApplication.setFont(own)
+
+
+def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
+    card = window.lesson_card
+    card.open(lesson)
+    role_of = QAccessible.queryAccessibleInterface
+    text = card.findChildren(LessonText)[1]
+    assert role_of(text).role() == QAccessible.Role.Document
+    assert "vertical" in role_of(text).text(QAccessible.Text.Name)
+    marks = card.findChild(QWidget, "stepMarks")
+    assert role_of(marks).role() == QAccessible.Role.PageTabList
+    tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
+    assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
+    assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
+    window.lessons.go(1)
+    tabs[0].actionInterface().doAction(tabs[0].actionInterface().actionNames()[0])
+    assert window.lessons.place == 0 and tabs[0].state().selected

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import numpy as np
@@ -20,14 +21,15 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.lessons.text import escaped, html_of, outline, plain_of
+from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, outline, plain_of, readable
 from tests.support.window import rgb_of
-from widgets.parts.lesson_text import LessonText, set_text
+from widgets.parts.lesson_text import SPACIOUS, LessonText, set_text
 
 
-def drawn(text: str, width: int = 900) -> np.ndarray:
+def drawn(text: str, width: int = 900, *, is_spacious: bool = False) -> np.ndarray:
     """Where there is ink of a text in letters of 60 pixels, (height, width) of bool."""
     document = QTextDocument()
+    document.setProperty(SPACIOUS, is_spacious)
     font = QFont("DejaVu Sans")
     font.setPixelSize(60)
     document.setDefaultFont(font)
@@ -64,6 +66,38 @@ def test_lines_make_room_for_fractions(qapp: Any) -> None:
     above, beside, below = np.split(words, np.flatnonzero(np.diff(words) > 2) + 1)
     formula = np.flatnonzero(ink[:, 150:].any(axis=1))
     assert above[-1] + 2 < formula[0] < beside[0] < beside[-1] < formula[-1] < below[0] - 2
+
+
+def test_fractions_are_readable_and_displayed_formulas_are_large(qapp: Any) -> None:
+    """As in the card: a letter of a fraction has at least 80 % of the height of the text's."""
+
+    def height(text: str) -> int:
+        """Height of the first letter from the left."""
+        top, bottom = pieces(drawn(text, is_spacious=True))[0]
+        return bottom - top + 1
+
+    def in_fraction(text: str) -> int:
+        """Height of what is above the line of a fraction."""
+        rows = np.flatnonzero(drawn(text, is_spacious=True).any(axis=1))
+        return len(np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1)[0])
+
+    letter = height("x")
+    assert in_fraction(r"$\frac{x}{x}$") >= 0.8 * letter
+    assert height("$$x$$") >= 1.2 * height("$x$")
+    assert in_fraction(r"$$\frac{x}{x}$$") >= 1.2 * in_fraction(r"$\frac{x}{x}$")
+    assert readable(r"\frac{\frac{a}{b}}{c} e^{\frac{1}{2}} x_{\frac{1}{2}}") == (
+        r"\dfrac{\dfrac{a}{b}}{c} e^{\frac{1}{2}} x_{\frac{1}{2}}"
+    )
+
+
+def test_a_displayed_formula_stands_on_a_line_of_its_own() -> None:
+    html, found = html_of("Then $a$ and $$b = 2$$, so *c*:\n$$d$$\nend.\n\n- $$e$$")
+    assert found == ("a", "b = 2", "d", "e")
+    lines = re.findall(r"<p[^>]*>(.*?)</p>", html, re.DOTALL)
+    assert lines == [
+        f"Then {FORMULA} and", f"{DISPLAYED},", "so <em>c</em>:", DISPLAYED, "end."
+    ]  # fmt: skip
+    assert html.count('<p align="center">') == 2
 
 
 def test_formulas_outlive_every_other_text_and_are_said_again(qapp: Any) -> None:
@@ -168,7 +202,7 @@ def test_the_letters_of_a_formula_are_known(tex: str, names: str) -> None:
 def test_formulas_break_at_wide_spaces_and_tables_may_lack_headings() -> None:
     html, found = html_of(r"$$a = \frac{1}{2}, \qquad \text{so \quad b} = {c \quad d}$$")
     assert found == (r"a = \dfrac{1}{2},", r"\text{so \quad b} = {c \quad d}")
-    assert html.count("\ue000") == 2 and "center" in html
+    assert html.count(DISPLAYED) == 2 and "center" in html
     rows = "|{}|{}|\n|-|-|\n| 1 | $x$ |\n"
     html, found = html_of(rows.format(" ", ""))
     assert "<th" not in html and html.count("<tr>") == 1 and found == ("x",)

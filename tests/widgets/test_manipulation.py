@@ -666,6 +666,26 @@ def test_a_point_of_the_scene_follows_the_mouse_in_one_step(
         assert window.store.document == before
 
 
+def test_a_plane_seen_edge_on_is_dragged_along_its_rail(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("similar-triangles")
+    settle()
+    assert window.panes["world"].drawing.fixed == "side"  # type: ignore[union-attr]
+    before, (_, spot) = window.store.document, grip(window, "distance")
+    eye = next(at for handle, at in marks(window).items() if handle.name == "eye")
+    rail = np.subtract(spot, eye)
+    drag(window, "world", point_of(spot), (6, 0), (30, -12))
+    way = np.subtract(grip(window, "distance")[1], spot)
+    # To the place of the rail that is nearest to the mouse; the distance is in proportion.
+    assert way == pytest.approx(rail * (rail @ (30, -12)) / (rail @ rail), abs=1.0)
+    now = window.store.document.settings["distance"]
+    grown = 1.0 + np.hypot(*way) / np.hypot(*rail)
+    assert now / before.settings["distance"] == pytest.approx(grown, rel=0.02)
+    window.store.undo()
+    assert window.store.document == before
+
+
 def test_the_panes_stand_still_during_a_drag_although_the_readout_grows(
     make_scene: Callable[[str], MainWindow],
 ) -> None:

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QFrame
+from PySide6.QtWidgets import QApplication, QFrame
 
 from app.lessons.strokes import (
     Stroke,
@@ -103,11 +103,26 @@ def test_strokes_lie_over_the_picture_and_belong_to_their_step(window: MainWindo
 def test_undo_eraser_and_clear(window: MainWindow) -> None:
     pen = window.slide.pen
     pen.switch(True)
+    bar = pen.findChild(QFrame, "card")
+    assert bar.width() < 0.04 * pen.width() and bar.isVisible()
+    QApplication.sendEvent(bar, QEvent(QEvent.Type.Enter))
+    assert bar.width() > 0.2 * pen.width() and pen.rect().contains(bar.geometry())
+    QApplication.sendEvent(bar, QEvent(QEvent.Type.Leave))
+    QTest.mousePress(pen, LEFT, pos=QPoint(300, 150))
+    assert bar.isHidden() and bar.width() < 0.04 * pen.width()
+    QTest.mouseRelease(pen, LEFT, pos=QPoint(300, 150))
+    assert bar.isVisible()
+    pen.clear()
     for y in (200, 300, 400):
         draw(window, (300, y), (350, y))
     model = window.store.document
     QTest.keyClick(pen, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     assert len(pen.here) == 2 and window.store.document == model
+    field = window.controls.rows["near"].field
+    field.setText("3.5")
+    draw(window, (300, 400), (350, 400))
+    QTest.keyClick(field, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
+    assert len(pen.here) == 2 and field.text() == "3.5", "wherever the keyboard is"
     QTest.keyClick(pen, Qt.Key.Key_E)
     draw(window, (600, 300), (350, 301))
     assert [round(stroke.points[0][1] * pen.height()) for stroke in pen.here] == [200]

@@ -39,6 +39,7 @@ camera.eye=2,6,12
 # Four {#four}
 ```state
 scene=similar-triangles
+view.controls=settings.distance
 ```
 ---
 # Five {#five}
@@ -125,8 +126,12 @@ def test_labels_appear_after_sixty_percent(window: MainWindow) -> None:
 
 
 def test_another_scene_fades(window: MainWindow) -> None:
-    before = pixels(window)
+    before, canvas, drawn = pixels(window), window.panes["world"].canvas, list[int]()
+    canvas.drawn.connect(lambda: drawn.append(canvas.height()))
     assert window.lessons.go(3) and window.lessons.is_moving
+    assert set(drawn) == {canvas.height()} and canvas.height() < before.shape[0], (
+        "drawn in its place"
+    )
     old = next(each for each in window.slide.children() if type(each).__name__ == "_Old")
     assert old.isVisible() and old.size() == window.slide.size()  # type: ignore[attr-defined]
     arrive(window.lessons)

@@ -458,10 +458,11 @@ class Compare(QObject):
             height, y, middle = caption.sizeHint().height(), row, cut.center().x()
             if not self.is_divided:
                 place = _picture_in(pane, cut)
-                y = max(cut.top() + row, round(place.top()) - height)
+                y = max(cut.top() + row, round(place.top()) - height - height // 8)
                 middle = round(place.center().x())
             left, right = cut.left() + GRASP_PX, cut.right() - GRASP_PX
-            if y < below:
+            if y < below:  # in the pane's own line, on its title's height
+                y, height = row, title.height()
                 left, right = max(left, free_left + 4), min(right, free_right - 4)
             width = min(caption.sizeHint().width(), right - left)
             x = min(max(middle - width // 2, left), right - width)

@@ -34,6 +34,7 @@ from app.picking.handles import (
     panned,
     place,
     present,
+    slid_grip,
 )
 from app.picking.picking import Sight
 from app.scenes.phenomena.marks import Grip
@@ -200,6 +201,9 @@ class Manipulation(Gestures, QObject):
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":
+            grip = self._grips.get(handle.setting)
+            if grip is not None and grip.along is not None:
+                return (), self.tr("Drag the plane")
             return (), self.tr("Drag this point (Shift: up and down)")
         does: dict[str, tuple[tuple[str, ...], str]] = {
             "origin": (("translate",), self.tr("Drag the object (Shift: up and down)")),
@@ -274,6 +278,11 @@ class Manipulation(Gestures, QObject):
     ) -> None:
         before: Vector = tuple(held.point.tolist())
         self.message.hide()
+        if held.along is not None:
+            number = slid_grip(held.base, held.along, drag.before, sight, pixel)
+            if number is not None:
+                self.setting_edited.emit({held.setting: number})
+            return
         point = dragged_grip(before, sight, pixel, shift=shift)
         if point == before:  # dragged back
             self.setting_edited.emit({held.setting: drag.before})
@@ -398,9 +407,12 @@ def _seen_from(change: Change, error: Refusal) -> Refusal:
     return error
 
 
-def _value(grip: Grip) -> Vector:
+def _value(grip: Grip) -> Vector | float:
     """The setting that a grip stands for."""
-    x, y, z = (p - b for p, b in zip(grip.point.tolist(), grip.base, strict=True))
+    away = grip.point - grip.base
+    if grip.along is not None:
+        return float(away @ grip.along / np.dot(grip.along, grip.along))
+    x, y, z = away.tolist()
     return x, y, z
 
 

@@ -39,6 +39,7 @@ from widgets.panes.ahead import Ahead
 from widgets.panes.canvas import AnyCanvas, Hand, RasterCanvas
 from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
+from widgets.parts.clock import Clock
 from widgets.parts.layouts import in_column
 from widgets.parts.panel import PROJECTION, Changed, Shown
 from widgets.parts.plain import Label
@@ -223,6 +224,10 @@ class Pane(QFrame):
         self.hand.left.connect(self._point_at)
         self.is_aimed_at = False
         """Whether a question asks for a place in the picture."""
+        self.fades: Callable[[], bool] = lambda: False
+        """Whether labels fade from one place to another; otherwise they jump."""
+        self._clock = Clock(self)
+        self._clock.ticked.connect(self._pass_time)
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
         self._has_changed = True
@@ -411,7 +416,23 @@ class Pane(QFrame):
                 _SHOW[what](drawing, wanted)
         self._due.clear()
         self._has_changed = True
+        self._watch_labels()
         self.request_repaint()
+
+    def _watch_labels(self) -> None:
+        """Let time pass for labels that have to leave their places."""
+        if self.drawing is not None and self.drawing.board.is_restless and not self._clock.running:
+            self._clock.start()
+
+    def _pass_time(self, seconds: float) -> None:
+        board = self.drawing.board if self.drawing is not None else None
+        if board is None or not board.is_restless:
+            self._clock.stop()
+            return
+        board.is_soft = self.fades()
+        if board.pass_time(seconds):
+            self.request_repaint()
+        board.is_soft = False
 
     def _build(self, shown: Shown, args: tuple[object, ...]) -> None:
         taken, before = self.ahead.take(args, self.drawing), None
@@ -423,6 +444,8 @@ class Pane(QFrame):
             self.drawing = None
             with self.canvas.or_empty():
                 self.drawing = self._make_drawing(self.canvas, *args)
+        assert self.drawing is not None
+        self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
         self._asked["detail"] = None
         others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
@@ -544,9 +567,14 @@ class Pane(QFrame):
 
     def refit(self) -> None:
         """Frame again what an edit has carried out of a view that the user has not moved."""
-        is_still = self._goes_to is None
-        if is_still and self.isVisible() and self.drawing is not None and self.drawing.refit():
+        drawing, is_still = self.drawing, self._goes_to is None
+        if drawing is None or not (is_still and self.isVisible()):
+            return
+        drawing.board.is_soft = self.fades()
+        if drawing.refit():
             self.request_repaint()
+        drawing.board.is_soft = False
+        self._watch_labels()
 
     def _view_moved(self) -> None:
         self.glide(1.0)  # the user's hand decides
@@ -555,6 +583,7 @@ class Pane(QFrame):
             if self._asked["fixed"] and not self.drawing.fixed:
                 self._asked["fixed"] = ""
                 self.fixed_left.emit()
+        self._watch_labels()
         self.request_repaint()
 
     # -- in the window

@@ -11,8 +11,19 @@ from collections.abc import Callable
 from functools import lru_cache, partial
 from typing import Any, cast
 
-from PySide6.QtCore import QEvent, QMimeData, QRect, QRectF, QSignalBlocker, QSize, QSizeF, Qt
+from PySide6.QtCore import (
+    QEvent,
+    QMimeData,
+    QRect,
+    QRectF,
+    QRegularExpression,
+    QSignalBlocker,
+    QSize,
+    QSizeF,
+    Qt,
+)
 from PySide6.QtGui import (
+    QAccessible,
     QBrush,
     QColor,
     QFontMetrics,
@@ -31,20 +42,27 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
 from app.lessons.blocks.block import Here, Part
-from app.lessons.text import FORMULA, Outline, html_of, outline, plain_of
+from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, plain_of, readable
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
+from widgets.parts.roles import give_role
 
 INKS = "inks"
 """The property of a document with the colours of letters, ``"#rrggbb"`` by their names."""
+SPACIOUS = "spacious"
+"""The property of a document that has room for large fractions and displayed formulas."""
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
+_IS_DISPLAYED = QTextFormat.Property.UserProperty + 2
 LARGER = 1.12
 """Size of a formula's letters relative to the text's, whose small letters are taller."""
+DISPLAYED_LARGER = 1.25
+"""Size of a formula on its own line relative to one in a line, in a spacious document."""
 ROOM_EM = 0.06
 """Space on both sides of a formula."""
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
 """Characters without width: a line may break at the first, but not at the second."""
+_PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
 LIST_EM = 0.55
 """Half the indent of a list: Qt indents by two units."""
 STYLE = """
@@ -76,7 +94,8 @@ def set_text(
     layout.registerHandler(_KIND, _formulas())
     cursor = QTextCursor(document)
     for tex in formulas:
-        cursor = document.find(FORMULA, cursor)
+        cursor = document.find(_PLACE, cursor)
+        is_displayed = cursor.selectedText() == DISPLAYED
         kept, plain = cursor.charFormat(), cursor.charFormat()
         try:
             outline(tex)
@@ -85,6 +104,7 @@ def set_text(
             continue
         kept.setObjectType(_KIND)
         kept.setProperty(_TEX, tex)
+        kept.setProperty(_IS_DISPLAYED, is_displayed)
         kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
         # A line with only a formula is as high as one of letters; no line ends beside a formula.
         begins = cursor.positionInBlock() == 0 or _before(document, cursor).isspace()
@@ -162,8 +182,11 @@ class _Formulas(QPyTextObject):
         """Return TeX, outline, em in pixels, and the height with which Qt centres the formula."""
         character = form.toCharFormat()
         tex = str(form.property(_TEX))
-        found = outline(tex)
         em = LARGER * _em(document, character)
+        if document.property(SPACIOUS):
+            tex = readable(tex)
+            em *= DISPLAYED_LARGER if form.property(_IS_DISPLAYED) else 1.0
+        found = outline(tex)
         widest = document.textWidth() - 2.0 * ROOM_EM * em
         if 0.0 < widest < found.width * em:
             em = widest / found.width
@@ -215,11 +238,13 @@ class LessonText(QTextEdit):
 
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
-        self._text, self._is_title = "", title
+        self.written, self._is_title = "", title
         self._heights: dict[int, int] = {}
         """Cached by width: layouts request heights often."""
         self.setDocument(TextDocument(self))
+        self.document().setProperty(SPACIOUS, True)
         self.setReadOnly(True)
+        give_role(self, QAccessible.Role.Document)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -232,7 +257,7 @@ class LessonText(QTextEdit):
         self.say(text)
 
     def say(self, text: str) -> None:
-        self._text = text
+        self.written = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())
         self.setAccessibleName(plain_of(text))

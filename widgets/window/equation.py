@@ -131,6 +131,8 @@ class EquationSlide(QWidget):
         """Of letters that have the colour of what the picture names by them."""
         self._screen_px = 1.0
         self._is_asked = False
+        self.cells: list[QRectF] = []
+        """Where the cells that are not 0 were painted."""
         self._readable = Readable(self, self._fill, lambda: self._is_asked)
         self.hide()
 
@@ -238,6 +240,7 @@ class EquationSlide(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        self.cells = []
         if self._problem:
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.setPen(self.palette().windowText().color())
@@ -322,6 +325,8 @@ class EquationSlide(QWidget):
                 cell = QRectF(x, y, width, height)
                 glyphs = laid.cells[row][column]
                 letters = [name for _, name, _ in glyphs.parts]
+                if laid.term.matrix.values[row][column]:
+                    self.cells.append(cell)
                 colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
                 left = cell.center().x() - em * glyphs.width / 2.0
                 base = cell.center().y() + em * (glyphs.ascent - glyphs.descent) / 2.0

@@ -15,8 +15,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import cast
 
-from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleAnnouncementEvent,
@@ -53,6 +54,7 @@ from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label
+from widgets.parts.roles import give_role
 from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
 from widgets.window.lesson_blocks.exercise import Practises
@@ -77,6 +79,8 @@ CALL_MS = 1500
 """How long the handles of a task are shown as its step opens."""
 WHILE_MOVING_MS = 50
 """Interval at which tasks are checked while the model moves."""
+MARGIN_PX = 4
+"""Space that is kept above and below what is scrolled to."""
 TOUR = CONTENT / "tour.md"
 """The tour of the first two minutes."""
 
@@ -105,6 +109,8 @@ class LessonCard(QFrame):
     """The user wants a file with these marks of a test."""
     test_left = Signal()
     """A test was closed before its end; its answers are kept."""
+    room_wanted = Signal(int)
+    """How many pixels of height a response lacks; 0 once the step is left."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -127,6 +133,8 @@ class LessonCard(QFrame):
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self.blocks: list[BlockView] = []
+        self._current: BlockView | None = None
+        """The block that has the cursor, or had it last."""
         self._title = Label(wordWrap=True)
         self._title.setObjectName("paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
@@ -134,6 +142,8 @@ class LessonCard(QFrame):
         close = _tool("close", self.tr("Close the lesson"), self.leave)
         self._marks = QWidget()
         self._marks.setObjectName("stepMarks")
+        self._marks.setAccessibleName(self.tr("Steps"))
+        give_role(self._marks, QAccessible.Role.PageTabList)
         self._numbers: list[QToolButton] = []
         self._counted = Label()
         self._counted.setObjectName("paneNote")
@@ -153,6 +163,7 @@ class LessonCard(QFrame):
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
         lessons.complained.connect(self._show_mistakes)
+        cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
         self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
         self.hide()
@@ -260,6 +271,7 @@ class LessonCard(QFrame):
         self._aside = None
         self._notice.hide()
         self._call_handles()
+        self._show_hint()
         self.look_again()
 
     def _call_handles(self) -> None:
@@ -272,6 +284,11 @@ class LessonCard(QFrame):
         """Make the page of the step; it takes the focus unless the user types elsewhere."""
         takes = self._may_take_focus
         self._make_page()
+        turn = next((block for block in self.blocks if block.is_open), None)
+        if turn is None and self.blocks:
+            turn = self.blocks[-1]  # its answer is seen beside its state
+        if turn is not None:
+            turn.open_up()
         if takes:
             self._take_focus()
 
@@ -303,6 +320,7 @@ class LessonCard(QFrame):
                 mark = tool_button(
                     str(place + 1), in_line(step.title), act, flat=True, checkable=True
                 )
+                give_role(mark, QAccessible.Role.PageTab)
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
         self._counted.setVisible(len(self._numbers) <= MOST_COUNTED)
@@ -321,7 +339,7 @@ class LessonCard(QFrame):
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
         self.back.setEnabled(place > 0)
         self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
-        self.hint.setEnabled(self._hinting is not None)
+        self._show_hint()
         self.went_on.emit()
 
     def _hide(self) -> None:
@@ -337,7 +355,8 @@ class LessonCard(QFrame):
             self.hidden.emit(hides)
 
     def _clear(self) -> None:
-        self.blocks = []
+        self.blocks, self._current = [], None
+        self.room_wanted.emit(0)
         self._hide()
         page = self._area.takeWidget()
         if page is not None:
@@ -375,18 +394,30 @@ class LessonCard(QFrame):
             view.tried.connect(partial(self._log, view))
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
+            view.posed.connect(self._pose)
             view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
             self.blocks.append(view)
             self._column.addWidget(view)
 
     def _reveal(self, block: BlockView) -> None:
-        """Scroll to a response: to all of it, or else to its beginning."""
-        lay_out()
-        lay_out()  # again, because a scroll bar that appears makes the text narrower
-        self.hint.setEnabled(self._hinting is not None)
-        said = block.said if block in self.blocks else []
-        for widget in (*said[-1:], *said[:1]):
-            self._area.ensureWidgetVisible(widget, 0, 10)
+        """Show a response: with its question if there is room, else all of it, or its beginning."""
+        self._show_hint()
+        if block not in self.blocks or not block.said:
+            return
+        _settle_layout()
+        missing = block.height() + 2 * MARGIN_PX - self._area.viewport().height()
+        if missing > 0:
+            self.room_wanted.emit(missing)
+            _settle_layout()
+        self._scroll_to(block)
+        self._scroll_to(*block.said)
+
+    def _scroll_to(self, *widgets: QWidget) -> None:
+        """Scroll until widgets from the top one to the bottom one are seen, or as much as fits."""
+        bar, port = self._area.verticalScrollBar(), self._area.viewport()
+        begin, end = widgets[0].mapTo(port, QPoint()), widgets[-1].mapTo(port, QPoint())
+        top, bottom = begin.y() - MARGIN_PX, end.y() + widgets[-1].height() + MARGIN_PX
+        bar.setValue(bar.value() + min(max(0, bottom - port.height()), top))
 
     def _key(self, block: str) -> str:
         return f"{self._here.name}/{block}"
@@ -398,7 +429,23 @@ class LessonCard(QFrame):
 
     @property
     def _hinting(self) -> BlockView | None:
-        return next((block for block in self.blocks if block.is_open and block.hints), None)
+        """Return the block that gives the next hint: the one with the cursor, or a task."""
+        found = [block for block in self.blocks if block.is_open and block.hints]
+        current = self._current
+        if current is not None and current.is_open:
+            found = [block for block in found if block is current or block.first is None]
+            found.sort(key=lambda block: block is not current)
+        return next(iter(found), None)
+
+    def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
+        """Remember in which block the cursor is, or was last."""
+        for block in self.blocks:
+            if focus is not None and block.isAncestorOf(focus):
+                self._current = block
+                self._show_hint()
+
+    def _show_hint(self) -> None:
+        self.hint.setEnabled(self._hinting is not None)
 
     def _is_done(self, step: Step) -> bool:
         """Whether all blocks of a step are answered; one without blocks is done once it is left."""
@@ -454,6 +501,10 @@ class LessonCard(QFrame):
         self._aside = document, None
         self._lessons.show(document)
 
+    def _pose(self, document: Document) -> None:
+        self._hide()  # before it is seen
+        self._lessons.pose(document)
+
     # -- navigation
 
     def go_to(self, place: int) -> None:
@@ -491,12 +542,12 @@ class LessonCard(QFrame):
         self._lessons.come_back()
 
     def give_hint(self) -> None:
-        """Show the next hint of the first open block that has one."""
+        """Show the next hint of the question that has the cursor."""
         block = self._hinting
         if block is not None:
             block.give_hint()
             self._area.ensureWidgetVisible(block)
-            self.hint.setEnabled(self._hinting is not None)
+            self._show_hint()
             self.went_on.emit()
 
     def check(self) -> None:
@@ -643,6 +694,11 @@ class LessonCard(QFrame):
             view.look(document, look)
 
 
+def _settle_layout() -> None:
+    lay_out()
+    lay_out()  # again, because a scroll bar that appears makes the text narrower
+
+
 def _after(path: Path) -> Head | None:
     """Return the next lesson; after the tour, the first."""
     lessons = heads(talks=False)
@@ -661,21 +717,54 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
 
 
 class Side(QSplitter):
-    """The column beside the pictures in a splitter: the lesson's card above the controls."""
+    """The column beside the pictures in a splitter: the lesson's card above the controls.
+
+    The card takes the controls' height when a response does not fit in its own. The controls get
+    it back when the mouse or the focus comes to them, or another step is shown.
+    """
 
     def __init__(self, around: QSplitter) -> None:
         super().__init__(Qt.Orientation.Vertical)
         around.addWidget(self)
         self._around = around
         self.controls = Controls(self)
+        self.controls.installEventFilter(self)
+        self.controls.setMinimumHeight(2 * self.fontMetrics().height())  # its search remains
+        cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._card: LessonCard | None = None
         self._before: list[int] = []
         """Widths of pictures and column without a lesson."""
+        self._own: list[int] = []
+        """Heights of card and controls while the card has some of the controls' height."""
+        self.splitterMoved.connect(lambda *_: self._own.clear())
         self.setChildrenCollapsible(False)
 
     def take_card(self, card: LessonCard) -> None:
         self._card = card
+        card.room_wanted.connect(self._lend)
         self.insertWidget(0, card)
+
+    def _lend(self, height: int) -> None:
+        """Give the card some of the controls' height; 0 gives all of it back."""
+        if height and self.controls.isVisible() and not self._is_used(QApplication.focusWidget()):
+            card, controls = self.sizes()
+            self._own = self._own or [card, controls]
+            self.setSizes([card + height, max(0, controls - height)])
+        elif self._own:
+            self.setSizes(self._own)
+            self._own = []
+
+    def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
+        if self._own and self._is_used(focus):
+            self._lend(0)
+
+    def _is_used(self, focus: QWidget | None) -> bool:
+        return focus is not None and self.controls.isAncestorOf(focus)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if self._own and event.type() == QEvent.Type.Enter:
+            self._lend(0)
+        return super().eventFilter(watched, event)
 
     def show_parts(self, *, card: bool, controls: bool) -> None:
         assert self._card is not None

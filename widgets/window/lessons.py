@@ -86,6 +86,8 @@ class Lessons(QObject):
     """Why a step cannot be shown; the previous step stays."""
     stepped = Signal()
     """Another step is shown, or the same one again."""
+    arrived = Signal()
+    """The model has moved to where it goes."""
 
     def __init__(
         self,
@@ -103,6 +105,8 @@ class Lessons(QObject):
         self._look_from, self._panes = look_from, transition_of_panes
         self._arrived: dict[str, Camera] = {}
         """The panes' cameras when the step was shown."""
+        self._posed: Document | None = None
+        """The state of the step's exercise, shown in place of the step's own."""
         self.course: Course | None = None
         self.place = 0
         self._clock = Clock(self)
@@ -138,7 +142,7 @@ class Lessons(QObject):
         """Whether the window no longer shows the step, because the user changed something."""
         if self.course is None:
             return False
-        shown, look = self.course.shown(self.place), self._store.look()
+        shown, look = self._shown_at(self.place), self._store.look()
         if look.panes != self._arrived or self._store.document != shown.document:
             return True
         leading = {"large": scene_of(shown.document).leading}  # an empty name stands for this pane
@@ -178,7 +182,7 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.course, self.place = left
             return False
-        self._arrived = {}
+        self._arrived, self._posed = {}, None
         self._watch()
         self.opened.emit()
         self.stepped.emit()
@@ -202,7 +206,7 @@ class Lessons(QObject):
         if self.course is None or not 0 <= place < len(self.course.lesson.steps):
             return False
         try:
-            shown = self.course.shown(place)
+            shown = self._shown_at(place)
             scene = scene_of(shown.document)
         except Refusal as error:
             self.refused.emit(named(error, self.course.lesson.path))
@@ -214,6 +218,7 @@ class Lessons(QObject):
             self.place = left
             return False
         if place != left:
+            self._posed = None
             self._store.forget_steps()
             self._arrived = self._store.look().panes
         elif self._store.look().panes != self._arrived:
@@ -233,6 +238,12 @@ class Lessons(QObject):
         """Show the step as in its file, with the cameras it began with; this can be undone."""
         return self.go(self.place)
 
+    def pose(self, document: Document) -> None:
+        """Show the state of an exercise as the step's own, until another step is shown."""
+        self._posed = document
+        if self.go(self.place):
+            self._store.forget_steps()
+
     def show_predicted(self, state: State) -> None:
         """Show the state that answers a prediction of the step, if possible."""
         assert self.course is not None
@@ -249,17 +260,21 @@ class Lessons(QObject):
         self._stand_still()
         look = self._store.look()
         asked = self.course.shown(self.place).view if self.course is not None else {}
-        fields = {
-            name: getattr(document.view, name)
-            for name in FIELDS
-            if name in asked or getattr(document.view, name) != getattr(AS_EVER, name)
-        }
+        fields = _fields(document, asked)
         same = (document.scene, document.mesh) == (
             self._store.document.scene,
             self._store.document.mesh,
         )
         fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
+
+    def _shown_at(self, place: int) -> Shown:
+        """Return what a step shows: its own state, or that of its exercise."""
+        assert self.course is not None
+        shown = self.course.shown(place)
+        if self._posed is None or place != self.place:
+            return shown
+        return Shown(self._posed, _fields(self._posed, shown.view))
 
     def _show(self, shown: Shown, scene: Any) -> bool:
         here = self._store.document.scene, self._store.document.mesh
@@ -347,6 +362,8 @@ class Lessons(QObject):
         self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
         if self._panes is not None:
             self._panes.go(eased)
+        if self._part == 1.0:
+            self.arrived.emit()
 
     def _finish(self) -> None:
         """Move the model to its end at once."""
@@ -360,6 +377,7 @@ class Lessons(QObject):
             self._clock.stop()
             if self._panes is not None:
                 self._panes.go(1.0)
+            self.arrived.emit()
 
     # -- the file
 
@@ -394,10 +412,12 @@ class Lessons(QObject):
             place = course.lesson.place_of(name or step.name, min(self.place, last))
             shown = course.shown(place)
         except Refusal as error:
-            self.complained.emit(named(error, path))
+            is_talk = before.lesson.is_talk
+            self.complained.emit(named(error, path) if is_talk else self.mistakes())
             return
         self._messages.done()
-        same = shown == before.shown(self.place)
+        same = self._posed is None and shown == before.shown(self.place)
+        self._posed = None
         self.course, self.place = course, place
         self.opened.emit()
         if same:
@@ -420,6 +440,15 @@ class Lessons(QObject):
         if len(report.wrong) > MOST_MISTAKES:
             texts.append(self.tr("… and {0} more").format(len(report.wrong) - MOST_MISTAKES))
         return "\n".join(texts)
+
+
+def _fields(document: Document, asked: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the view of a document: the fields that a step sets, and those it has itself."""
+    return {
+        name: getattr(document.view, name)
+        for name in FIELDS
+        if name in asked or getattr(document.view, name) != getattr(AS_EVER, name)
+    }
 
 
 def named(error: Refusal, path: Path) -> str:

@@ -278,7 +278,7 @@ class MainWindow(QMainWindow):
         self.band, self.bottom = TalkBand(), QWidget()
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
         self.slots = Slots(self.panes, self.strip)
-        self.slide = Slide(self.slots)
+        self.slide = Slide(self.slots, self.panes)
         self.drawer = Drawer(split, self.slide, self.panels)
         self.side = Side(split)
         self.controls = self.side.controls
@@ -322,6 +322,8 @@ class MainWindow(QMainWindow):
         self.transition = Transition(
             self.look, self.slide, self.settings, lambda: self.present.is_on
         )
+        for pane in self.panes.values():
+            pane.fades = partial(getattr, self.transition, "is_wanted")
         self.lessons = Lessons(
             self.store, self.files, self.messages, self.history.stand_still, self.strip.go_to,
             self.look.look_from, self.transition,

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QImage,
@@ -24,7 +24,7 @@ from PySide6.QtGui import (
     QPen,
     QResizeEvent,
 )
-from PySide6.QtWidgets import QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QApplication, QFrame, QToolButton, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lessons.strokes import COLOURS, Stroke
@@ -109,8 +109,10 @@ class Pen(QWidget):
         self.switch(False)
 
     def _make_bar(self) -> QFrame:
+        """Make the bar, of which only the dot of the colour is seen until the mouse is on it."""
         bar = QFrame(self)
         bar.setObjectName("card")
+        self.dot = tool_button("●", self.tr("Colours, eraser, undo, clear, keep"))
         names = {
             "ink": self.tr("Black"),
             "accent": self.tr("Purple"),
@@ -134,10 +136,20 @@ class Pen(QWidget):
             tool_button(self.tr("Keep"), self.tr("Keep the strokes for the handout (K)"),
                         self.kept.emit),
         )  # fmt: skip
-        in_row(*self.colours.values(), self.eraser, *others, on=bar, margins=(6, 4, 6, 4), gap=4)
+        self._tools = (*self.colours.values(), self.eraser, *others)
+        in_row(*self._tools, self.dot, on=bar, margins=(2, 2, 2, 2), gap=4)
         for button in bar.findChildren(QToolButton):
             button.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        bar.installEventFilter(self)
+        self.dot.clicked.connect(partial(self._unfold, True))  # a finger has no place before
         return bar
+
+    def _unfold(self, unfolded: bool) -> None:
+        """Show all of the bar, or the dot alone."""
+        for tool in self._tools:
+            tool.setVisible(unfolded)
+        self.dot.setVisible(not unfolded)
+        self._show_bar()
 
     # -- the step
 
@@ -170,7 +182,11 @@ class Pen(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents, not on)
         self.setCursor(Qt.CursorShape.CrossCursor)
         self._bar.setVisible(on)
-        self._show_bar()
+        self._unfold(False)
+        application = QApplication.instance()
+        assert application is not None
+        if changed:
+            (application.installEventFilter if on else application.removeEventFilter)(self)
         if on:
             self.raise_()
             self.setFocus(Qt.FocusReason.OtherFocusReason)
@@ -221,10 +237,15 @@ class Pen(QWidget):
         for name, button in self.colours.items():
             button.setChecked(name == self.colour and not self.erases)
             button.setStyleSheet(f"color: {getattr(self._style, name)}")
+        self.dot.setText("◯" if self.erases else "●")
+        self.dot.setStyleSheet(f"color: {getattr(self._style, self.colour)}")
         self.eraser.setChecked(self.erases)
+        layout = self._bar.layout()
+        assert layout is not None
+        layout.activate()  # with the buttons that are there now
         size = self._bar.sizeHint()
         room = self._slide.size()
-        place = QSize(room.width() - size.width() - 8, room.height() - size.height() - 8)
+        place = QSize(room.width() - size.width(), room.height() - size.height())
         self._bar.setGeometry(QRect(place.width(), place.height(), size.width(), size.height()))
 
     def set_style(self, style: Style) -> None:
@@ -240,6 +261,7 @@ class Pen(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         event.accept()
+        self._bar.hide()
         if event.button() == Qt.MouseButton.RightButton or self.erases:
             self._erase(event.position())
         else:
@@ -257,6 +279,7 @@ class Pen(QWidget):
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         event.accept()
         self._finish()
+        self._bar.setVisible(self.is_on)
 
     def _finish(self) -> None:
         if self._drawn:
@@ -278,6 +301,22 @@ class Pen(QWidget):
             self.strokes[self._step] = left
             self._show_strokes()
 
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        kind = event.type()
+        if watched is self._bar and kind in (QEvent.Type.Enter, QEvent.Type.Leave):
+            self._unfold(kind == QEvent.Type.Enter)
+        elif (
+            isinstance(event, QKeyEvent)
+            and isinstance(watched, QWidget)
+            and watched.window() is self.window()
+            and event.matches(QKeySequence.StandardKey.Undo)
+        ):
+            event.accept()  # it is the pen's, wherever the keyboard is
+            if kind == QEvent.Type.KeyPress:
+                self.undo()
+            return True
+        return super().eventFilter(watched, event)
+
     def event(self, event: QEvent) -> bool:
         is_asked = event.type() == QEvent.Type.ShortcutOverride
         if is_asked and isinstance(event, QKeyEvent) and self._act(event) is not None:
@@ -286,8 +325,6 @@ class Pen(QWidget):
         return super().event(event)
 
     def _act(self, event: QKeyEvent) -> Callable[[], object] | None:
-        if event.matches(QKeySequence.StandardKey.Undo):
-            return self.undo
         return None if event.modifiers() else self._acts.get(event.key())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

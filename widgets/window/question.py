@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable, Iterable
+from itertools import product
 
-from PySide6.QtCore import QRect, QRectF
+from PySide6.QtCore import QPoint, QRect, QRectF, QSize
 from PySide6.QtGui import (
     QAbstractTextDocumentLayout,
     QFont,
@@ -19,21 +21,31 @@ from app.lessons.text import plain_of
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
-SHARE, WIDTH_SHARE = 1.0 / 3.0, 0.6
-"""Largest height and width of the question, in those of the slide."""
+SHARES = 1.0 / 3.0, 0.5
+"""Largest heights of the question, in those of the slide: the second if the text needs it."""
+WIDTHS = 0.45, 0.6, 0.8, 1.0
+"""Largest widths that are tried, in those of the slide."""
+PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0)
+"""Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)
-"""Sizes of the letters, in heights of the screen: the largest that fit are taken."""
+"""Sizes of the letters, in heights of the screen: the largest are preferred."""
 EDGE_SHARE = 0.02
 """Free on each side, in heights of the screen."""
 
 
 class Question(QFrame):
-    """Lies over the lower left of a slide; what does not fit is reached by the wheel."""
+    """Lies over a slide where it hides the least; what does not fit is reached by the wheel.
 
-    def __init__(self, slide: QWidget) -> None:
+    Parameters
+    ----------
+    named : callable
+        Returns what it should not hide, in the slide's pixels.
+    """
+
+    def __init__(self, slide: QWidget, named: Callable[[], Iterable[QRectF]]) -> None:
         super().__init__(slide)
         self.setObjectName("question")
-        self._slide = slide
+        self._slide, self._named = slide, named
         self._document = TextDocument(self)
         self._screen_px, self._moved_px = 0.0, 0
         self.hide()
@@ -44,27 +56,41 @@ class Question(QFrame):
         self.setAccessibleName(plain_of(text))
         set_text(self._document, text, palette=self.palette())
         self.setVisible(bool(text))
-        if text:
-            self.place()
-            self.raise_()
+        self.place()
+        self.raise_()
 
     def place(self) -> None:
-        """Lie at the lower left, as small as the text is in the largest letters that fit."""
+        """Lie where the fewest names are hidden, in the largest letters that allow it."""
+        if self.isHidden():
+            return
+        room, named = self._slide.rect(), list(self._named())
+        tried = []
+        for letters, widest in product(range(len(LETTERS)), WIDTHS):
+            size, whole = self._lay_out(letters, widest)
+            level = next((at for at, s in enumerate(SHARES) if whole <= s * room.height()), 2)
+            free = room.width() - size.width(), room.height() - size.height()
+            for order, (across, down) in enumerate(PLACES):
+                place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
+                hidden = sum(place.intersects(each.toAlignedRect()) for each in named)
+                area = size.width() * size.height()
+                tried.append(((level, hidden, letters, area, order), place, widest))
+        (_, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
+        self._lay_out(letters, widest)
+        self.setGeometry(place)
+        self.update()
+
+    def _lay_out(self, letters: int, widest: float) -> tuple[QSize, float]:
+        """Lay the text out; return the question's size, and the height that all of it needs."""
         room, edge = self._slide.rect(), EDGE_SHARE * self._screen_px
-        most_px = WIDTH_SHARE * room.width() - 4.0 * edge, SHARE * room.height() - 2.0 * edge
-        for share in LETTERS:
-            font = QFont(self.font())
-            font.setPixelSize(max(8, round(share * self._screen_px)))
-            self._document.setDefaultFont(font)
-            self._document.setTextWidth(max(1.0, most_px[0]))
-            if self._document.size().height() <= most_px[1]:
-                break
+        font = QFont(self.font())
+        font.setPixelSize(max(8, round(LETTERS[letters] * self._screen_px)))
+        self._document.setDefaultFont(font)
+        self._document.setTextWidth(max(1.0, widest * room.width() - 4.0 * edge))
         width = math.ceil(min(self._document.idealWidth() + 1.0, self._document.textWidth()))
         self._document.setTextWidth(width)
-        wide = math.ceil(width + 4.0 * edge)
-        high = math.ceil(min(self._document.size().height(), most_px[1]) + 2.0 * edge)
-        self.setGeometry(QRect(0, room.height() - high, wide, high))
-        self.update()
+        whole = self._document.size().height() + 2.0 * edge
+        high = math.ceil(min(whole, SHARES[-1] * room.height()))
+        return QSize(math.ceil(width + 4.0 * edge), high), whole
 
     @property
     def _room(self) -> QRectF:
@@ -83,7 +109,8 @@ class Question(QFrame):
         painter, room = QPainter(self), self._room
         painter.fillRect(self.rect(), self.palette().color(QPalette.ColorRole.Window))
         painter.setPen(self.palette().color(QPalette.ColorRole.Highlight))
-        painter.fillRect(QRect(0, 0, self.width(), 3), painter.pen().color())
+        line = 0 if self.y() else self.height() - 3  # towards the picture
+        painter.fillRect(QRect(0, line, self.width(), 3), painter.pen().color())
         painter.setClipRect(room)
         painter.translate(room.left(), room.top() - self._moved_px)
         context = QAbstractTextDocumentLayout.PaintContext()

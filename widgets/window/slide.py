@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from collections.abc import Iterator, Mapping
+
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
+from widgets.panes.pane import Pane
 from widgets.parts.layouts import in_row
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
@@ -20,17 +23,17 @@ EQUATION_HEIGHT = 0.5
 
 
 class Slide(QWidget):
-    """Holds the panes, and lays the question over their lower third."""
+    """Holds the panes, and lays the question over a part of them."""
 
     touched = Signal()
     """A finger has touched the screen."""
 
-    def __init__(self, slots: Slots) -> None:
+    def __init__(self, slots: Slots, panes: Mapping[str, Pane]) -> None:
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self._slots = slots
+        self._slots, self._panes = slots, panes
         self.equation = EquationSlide()
-        self.question = Question(self)
+        self.question = Question(self, self.named)
         self.pen = Pen(self)
         self.pen.hide()
         self._row = in_row(self.equation, slots, on=self, margins=(0, 0, 0, 0), gap=0)
@@ -51,6 +54,20 @@ class Slide(QWidget):
         share = EQUATION_HEIGHT if is_wide else EQUATION_SHARE
         self._row.setStretch(0, round(100 * share) if has_equation else 0)
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
+
+    def named(self) -> Iterator[QRectF]:
+        """What a question should not hide: names and points of the panes, cells of the equation."""
+        for pane in self._panes.values():
+            canvas, drawing = pane.canvas, pane.drawing
+            if drawing is None or not self.isAncestorOf(canvas) or not canvas.isVisible():
+                continue
+            corner, ratio = canvas.mapTo(self, QPointF(0.0, canvas.height())), canvas.pixel_ratio
+            for left, low, right, high in drawing.board.boxes:
+                wide, tall = (right - left) / ratio, (high - low) / ratio
+                yield QRectF(corner.x() + left / ratio, corner.y() - high / ratio, wide, tall)
+        if self.equation.isVisible():
+            at = self.equation.mapTo(self, QPointF())
+            yield from (cell.translated(at) for cell in self.equation.cells)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -206,10 +206,17 @@ class SpeakerWindow(QWidget):
 
     # -- the step
 
-    def show_step(self, course: Course, place: int, left_out: str = "") -> None:
-        """Show a step's notes and the title of the next one, whose picture `draw_next` draws.
+    def show_step(self, course: Course, place: int, left_out: str, left: int) -> None:
+        """Show a step's notes, what the next key shows, and the title of the next step.
 
-        `left_out` are the words of the step that are too long for the class's slide.
+        `draw_next` draws its picture.
+
+        Parameters
+        ----------
+        left_out : str
+            The words of the step that are too long for the class's slide.
+        left : int
+            How many questions and answers come before the next step.
         """
         steps = course.lesson.steps
         if course is not self._course:
@@ -225,11 +232,15 @@ class SpeakerWindow(QWidget):
         self._show_notes(step)
         self.steps.setCurrentRow(place)
         following = steps[place + 1] if place + 1 < len(steps) else None
-        self._next_title.setText(
-            self.tr("Next: {0}").format(in_line(following.title))
-            if following is not None
-            else self.tr("This is the last step.")
-        )
+        if left:
+            text = self.tr("Next: the answer") if left % 2 else self.tr("Next: the question")
+            if following is not None:
+                text = self.tr("{0}; later: {1}").format(text, in_line(following.title))
+        elif following is not None:
+            text = self.tr("Next: {0}").format(in_line(following.title))
+        else:
+            text = self.tr("This is the last step.")
+        self._next_title.setText(text)
         self._show_picture()
         self._show_time()
 

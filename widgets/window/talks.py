@@ -21,6 +21,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 from app.document.store import Store
 from app.lessons.blocks.block import Part
 from app.lessons.course import Course
+from app.lessons.state import State
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
@@ -50,7 +51,7 @@ class Talks(QObject):
     speaker : SpeakerWindow or None
         While it is open.
     revealed : int
-        Progress through the step's questions: each is asked, and then answered.
+        Progress through the step: its picture alone, then each question asked, and answered.
     writer : TalkWriter
     """
 
@@ -78,6 +79,8 @@ class Talks(QObject):
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
         self.revealed = 0
+        self._reached: dict[int, int] = {}
+        """How far each step was revealed when it was left: Page Up shows it so again."""
         self._shown: tuple[Course, int] | None = None
         self._looks = False
         """Whether the slide is being painted for the speaker's window."""
@@ -104,6 +107,7 @@ class Talks(QObject):
             (pen.drawn, self.see_later),
             (lessons.opened, self._show),
             (lessons.stepped, self._show),
+            (lessons.arrived, self._pose),
             (lessons.complained, self._complain),
             (lessons.refused, self._refuse),
         ):
@@ -134,11 +138,10 @@ class Talks(QObject):
 
     def _asked(self, course: Course, place: int) -> str:
         """Return the current question, or its answer; empty for none."""
-        number, told = divmod(self.revealed, 2)
-        if not self._questions:
+        if not self.revealed:
             return ""
-        question = self._questions[number]
-        if not told:
+        question = self._questions[(self.revealed - 1) // 2]
+        if self.revealed % 2:
             return question.posed()
         answer = ""
         try:
@@ -150,8 +153,10 @@ class Talks(QObject):
     def _show(self, _told: object = None) -> None:
         """Show the step to the class and to the speaker."""
         course, place = self._lessons.course, self._lessons.place
-        if self._shown is None or course is not self._shown[0] or place != self._shown[1]:
-            self.revealed = 0
+        if self._shown is None or course is not self._shown[0]:
+            self._reached, self.revealed = {}, 0
+        elif place != self._shown[1]:
+            self._reached[self._shown[1]], self.revealed = self.revealed, 0
         self._shown = None if course is None else (course, place)
         self._keys.listen(self.is_on, self.speaker)
         self._band.setVisible(self.is_on)
@@ -165,19 +170,30 @@ class Talks(QObject):
             return
         step, count = course.lesson.steps[place], len(course.lesson.steps)
         self._pen.show_step(step.name)
-        screen_px = float(self._window.screen().size().height())
-        asked = self._asked(course, place) if self.is_on else ""
-        self._question.show_text(asked, screen_px)
+        self._pose()
         if self.is_on:
-            self._band.set_screen(screen_px)
+            self._band.set_screen(self._screen_px)
             self._band.show_step(step, f"{place + 1} / {count}")
         if self.speaker is not None:
-            self.speaker.show_step(course, place, self._band.left_out if self.is_on else "")
+            left_out = self._band.left_out if self.is_on else ""
+            left = 2 * len(self._questions) - self.revealed
+            self.speaker.show_step(course, place, left_out, left)
         self.see_later()
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
         else:
             self._ahead.forget()
+
+    @property
+    def _screen_px(self) -> float:
+        return float(self._window.screen().size().height())
+
+    def _pose(self) -> None:
+        """Show the question or its answer, but over no picture that moves."""
+        course, text = self._lessons.course, ""
+        if course is not None and self.is_on and not self._lessons.is_moving:
+            text = self._asked(course, self._lessons.place)
+        self._question.show_text(text, self._screen_px)
 
     # -- the pen
 
@@ -223,7 +239,7 @@ class Talks(QObject):
     # -- navigation
 
     def next(self) -> None:
-        """Answer the question, or ask the next one, or go to the next step."""
+        """Ask the next question, or answer it, or go to the next step."""
         if self.reveal():
             return
         self._unblank()
@@ -234,22 +250,43 @@ class Talks(QObject):
             self._lessons.next()
 
     def previous(self) -> None:
+        """Go the way of `next` back, to the previous step as it was left."""
         self._unblank()
-        self._lessons.previous()
+        if self.revealed:
+            before = self._state
+            self.revealed -= 1
+            self._show()
+            if self._state is None and before is not None:
+                self._lessons.come_back()
+            elif self._state is not before:
+                self._show_state()
+        elif self._lessons.previous():
+            self.revealed = self._reached.get(self._lessons.place, 0)
+            self._show()
+            self._show_state()
 
     def reveal(self) -> bool:
-        """Answer the question, or ask the next one; return False if all are answered."""
-        questions = self._questions
-        if self.revealed + 1 >= 2 * len(questions):
+        """Ask the next question, or answer it; return False if all are answered."""
+        if self.revealed >= 2 * len(self._questions):
             return False
         self._unblank()
+        before = self._state
         self.revealed += 1
         self._show()
-        number, told = divmod(self.revealed, 2)
-        state = questions[number].show
-        if told and state is not None:
-            self._lessons.show_predicted(state)
+        if self._state is not before:
+            self._show_state()
         return True
+
+    @property
+    def _state(self) -> State | None:
+        """What the last of the given answers shows; None for what the step does."""
+        answered = self._questions[: self.revealed // 2]
+        return next((each.show for each in reversed(answered) if each.show is not None), None)
+
+    def _show_state(self) -> None:
+        if self._state is not None:
+            self._lessons.show_predicted(self._state)
+            self._pose()
 
     def jump(self, number: int) -> None:
         """Go to a step by its number, from 1."""

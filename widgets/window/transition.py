@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QObject, QRect, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QWidget
 
@@ -110,7 +110,11 @@ class Transition(QObject):
         return bool(ways) or moves
 
     def paint(self) -> None:
-        """Paint the beginning now: what takes long is done before the way begins."""
+        """Paint the beginning now: what takes long is done before the way begins.
+
+        First everything has its place, or the panes would be drawn again in another size.
+        """
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
         self._slide.repaint()
 
     def go(self, part: float) -> None:

@@ -12,7 +12,6 @@ from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import CHECKS, RIGHT, Marked, Question, Reply, Verdict, said_below
 from app.lessons.lines import LACKS, Body, refused
-from app.model.formula import latex
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
@@ -69,13 +68,6 @@ class Answer(Marked):
                 return wrong.verdict(here)
         too_short = marking.is_too_short(number, value)
         return Verdict(False, too_short=too_short, remark=marking.remark(number, value))
-
-    def solution(self, here: Here) -> str:
-        numbered = self.numbered(here)
-        if numbered is None:
-            return ""
-        sides = *(latex(each, {}) for each in (*self.right, *numbered)), f"{self.answer(here):.4g}"
-        return f"${' = '.join(sides)}$"
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"

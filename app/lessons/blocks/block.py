@@ -37,6 +37,10 @@ class Here(Protocol):
         """Return the step's own state; a `Refusal` names the line that makes it impossible."""
 
     @property
+    def given(self) -> Mapping[str, float]:
+        """Return the numbers with names of their own that an exercise has drawn."""
+
+    @property
     def asked(self) -> Mapping[str, Asked]:
         """Return the step's questions and tasks, by name."""
 

@@ -113,11 +113,11 @@ class Click(Marked):
 
     def solution(self, here: Here) -> str:
         numbered = self.numbered(here)
-        if numbered is None:
+        if not numbered:
             return ""
         sides = (", ".join(latex(each, {}) for each in side) for side in (self.right, numbered))
         values = ", ".join(f"{value:.4g}" for value in self.answer(here))
-        return f"${' = '.join(f'({side})' for side in (*sides, values))}$"
+        return f"${' = '.join(f'({side})' for side in dict.fromkeys((*sides, values)))}$"
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return f"({', '.join(map(write, self.answer(here)))})"

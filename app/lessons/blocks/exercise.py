@@ -105,7 +105,7 @@ class Exercise(Asked):
         states: list[tuple[int, str]] = []
         recipe: list[tuple[int, str]] = []
         hides: set[str] = set()
-        for line, text in body.lines:
+        for line, text in _continued(body.lines):
             vary, own = _VARY.fullmatch(text), _OWN.fullmatch(text)
             if vary is not None:
                 varied.append(_varied(vary[1], vary[2].strip(), line, varied))
@@ -207,6 +207,18 @@ class Exercise(Asked):
         return variant.question.verdict(variant.here, rest.strip(), line)
 
 
+def _continued(lines: Lines) -> Lines:
+    """Join the exercise's own lines with the indented lines below them."""
+    found: list[tuple[int, str]] = []
+    for line, text in lines:
+        above = found[-1] if text[:1] in (" ", "\t") and found else (0, "")
+        if _VARY.fullmatch(above[1]) or _OWN.fullmatch(above[1]):
+            found[-1] = above[0], f"{above[1]} {text.strip()}"
+        else:
+            found.append((line, text))
+    return found
+
+
 def _hidden(text: str, line: int) -> set[str]:
     names = {name.strip() for name in text.split(",")}
     for name in names.difference(HIDDEN):
@@ -281,4 +293,5 @@ def written_number(value: Fraction) -> str:
     short = f"{float(value):.10g}"
     if Fraction(short) == value:
         return short
-    return str(value) if value.denominator < 100 else f"{float(value):.4g}"
+    is_common = value.denominator <= 12 and abs(value.numerator) <= 16
+    return str(value) if is_common else f"{float(value):.4g}"

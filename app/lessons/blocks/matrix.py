@@ -151,12 +151,22 @@ class Matrix(Marked):
             yield Refusal.saying(COLUMNS, one + 1, other + 1), _flat(swapped)
 
     def solution(self, here: Here) -> str:
-        return "\n\n$=$\n\n".join(self.sides(here))
+        """Return a line for each number that has letters; the numbers are in `answer_text`."""
+        lines = list[str]()
+        for place, numbered in enumerate(self.numbered(here)):
+            sides = latex(self.right[place], {}), latex(numbered, {})
+            if sides[0] != sides[1]:
+                row, column = place // self.columns + 1, place % self.columns + 1
+                is_vector = min(self.rows, self.columns) == 1
+                name = f"v_{place + 1}" if is_vector else f"m_{{{row}{column}}}"
+                value = f"{self.answer(here)[place]:.4g}"
+                lines.append(f"${' = '.join((name, *dict.fromkeys((*sides, value))))}$")
+        return "  \n".join(lines)
 
     def sides(self, here: Here) -> list[str]:
-        """Return the sides of the equation of `solution`, each a table; none without letters."""
+        """Return the sides of an equation of matrices, each a table; none without letters."""
         numbered = self.numbered(here)
-        if numbered is None:
+        if not numbered:
             return []
         sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
         values = [f"${value:.4g}$" for value in self.answer(here)]

@@ -15,15 +15,20 @@ from app.document.document import Document
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.lines import Body, Item, Items, on_line, refused
+from app.lessons.marking import UNITS
 from app.lessons.quantities import FUNCTIONS, Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
-from app.model.formula import Call, Formula, Letter, Negative, Number
+from app.model.formula import Call, Formula, Letter, Negative, Number, latex
+from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
     "Refusal",
     "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
+)
+NO_REPLY = QT_TRANSLATE_NOOP(
+    "Refusal", "is wrong, but has no reply: name a wrong idea, or add “says:” below"
 )
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
@@ -99,6 +104,8 @@ class Reply:
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
             trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+        if not (self.right or self.idea or self.says):
+            trial.complain(refused(self.line, NO_REPLY))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
@@ -205,6 +212,22 @@ class Question(Asked):
             if not wrong.right and wrong.formulas:
                 yield wrong, wrong.formulas, wrong.line
 
+    def numbered(self, here: Here) -> tuple[Formula, ...]:
+        """Return the formulas of the right value with numbers for letters; none without letters."""
+        return with_numbers(self.key[0], self.known(here))
+
+    def solution(self, here: Here) -> str:
+        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
+
+        Empty if the formulas have no letters: the question itself says the numbers.
+        """
+        numbered = self.numbered(here)
+        if not numbered:
+            return ""
+        (value,) = self.values(here, *self.key)
+        sides = *(latex(each, {}) for each in (*self.key[0], *numbered)), f"{value:.4g}"
+        return f"${' = '.join(dict.fromkeys(sides))}$"
+
     def _clashes(
         self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]
     ) -> Iterator[Refusal]:
@@ -231,6 +254,9 @@ class Marked(Question):
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
+        unit = items.single("unit")
+        if unit is not None and unit.text.lower() not in UNITS:
+            raise refused(unit.line, ONE_OF, ", ".join(UNITS), value=unit.text)
         return Question.fields(body, text, items) | {"unit": items.text("unit")}
 
     def mark(self, here: Here, typed: str) -> Verdict:
@@ -245,23 +271,19 @@ class Marked(Question):
                 raise
             return "no number"
 
-    def solution(self, here: Here) -> str:
-        """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
 
-        Empty if the formulas have no letters: the question itself says the numbers.
-        """
-        raise NotImplementedError
-
-    def numbered(self, here: Here) -> tuple[Formula, ...] | None:
-        """Return the formulas of the right value with numbers for letters; None without letters."""
-        known, terms = self.known(here), dict[str, Formula]()
-        for formula in self.right:
-            for part in formula:
-                is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
-                if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
-                    number = Number(abs(Fraction(f"{known.value(part):.4g}")))
-                    terms[part.text] = number if known.value(part) >= 0.0 else Negative(number)
-        return tuple(formula.where(terms) for formula in self.right) if terms else None
+def with_numbers(formulas: Sequence[Formula], known: Quantities) -> tuple[Formula, ...]:
+    """Return formulas with numbers for their letters; none if they have no letters."""
+    terms = dict[str, Formula]()
+    for formula in formulas:
+        for part in formula:
+            is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
+            if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
+                value = known.value(part)
+                digits = 10 if value.is_integer() else 4  # a count is no rounded number
+                number = Number(abs(Fraction(f"{value:.{digits}g}")))
+                terms[part.text] = number if value >= 0.0 else Negative(number)
+    return tuple(formula.where(terms) for formula in formulas) if terms else ()
 
 
 def _figures(value: Value) -> str:

@@ -9,8 +9,10 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.question import with_numbers
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
+from app.model.formula import latex
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -57,6 +59,22 @@ class Task(Asked):
                 if not condition.holds(known):
                     return False
         return True
+
+    def solution(self, here: Here) -> str:
+        """Return the values that numbers of an exercise ask for, as Markdown; else an empty text.
+
+        Each is a condition in letters, with the numbers put in, and its value.
+        """
+        known, lines = here.quantities(), list[str]()
+        for line, condition in self.until:
+            left, right = condition.left, condition.right
+            if left is not None and right is not None and {*right.letters} & {*here.given}:
+                with on_line(line, "until"):
+                    sides = right, *with_numbers([right], known)
+                    value = f"{known.value(right):.4g}"
+                texts = dict.fromkeys((*(latex(side, {}) for side in sides), value))
+                lines.append(f"${latex(left, {})} {condition.sign} {' = '.join(texts)}$")
+        return "  \n".join(lines)
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1

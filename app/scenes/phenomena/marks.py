@@ -169,14 +169,16 @@ def plate(
 
 @dataclass(frozen=True, eq=False)
 class Grip:
-    """A handle in the world pane for a setting that is a point or a direction.
+    """A handle in the world pane for a setting: a point, a direction, or a number on a rail.
 
-    The setting's value is ``point - base``; of a direction, `base` is where it starts.
+    The setting's value is ``point - base``; of a direction, `base` is where it starts. A number is
+    t in ``point = base + t along``.
     """
 
     setting: str
     point: Array
     base: Vector = (0.0, 0.0, 0.0)
+    along: Vector | None = None
 
 
 @dataclass(frozen=True, eq=False)

@@ -166,10 +166,18 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ndc=named("P", trace.ndc) if here else Marks(),
         image=named("P", trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
-        grips=(Grip("point", place),),
+        grips=(Grip("point", place), _grip(projection, distance)),
         lengths=lengths,
         measured=(("d", distance),) if x_p is None else (("d", distance), ("w", w)),
     )
+
+
+def _grip(projection: Projection, distance: float) -> Grip:
+    """The plane's handle: it runs along the lower side of what the lens sees."""
+    low = section(projection, distance)[:2].mean(axis=0)
+    along = (low - projection.camera.eye) / distance
+    x, y, z = along.tolist()
+    return Grip("distance", low, projection.camera.eye, (x, y, z))
 
 
 def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:

@@ -8,11 +8,12 @@ from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
 from app.lessons.blocks.choices import Choices
 from app.lessons.course import AtStep
+from app.lessons.record import SHOWN
 from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import BlockView, Sign, button, hand_in
+from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button, hand_in
 
 
 class _Choice(QWidget):
@@ -95,6 +96,10 @@ class Chooses(BlockView):
             button.setChecked(True)
 
     def restore(self, answer: str) -> None:
+        if answer == TOLD and self.question.retries:
+            self.answer = TOLD
+            self._tell()
+            return
         number = int(answer) - 1 if answer.isdecimal() else -1
         if 0 <= number < len(self._choices):
             self._choices[number].button.setChecked(True)
@@ -139,7 +144,36 @@ class Chooses(BlockView):
             self.answer = str(number + 1)
         self._show_verdict(number, shows=True)
         if settles:
-            self.settled.emit(self.answer)
+            self._settle(self.answer)
+
+    def give_hint(self) -> None:
+        super().give_hint()
+        if self.question.retries:
+            self._offer_answer(self.give_away)
+
+    def give_away(self) -> None:
+        """Show the right choice, and why it is right."""
+        self.answer = TOLD
+        self._tell()
+        self.tried.emit("", SHOWN)
+        self._settle(TOLD)
+
+    def _tell(self) -> None:
+        text = self.question.replies[self.question.right].text
+        self._hush()
+        self._close()
+        said = self.tr("The answer is {0}.").format(_quoted(text))
+        said = f"{said} {self.question.why}".strip()
+        solution = self.question.solution(self.here)
+        self._say("help", "", said)
+        self._say("", "", solution)
+        self._announce(said, solution)
+
+    def _close(self) -> None:
+        for choice in self._choices:
+            choice.button.setEnabled(False)
+        self._commit.hide()
+        self._choices[self.question.right].mark("check", self.tr("The model's answer"))
 
     def _show_verdict(self, number: int, *, shows: bool) -> None:
         question, right = self.question, self.question.right
@@ -153,14 +187,12 @@ class Chooses(BlockView):
         if shows:
             self.tried.emit(str(number + 1), verdict.word)
         if not self.is_open:
-            for choice in self._choices:
-                choice.button.setEnabled(False)
-            self._commit.hide()
-            self._choices[right].mark("check", self.tr("The model's answer"))
+            self._close()
         if verdict.right:
             self._praise(verdict)
             show = show or verdict.state
         elif question.retries:
+            self._offer_answer(self.give_away)
             self._refute(verdict)
         else:
             self._choices[number].mark("close", self.tr("Your choice"))

@@ -24,7 +24,8 @@ class Practises(BlockView):
     """An exercise; the answer of the student is kept with the seed that drew its numbers."""
 
     def __init__(self, here: AtStep, exercise: Exercise, view_of: ViewOf) -> None:
-        super().__init__(here, exercise, text=self.tr("**Exercise**"))
+        super().__init__(here, exercise)
+        self._words.hide()  # each variant has its own
         self.exercise, self._view_of = exercise, view_of
         self.variant: Variant | None = None
         self.asked: BlockView | None = None
@@ -42,10 +43,12 @@ class Practises(BlockView):
             self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
         )
         self._another.hide()
+        title = Label(self.tr("Exercise"))
+        title.setObjectName("paneTitle")
         self._row = on_holder(
-            Label(self.tr("Variant")), self.seed, self._begin, self._another, FREE, gap=5
+            Label(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
         )
-        self._insert(self._row)
+        self._insert(on_holder(title, FREE, self._row, gap=5))
 
     @property
     def first(self) -> QWidget | None:
@@ -91,10 +94,24 @@ class Practises(BlockView):
         self.seed.setText(str(seed))
         self._draw()
 
+    @property
+    def said(self) -> list[QWidget]:
+        if self.asked is None:
+            return super().said
+        return self.asked.said or [self.asked]
+
+    def open_up(self) -> None:
+        """Show the state of the numbers; draw them first if they are not drawn yet."""
+        if self.asked is not None or self._draw():
+            assert self.variant is not None
+            self.posed.emit(self.variant.here.document)
+            if self.is_open and self.first is not None:
+                self.spoke.emit()
+
     def begin(self) -> None:
         """Draw the numbers of the seed, and show their state."""
         if self._draw() and self.variant is not None and self.asked is not None:
-            self.show_wanted.emit(self.variant.here.document)
+            self.posed.emit(self.variant.here.document)
             if self.asked.first is not None:
                 self.asked.first.setFocus()
             self.spoke.emit()
@@ -117,6 +134,7 @@ class Practises(BlockView):
         asked.show_wanted.connect(self.show_wanted)
         asked.spoke.connect(self.spoke)
         asked.tried.connect(self.tried)
+        asked.set_within()
         if self.asked is not None:
             self._column.removeWidget(self.asked)
             self.asked.hide()

@@ -1,4 +1,7 @@
-"""The frame of a question that is marked at each attempt; after some, its answer is offered."""
+"""The frame of a question that is marked at each attempt.
+
+Its answer is offered after a wrong attempt or a hint.
+"""
 
 from __future__ import annotations
 
@@ -12,12 +15,7 @@ from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
-from widgets.window.lesson_blocks.view import BlockView, hand_in
-
-TRIES = 3
-"""Number of attempts after which the answer is offered."""
-TOLD = "told"
-"""Stored as the answer if the program has shown it."""
+from widgets.window.lesson_blocks.view import TOLD, BlockView, hand_in
 
 
 class Attempts(BlockView):
@@ -28,7 +26,6 @@ class Attempts(BlockView):
     def __init__(self, here: AtStep, question: Marked) -> None:
         super().__init__(here, question)
         self.question = question
-        self._tries = 0
 
     @abstractmethod
     def _close(self) -> None:
@@ -83,7 +80,7 @@ class Attempts(BlockView):
             self._announce(text)
             return
         self.tried.emit(given, verdict.word)
-        self._tries += 1
+        self._offer_answer(self.give_away)
         if verdict.idea or verdict.says:
             self._refute(verdict)
         else:
@@ -94,16 +91,20 @@ class Attempts(BlockView):
                 text += " " + self.tr("The hint (Alt+I) says how to begin.")
             self._say("close", self.tr("Wrong"), text)
             self._announce(text)
-        if self._tries >= TRIES:
-            tip = self.tr("Show the right answer, and why it is right (Alt+A)")
-            self._offer(self.tr("Show the &answer"), tip, self._give_away)
 
     def _praise_and_close(self, verdict: Verdict) -> None:
         self._show_verdict(verdict)
         self._close()
         self._praise(verdict)
+        if not verdict.says:
+            self._say("", "", self.question.solution(self.here))
 
-    def _give_away(self) -> None:
+    def give_hint(self) -> None:
+        super().give_hint()
+        self._offer_answer(self.give_away)
+
+    def give_away(self) -> None:
+        """Show the right answer, and the way to it."""
         self._hush()
         try:
             self._tell()
@@ -119,6 +120,8 @@ class Attempts(BlockView):
         if "\n" in answer:  # a table stands by itself
             text = self.tr("The answer is:") + f"\n\n{answer}\n\n"
         self._close()
-        self._say("help", "", f"{text} {self.question.why}".strip())
-        self._say("", "", self.question.solution(self.here))
-        self._announce(text)
+        text = f"{text} {self.question.why}".strip()
+        solution = self.question.solution(self.here)
+        self._say("help", "", text)
+        self._say("", "", solution)
+        self._announce(text, solution)

@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.task import Task
 from app.lessons.course import AtStep
-from app.lessons.record import RIGHT
+from app.lessons.record import RIGHT, SHOWN
 from app.lessons.writing import changes
 from app.model.refusal import Refusal
-from widgets.window.lesson_blocks.view import BlockView, Sign, button
+from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
 
 DONE = "done"
 """Stored as the answer of a finished task."""
@@ -55,8 +56,30 @@ class Tries(BlockView):
             self._announce(self.tr("Nothing is changed yet."))
 
     def restore(self, answer: str) -> None:
-        self.answer = DONE
-        self._tick()
+        self.answer = answer
+        if answer == TOLD:
+            self._tell()
+        else:
+            self._tick()
+
+    def give_hint(self) -> None:
+        super().give_hint()
+        self._offer_answer(self.give_away)
+
+    def give_away(self) -> None:
+        """Show what the numbers of an exercise ask for."""
+        self._hush()
+        self._tell()
+        self._announce(self.task.solution(self.here))
+        self.tried.emit("", SHOWN)
+        self._settle(TOLD)
+
+    def _tell(self) -> None:
+        self._say("help", "", self.task.solution(self.here))
+
+    def _offer_answer(self, act: Callable[[], object]) -> None:
+        if self.task.solution(self.here):
+            super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
         self._now = replace(document, view=view)
@@ -73,6 +96,8 @@ class Tries(BlockView):
             self.tried.emit(self._given, RIGHT)
             self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
+        elif document != self.here.document:  # tried
+            self._offer_answer(self.give_away)
 
     def _tick(self) -> None:
         self._sign.show_icon("check", self.tr("Done"))

@@ -4,6 +4,7 @@
 
     an answer counts, or a task is seen done -> view.settled(answer) -> the card keeps it
     "Show it" -> view.show_wanted(document) -> the window
+    an exercise is drawn -> view.posed(document) -> the window, as the step's own state
 
 `restore` shows a view with an earlier answer as the student left it.
 """
@@ -45,6 +46,8 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
+TOLD = "told"
+"""Stored as the answer if the program has shown it."""
 SIGN_EM = 1.15
 """Size of a sign, relative to the text height beside it."""
 
@@ -86,12 +89,14 @@ class BlockView(QFrame):
     """The block is answered; emits the answer."""
     show_wanted = Signal(object)
     """The user wants to see this `Document`, which explains an answer."""
+    posed = Signal(object)
+    """The `Document` in which the question is asked, instead of the step's own."""
     tried = Signal(str, str)
     """An answer was given; emits it as in a sample, and the word of its verdict."""
     spoke = Signal()
     """A response to the answer appeared."""
 
-    def __init__(self, here: AtStep, block: Asked, *sign: QWidget, text: str = "") -> None:
+    def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
         super().__init__()
         self.setObjectName("asked")
         self.here, self.block = here, block
@@ -101,17 +106,25 @@ class BlockView(QFrame):
         self.hints = list(block.hints)
         """The hints not given yet."""
         self.setAccessibleName(plain_of(block.text))
-        self.said: list[QWidget] = []
-        """The widgets of the response, from the top."""
+        self._responses: list[QWidget] = []
+        self._hint: QWidget | None = None
+        """The newest hint, until another response comes."""
         self._said = in_column(gap=4)
-        words: QWidget = LessonText(text or block.text)
+        self._offered: QWidget | None = None
+        """The button that shows the right answer, once it is offered."""
+        self._words: QWidget = LessonText(block.text)
         if sign:
-            words = on_holder(*((each, TOP) for each in sign), (words, 1), gap=4)
-        self._column = in_column(words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+            self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
+        self._column = in_column(self._words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""
         self._column.insertWidget(self._column.indexOf(self._said), widget)
+
+    def set_within(self) -> None:
+        """Show the block as a part of another one, which has the frame."""
+        self.setObjectName("")
+        self._column.setContentsMargins(0, 0, 0, 0)
 
     @property
     def is_open(self) -> bool:
@@ -137,6 +150,11 @@ class BlockView(QFrame):
     def first(self) -> QWidget | None:
         """Return the widget that gets the focus first."""
         return None
+
+    @property
+    def said(self) -> list[QWidget]:
+        """Return the widgets of the newest response, from the top; none if nothing was said."""
+        return self._responses if self._hint is None else [self._hint]
 
     @property
     def variant_seed(self) -> int:
@@ -174,6 +192,9 @@ class BlockView(QFrame):
         self._announce(self.tr("Your answer is kept until the end."))
         self._settle(answer)
 
+    def open_up(self) -> None:
+        """Begin, as the block whose turn it is when its step opens."""
+
     def restore(self, answer: str) -> None:
         """Show the block as the student left it with an answer."""
 
@@ -186,22 +207,26 @@ class BlockView(QFrame):
             many = len(self.block.hints) > 1
             head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
             text = f"*{head}* {self.hints.pop(0)}"
-            self._insert(_row("help", "", text))
+            self._hint = _row("help", "", text)
+            self._insert(self._hint)
             self._announce(text)
 
     # -- the response
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
+        if self._offered is not None:
+            self._offered.hide()
         self.settled.emit(answer)
 
     def _hush(self) -> None:
         """Remove the previous response."""
-        for widget in self.said:
+        for widget in self._responses:
             self._said.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
-        self.said.clear()
+        self._responses.clear()
+        self._hint = None
 
     def _say(self, icon: str, sign: str, text: str) -> None:
         if text:
@@ -216,12 +241,21 @@ class BlockView(QFrame):
         self._warn(escaped(sentence(error)))
 
     def _add(self, widget: QWidget) -> None:
-        self.said.append(widget)
+        self._responses.append(widget)
         self._said.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
-        indent = round(1.4 * self.fontMetrics().height())
-        self._add(on_holder(indent, button(name, tip, act), FREE, gap=0))
+        self._add(self._indented(button(name, tip, act)))
+
+    def _indented(self, widget: QWidget) -> QWidget:
+        return on_holder(round(1.4 * self.fontMetrics().height()), widget, FREE, gap=0)
+
+    def _offer_answer(self, act: Callable[[], object]) -> None:
+        """Offer the right answer below every response, until it is known."""
+        if self._offered is None and self.is_open:
+            tip = self.tr("Show the right answer, and why it is right (Alt+A)")
+            self._offered = self._indented(button(self.tr("Show the &answer"), tip, act))
+            self._column.addWidget(self._offered)
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
         if document is not None:

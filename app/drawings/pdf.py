@@ -1,0 +1,163 @@
+"""Shapes as a PDF file, by matplotlib: its text is text, in embedded TrueType fonts."""
+
+from __future__ import annotations
+
+import io
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+
+from app.drawings.label import (
+    HALO_EM,
+    HALO_OPACITY,
+    UNDER_EM,
+    font_file,
+    is_set_in_words,
+    piece_of,
+)
+from app.drawings.style import rgb
+from app.drawings.vectors import Area, Disc, Picture, Points, Shape, Stroke, Text
+from app.lessons.text import FONT
+
+_SEAM_PX = 0.4  # as in SVG
+
+
+def pdf(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> bytes:
+    """Return the file of a figure of a size in pixels, as wide on paper as `width_mm`."""
+    from matplotlib import rc_context
+    from matplotlib.backends.backend_pdf import FigureCanvasPdf
+    from matplotlib.figure import Figure
+
+    inches = width_mm / 25.4, width_mm / 25.4 * size[1] / size[0]
+    figure: Any = Figure(figsize=inches, dpi=72, frameon=False)
+    FigureCanvasPdf(figure)
+    writer = _Writer(figure, size, inches)
+    buffer = io.BytesIO()
+    with rc_context({"pdf.fonttype": 42, "path.simplify": False}):
+        for shape in shapes:
+            writer.add(shape)
+        metadata = {
+            "Title": title,
+            "Creator": "Frustum Lab",
+            "Producer": None,
+            "CreationDate": None,
+        }
+        figure.savefig(buffer, format="pdf", metadata=metadata)
+    return buffer.getvalue()
+
+
+class _Writer:
+    """Adds shapes to a figure of matplotlib, each above the ones before."""
+
+    def __init__(self, figure: Any, size: tuple[int, int], inches: tuple[float, float]) -> None:
+        from matplotlib.transforms import Affine2D
+
+        self._figure, self._number, self._size = figure, 0, size
+        self._pt_per_px = 72.0 * inches[0] / size[0]
+        pt = self._pt_per_px
+        self._place: Any = Affine2D().scale(pt, -pt).translate(0.0, pt * size[1])
+
+    def add(self, shape: Shape) -> None:
+        if isinstance(shape, Area):
+            seam = _SEAM_PX if shape.opacity >= 1.0 else 0.0
+            self._patch(shape.rings, shape.colour, shape.opacity, seam)
+        elif isinstance(shape, Stroke):
+            self._line(shape.points, shape.colour, shape.opacity, shape.width)
+        elif isinstance(shape, Disc):
+            turns = np.linspace(0.0, 2.0 * np.pi, 33)[:-1]
+            (x, y), r = shape.centre, shape.radius
+            ring = [(x + r * float(np.cos(t)), y + r * float(np.sin(t))) for t in turns]
+            self._patch([ring], shape.colour, shape.opacity, 0.0)
+        elif isinstance(shape, Picture):
+            self._image(shape)
+        else:
+            self._text(shape)
+
+    def _above(self) -> int:
+        self._number += 1
+        return self._number
+
+    def _patch(self, rings: list[Points], colour: Any, opacity: float, seam: float) -> None:
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        paths: list[Any] = [Path([*ring, ring[0]], closed=True) for ring in rings]
+        patch: Any = PathPatch(
+            Path.make_compound_path(*paths), facecolor=(*colour, opacity), transform=self._place,
+            edgecolor=colour if seam else "none", linewidth=seam * self._pt_per_px,
+            joinstyle="round", zorder=self._above(),
+        )  # fmt: skip
+        self._figure.add_artist(patch)
+
+    def _line(self, points: Points, colour: Any, opacity: float, width: float) -> None:
+        from matplotlib.lines import Line2D
+
+        x, y = zip(*points, strict=True)
+        line: Any = Line2D(
+            x, y, color=(*colour, opacity), linewidth=width * self._pt_per_px, zorder=self._above(),
+            transform=self._place, solid_capstyle="round", solid_joinstyle="round",
+        )  # fmt: skip
+        self._figure.add_artist(line)
+
+    def _image(self, picture: Picture) -> None:
+        from matplotlib.image import BboxImage
+        from matplotlib.transforms import Bbox
+
+        left, top, wide, high = picture.place
+        low = self._size[1] - top - high
+        box = Bbox.from_bounds(*(self._pt_per_px * side for side in (left, low, wide, high)))
+        image: Any = BboxImage(box, zorder=self._above(), interpolation="none")
+        image.set_data(picture.pixels)
+        self._figure.add_artist(image)
+
+    def _text(self, text: Text) -> None:
+        from matplotlib.font_manager import FontProperties
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+        from matplotlib.transforms import Affine2D
+
+        written, em, turn = text.written, text.em, text.written.turn
+        cos, sin = np.cos(turn), np.sin(turn)
+        for part in ("halo", "letters"):
+            for (piece, is_tex, size, at), place in zip(written.pieces, _along(text), strict=True):
+                drawn = piece_of(piece, is_tex)
+                if not len(drawn.vertices):
+                    continue
+                if part == "halo":
+                    matrix = Affine2D().scale(size * em).translate(at * em, 0.0)
+                    matrix = matrix.rotate(turn).scale(1.0, -1.0).translate(*text.place)
+                    halo: Any = PathPatch(
+                        Path(drawn.vertices, drawn.codes), facecolor="none",
+                        edgecolor=written.halo, alpha=HALO_OPACITY * written.opacity,
+                        linewidth=2.0 * HALO_EM * em * self._pt_per_px, joinstyle="round",
+                        transform=matrix + self._place, zorder=self._above(),
+                    )  # fmt: skip
+                    self._figure.add_artist(halo)
+                    continue
+                x, y = place[0] / self._size[0], 1.0 - place[1] / self._size[1]
+                name = "DejaVuSans" if is_set_in_words(piece) else "STIXGeneral"
+                font: Any = FontProperties(
+                    fname=font_file(name), size=size * em * self._pt_per_px, math_fontfamily=FONT
+                )
+                self._figure.text(
+                    x, y, f"${piece}$" if is_tex else piece.replace("$", r"\$"),
+                    fontproperties=font, color=written.colour, alpha=written.opacity,
+                    rotation=np.degrees(turn), rotation_mode="anchor", zorder=self._above(),
+                    ha="left", va="baseline",
+                )  # fmt: skip
+        if written.underlined:
+            (x, y), low = text.place, UNDER_EM * em
+            end = max(
+                at + w * s for (_, _, s, at), w in zip(written.pieces, written.widths, strict=True)
+            )
+            ends = [(x + low * sin, y + low * cos)]
+            ends.append((ends[0][0] + cos * end * em, ends[0][1] - sin * end * em))
+            self._line(ends, rgb(written.colour), 1.0, low / 2.0)
+
+
+def _along(text: Text) -> Iterator[tuple[float, float]]:
+    """Yield where each piece of a label begins, in pixels of the figure."""
+    (x, y), turn = text.place, text.written.turn
+    for _, _, _, at in text.written.pieces:
+        yield x + np.cos(turn) * at * text.em, y - np.sin(turn) * at * text.em

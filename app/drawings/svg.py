@@ -1,0 +1,219 @@
+"""Shapes as an SVG file: text stays text, and nothing refers to another file."""
+
+from __future__ import annotations
+
+import base64
+import io
+import math
+import re
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from xml.sax.saxutils import escape, quoteattr
+
+from PIL import Image
+
+from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
+from app.drawings.vectors import Area, Colour, Disc, Picture, Shape, Stroke, Text
+from app.lessons.text import outline
+
+WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
+SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
+_SEAM_PX = 0.4  # of an opaque face's own colour round it: no seam shows between neighbours
+_LOWER_EM, _LOWERED = 0.22, 0.7  # a subscript: how far below the line, and its size
+_TEX = re.compile(
+    r"(?P<arrow>\\vec\{)?(?:\\mathrm\{(?P<word>\w+)\}|\\(?P<sign>[a-z]+) ?|(?P<letter>[^\W\d_]))"
+    r"(?(arrow)\})(?:_(?:\{(?:\\mathrm\{(?P<sub>\w+)\}|(?P<low>\w))\}))?(?P<prime>['\u2032]*)"
+)
+_GREEK = dict(zip((
+    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
+    "phi", "omega",
+), "αβγδεθλμπρσφω", strict=True))  # fmt: skip
+_FUNCTIONS = ("tan", "sin", "cos", "log")
+
+
+def svg(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> bytes:
+    """Return the file of a figure of a size in pixels, as wide on paper as `width_mm`."""
+    width, height = size
+    lines = [
+        f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
+        f' width="{_n(width_mm)}mm" height="{_n(width_mm * height / width)}mm"'
+        f' viewBox="0 0 {width} {height}" role="img" stroke-linecap="round"'
+        f' stroke-linejoin="round">',
+        f"<title>{escape(title)}</title>",
+    ]
+    number = 0
+    for kind, group in groupby(shapes, key=_kind):
+        same = list(group)
+        first = same[0]
+        if isinstance(first, Area):
+            lines.append(_areas([each for each in same if isinstance(each, Area)]))
+        elif isinstance(first, Stroke):
+            lines.append(_strokes([each for each in same if isinstance(each, Stroke)]))
+        else:
+            for shape in same:
+                if isinstance(shape, Disc):
+                    x, y = shape.centre
+                    lines.append(
+                        f'<circle cx="{_n(x)}" cy="{_n(y)}" r="{_n(shape.radius)}"'
+                        f' fill="{_hex(shape.colour)}"{_faint("fill", shape.opacity)}/>'
+                    )
+                elif isinstance(shape, Picture):
+                    lines.append(_image(shape))
+                elif isinstance(shape, Text):
+                    number += 1
+                    lines.extend(_text(shape, f"t{number}"))
+        del kind
+    return "\n".join([*lines, "</svg>", ""]).encode()
+
+
+def _kind(shape: Shape) -> object:
+    """What shapes that follow each other have in common if they are one element."""
+    if isinstance(shape, Area):
+        return "area", shape.colour, shape.opacity, shape.opacity < 1.0 and id(shape)
+    if isinstance(shape, Stroke):
+        return "stroke", shape.colour, shape.opacity, shape.width
+    return id(shape)
+
+
+def _n(value: float) -> str:
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def _hex(colour: Colour) -> str:
+    return "#" + "".join(f"{round(255.0 * min(1.0, max(0.0, part))):02x}" for part in colour)
+
+
+def _faint(what: str, opacity: float) -> str:
+    return f' {what}-opacity="{opacity:.3g}"' if opacity < 1.0 else ""
+
+
+def _path(points: Sequence[tuple[float, float]]) -> str:
+    """A path in tenths of a pixel, which are 8 micrometres on paper."""
+    tenths = [(round(10.0 * x), round(10.0 * y)) for x, y in points]
+    x, y = tenths[0]
+    data = f"M{_tenth(x)} {_tenth(y)}l"
+    for number, (to_x, to_y) in enumerate(tenths[1:]):
+        data += f"{' ' if number else ''}{_tenth(to_x - x)} {_tenth(to_y - y)}"
+        x, y = to_x, to_y
+    return data
+
+
+def _tenth(tenths: int) -> str:
+    return f"{tenths / 10.0:g}"
+
+
+def _areas(areas: Sequence[Area]) -> str:
+    colour, opacity = _hex(areas[0].colour), areas[0].opacity
+    seam = f' stroke="{colour}" stroke-width="{_SEAM_PX}"' if opacity >= 1.0 else ""
+    data = "".join(f"{_path(ring)}Z" for area in areas for ring in area.rings)
+    return f'<path fill="{colour}"{_faint("fill", opacity)}{seam} d="{data}"/>'
+
+
+def _strokes(strokes: Sequence[Stroke]) -> str:
+    chains: list[list[tuple[float, float]]] = []
+    for stroke in strokes:
+        if chains and chains[-1][-1] == stroke.points[0]:
+            chains[-1] += stroke.points[1:]
+        else:
+            chains.append([*stroke.points])
+    data = "".join(map(_path, chains))
+    first = strokes[0]
+    return (
+        f'<path fill="none" stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
+        f' stroke-width="{_n(first.width)}" d="{data}"/>'
+    )
+
+
+def _image(picture: Picture) -> str:
+    buffer = io.BytesIO()
+    Image.fromarray(picture.pixels).save(buffer, "PNG")
+    left, top, width, height = map(_n, picture.place)
+    data = base64.b64encode(buffer.getvalue()).decode()
+    return (
+        f'<image x="{left}" y="{top}" width="{width}" height="{height}"'
+        f' xlink:href="data:image/png;base64,{data}"/>'
+    )
+
+
+# --------------------------------------------------------------------------- text
+
+
+def _text(text: Text, name: str) -> Iterator[str]:
+    """Yield a label's halo and its letters; what is no usual formula is drawn as its outline."""
+    written, em = text.written, text.em
+    (x, y), turn = text.place, -math.degrees(written.turn)
+    place = f"translate({_n(x)} {_n(y)})" + (f" rotate({_n(turn)})" if turn else "")
+    spans, outlines, end = list[str](), list[str](), 0.0
+    for (piece, is_tex, size, at), width in zip(written.pieces, written.widths, strict=True):
+        end = at + width * size
+        where = f'x="{_n(at * em)}" font-size="{_n(size * em)}"'
+        # As wide as it was composed, also in another font.
+        wide = f' textLength="{_n(width * size * em)}" lengthAdjust="spacingAndGlyphs"'
+        if not is_tex:
+            font = "" if is_set_in_words(piece) else f' font-family="{SIGNS_FONT}"'
+            spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
+            continue
+        found = _TEX.fullmatch(piece)
+        base = "" if found is None else found["letter"] or found["word"] or ""
+        if found is not None and found["sign"]:
+            base = _GREEK.get(found["sign"], found["sign"] if found["sign"] in _FUNCTIONS else "")
+        if found is None or not base:
+            spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
+            outlines.append(_outline(piece, at * em, size * em))
+            continue
+        style = ' font-style="italic"' if len(base) == 1 else ""
+        arrow = "\u20d7" if found["arrow"] else ""
+        primes = found["prime"].replace("'", "\u2032")
+        spans.append(
+            f"<tspan {where}{'' if found['sub'] or found['low'] or primes else wide}"
+            f' font-family="{SIGNS_FONT}"{style}>{escape(base + arrow)}</tspan>'
+        )
+        if found["sub"] or found["low"]:
+            sub, down = found["sub"] or found["low"], _LOWER_EM * size * em
+            slanted = "" if found["sub"] or sub.isdigit() else style
+            spans.append(
+                f'<tspan dy="{_n(down)}" font-size="{_n(_LOWERED * size * em)}"'
+                f' font-family="{SIGNS_FONT}"{slanted}>{escape(sub)}</tspan>'
+            )
+            back = f' dy="{_n(-down)}"'
+        else:
+            back = ""
+        if primes or back:
+            spans.append(
+                f'<tspan{back} font-size="{_n(size * em)}" font-family="{SIGNS_FONT}">'
+                f"{primes or chr(0x200B)}</tspan>"
+            )
+    colour, faint = written.colour, _faint("fill", written.opacity)
+    letters = f'{"".join(outlines)}<text xml:space="preserve" font-family="{WORDS_FONT}">'
+    letters += "".join(spans) + "</text>"
+    halo = 2.0 * HALO_EM * em
+    yield (
+        f'<use xlink:href="#{name}" stroke={quoteattr(written.halo)} stroke-width="{_n(halo)}"'
+        f' stroke-opacity="{HALO_OPACITY * written.opacity:.3g}"/>'
+    )
+    yield f'<g id="{name}" transform="{place}" fill="{colour}"{faint}>{letters}</g>'
+    if written.underlined:
+        low = _n(UNDER_EM * em)
+        yield (
+            f'<path transform="{place}" stroke="{colour}" stroke-width="{_n(UNDER_EM * em / 2.0)}"'
+            f' d="M0 {low}L{_n(end * em)} {low}"/>'
+        )
+
+
+def _outline(tex: str, x: float, em: float) -> str:
+    """A formula as a path; words' em in pixels."""
+    found = outline(tex)
+    letters = {1: "M", 2: "L", 3: "Q", 4: "C"}
+    counts = {3: 2, 4: 3}
+    data, place = "", 0
+    while place < len(found.codes):
+        code = int(found.codes[place])
+        count = counts.get(code, 1)
+        if code in letters:
+            points = found.vertices[place : place + count]
+            data += letters[code] + " ".join(f"{_n(x + em * p)} {_n(-em * q)}" for p, q in points)
+        else:
+            data += "Z"
+        place += count
+    return f'<path d="{data}"/>'

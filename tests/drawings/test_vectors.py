@@ -1,0 +1,307 @@
+"""Figures of shapes: they agree with the pixels of the same state, and their text is text."""
+
+from __future__ import annotations
+
+import random
+import re
+import zlib
+from typing import Any
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from PySide6.QtCore import QByteArray, QPointF, Qt
+from PySide6.QtGui import QImage, QPainter, QPolygonF
+from PySide6.QtSvg import QSvgRenderer
+
+from app.document.document import Document
+from app.document.settings import set_values
+from app.drawings import vectors
+from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor, put_in_front
+from app.drawings.figures import render, shapes
+from app.drawings.label import laid, pieces_of
+from app.drawings.off_screen import off_screen
+from app.drawings.pdf import pdf
+from app.drawings.style import LIGHT
+from app.drawings.svg import svg
+from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
+from app.lessons.course import scene_of
+from app.model.refusal import Refusal
+from app.scenes.scene import load
+
+Pixels = NDArray[np.float64]
+OVER = 2
+"""Pixels of the raster, along each side, that become one."""
+SEEN = 12.0
+"""Difference of a colour, of 255, that is one."""
+
+
+def raster(text: str, size: tuple[int, int]) -> Pixels:
+    """What another program makes of an SVG file, (h, w, 3)."""
+    width, height = size
+    image = QImage(OVER * width, OVER * height, QImage.Format.Format_RGB32)
+    image.fill(Qt.GlobalColor.white)
+    painter = QPainter(image)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    QSvgRenderer(QByteArray(text.encode())).render(painter)
+    painter.end()
+    pixels = np.frombuffer(image.constBits(), np.uint8).reshape(height, OVER, width, OVER, 4)
+    return pixels[..., 2::-1].astype(np.float64).mean(axis=(1, 3))
+
+
+def around(pixels: NDArray[Any]) -> NDArray[Any]:
+    """Every pixel with its eight neighbours, (9, h, w, ...)."""
+    height, width = pixels.shape[:2]
+    wide = np.pad(pixels, [(1, 1), (1, 1)] + [(0, 0)] * (pixels.ndim - 2), mode="edge")
+    return np.stack([wide[y : y + height, x : x + width] for y in range(3) for x in range(3)])
+
+
+def agreeing(one: Pixels, other: Pixels) -> float:
+    """The share of the pixels far from any edge that have the same colour in two pictures."""
+    edges = np.zeros(one.shape[:2], dtype=np.bool_)
+    for pixels in (one, other):
+        edges |= np.ptp(around(pixels), axis=0).max(axis=-1) > SEEN
+    inner = ~around(edges).any(axis=0)
+    same = np.abs(one - other).max(axis=-1) <= SEEN
+    assert inner.mean() > 0.3
+    return float(same[inner].mean())
+
+
+def figure(
+    document: Document, panes: list[str], size: tuple[int, int]
+) -> tuple[str, list[vectors.Shape], Pixels]:
+    """A document's figure as SVG, as shapes, and in pixels."""
+    scene = scene_of(document)
+    options: dict[str, Any] = {
+        "panes": panes, "size": size, "view": document.view, "settings": document.settings,
+    }  # fmt: skip
+    found = shapes(scene, document.projection, **options)[1]
+    pixels = render(scene, document.projection, **options)
+    return svg(found, size, 100.0, scene.name).decode(), found, pixels[..., :3].astype(np.float64)
+
+
+@pytest.mark.parametrize(
+    ("scene", "pane", "values"),
+    [
+        ("letter-f", "world", ("lens.near=7",)),  # the near plane cuts the letter
+        ("letter-f", "ndc", ("view.stage=pyramid", "lens.kind=oblique")),
+        ("clipping", "ndc", ()),  # an opaque card between two faces that are blended first
+        ("off-axis-window", "image", ("depth=reversed",)),
+        ("interpolation", "world", ()),  # a shader
+        ("posts", "image", ("view.compare=a: lens.near=2|b: lens.near=9", "view.dividers=0.4")),
+        ("eye-plane", "world", ("view.compare=a: lens.near=1|b: lens.near=2", "view.slide=world")),
+    ],
+)
+def test_shapes_are_where_the_pixels_are(
+    qapp: Any, scene: str, pane: str, values: tuple[str, ...]
+) -> None:
+    document = set_values(Document(scene, load(scene).start), values)
+    text, found, pixels = figure(document, [pane], (400, 300))
+    assert agreeing(raster(text, (400, 300)), pixels) >= 0.998
+    is_shaded = scene == "interpolation"
+    assert text.count("<image ") == is_shaded
+    assert any(isinstance(shape, Area) for shape in found) or is_shaded
+
+
+def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
+    document = Document("letter-f", load("letter-f").start)
+    text, found, _ = figure(document, ["world", "ndc", "image"], (1920, 640))
+    again = figure(document, ["world", "ndc", "image"], (1920, 640))[0]
+    assert text == again and len(text) <= 50_000
+    tree = ElementTree.fromstring(text)
+    written = ["".join(each.itertext()) for each in tree.iter("{http://www.w3.org/2000/svg}text")]
+    labels = [shape.written.text for shape in found if isinstance(shape, Text)]
+    assert len(labels) >= 6 and "near n = 4" in labels
+    assert [each.replace("\u200b", "") for each in written] == labels
+    assert tree.get("width") == "100mm" and tree.get("viewBox") == "0 0 1920 640"
+
+
+@pytest.mark.parametrize(
+    ("label", "said"),
+    [
+        ("y_p", "yp"),
+        ("f tan(\u03b1/2)", "f tan(\u03b1/2)"),
+        ("P'", "P\u2032"),
+        ("$\\frac{a}{b}$", None),
+    ],
+)
+def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
+    widths = tuple(1.0 for _ in pieces_of(label))
+    written = vectors.Written(
+        label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
+    )
+    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), 10.0, "a < b").decode()
+    tree = ElementTree.fromstring(text)
+    (element,) = tree.iter("{http://www.w3.org/2000/svg}text")
+    (title,) = tree.iter("{http://www.w3.org/2000/svg}title")
+    assert title.text == "a < b"
+    if said is None:
+        assert 'visibility="hidden"' in text and text.count("<path") == 2  # and its underline
+    else:
+        assert "".join(element.itertext()).replace("\u200b", "") == said
+
+
+def streams_of(content: bytes) -> list[bytes]:
+    """The streams of a PDF file that are compressed."""
+    found = re.findall(rb"stream\r?\n(.*?)\r?\nendstream", content, re.DOTALL)
+    return [zlib.decompress(each) for each in found if each[:1] == b"x"]
+
+
+def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
+    document = Document("letter-f", load("letter-f").start)
+    _, found, _ = figure(document, ["world", "image"], (1280, 640))
+    content = pdf(found, (1280, 640), 100.0, "A title")
+    assert content == pdf(found, (1280, 640), 100.0, "A title") and len(content) <= 50_000
+    (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
+    sides_mm = [float(side) / 72.0 * 25.4 for side in box]
+    assert sides_mm == pytest.approx([100.0, 50.0], abs=0.01)
+    assert b"/Subtype /Image" not in content and b"(A title)" in content
+    fonts = set(re.findall(rb"/BaseFont /[A-Z]+\+(\S+)", content))
+    assert {b"DejaVuSans", b"STIXGeneral-Italic"} <= fonts
+    assert content.count(b"/FontFile2") >= 2  # TrueType
+    labels = sum(isinstance(shape, Text) for shape in found)
+    drawn = b"".join(streams_of(content))
+    assert len(re.findall(rb" T[jJ]\n", drawn)) >= labels > 2
+
+
+def test_a_pdf_has_each_shape_at_its_place() -> None:
+    red = (1.0, 0.0, 0.0)
+    found = [
+        Area([[(10.0, 20.0), (30.0, 20.0), (30.0, 60.0)]], red, 0.5),
+        Stroke([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
+        Picture(np.zeros((2, 2, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
+    ]
+    content = pdf(found, (100, 100), 25.4, "t")
+    drawn = b"".join(streams_of(content))  # a pixel is 0.72 pt
+    assert b"7.2 57.6 m\n21.6 57.6 l\n21.6 28.8 l\n" in drawn
+    assert b" 3.6 w " in drawn and b"0 0 m\n72 72 l\n\nS\n" in drawn
+    assert re.search(rb"36 0 0 18 18 18 cm", drawn), drawn
+    assert content.count(b"/Subtype /Image") == 1
+
+
+# --------------------------------------------------------------------------- what hides what
+
+SIDE = 200
+"""Of a window for actors in clip coordinates, in pixels."""
+
+
+def drawn(*actors: Any, finer: int = 1) -> list[vectors.Shape]:
+    """The shapes of actors that a pane shows through the identity."""
+
+    class Layout:
+        def show(self, _width: int, _height: int) -> None:
+            pass
+
+    layout = Layout()
+    with off_screen(SIDE, SIDE) as screen:
+        canvas = Canvas(screen, LIGHT, layout.show)
+        screen.renderer.SetActiveCamera(identity_camera())
+        canvas.add(*actors)
+        screen.render_window.Render()
+        found = shapes_of(screen.render_window, finer)
+        canvas.remove()
+    return found
+
+
+def quad(z: list[float], colour: str, opacity: float = 1.0, half: float = 0.5) -> Any:
+    """A square, with the depths of its corners from the lower left one against the clock."""
+    corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+    points = [(x, y, depth) for (x, y), depth in zip(corners, z, strict=True)]
+    return face_actor(points, [[0, 1, 2, 3]], colour, opacity)
+
+
+def ends_of(found: list[vectors.Shape]) -> list[list[tuple[float, float]]]:
+    strokes = [shape for shape in found if isinstance(shape, Stroke)]
+    return sorted([(round(x, 2), round(y, 2)) for x, y in sorted(s.points)] for s in strokes)
+
+
+def test_a_line_ends_where_a_face_hides_it_and_is_tinted_behind_a_translucent_one() -> None:
+    def line(z: float, end: float | None = None) -> Any:
+        points = [(-0.8, 0.0, z), (0.8, 0.0, z if end is None else end)]
+        return line_actor(points, [(0, 1)], "#000000", 2.0)
+
+    face = quad([0.0] * 4, "#ff0000")  # from pixel 50 to pixel 150
+    assert ends_of(drawn(face, line(0.5))) == [
+        [(20.0, 100.0), (50.0, 100.0)], [(150.0, 100.0), (180.0, 100.0)]
+    ]  # fmt: skip
+    assert ends_of(drawn(face, line(-0.5))) == [[(20.0, 100.0), (180.0, 100.0)]]
+    # From before the face to behind it: it passes through it in the middle.
+    assert ends_of(drawn(face, line(-0.5, 0.5))) == [
+        [(20.0, 100.0), (100.0, 100.0)], [(150.0, 100.0), (180.0, 100.0)]
+    ]  # fmt: skip
+    in_front = line(0.5)
+    put_in_front(in_front)
+    assert ends_of(drawn(face, in_front)) == [[(20.0, 100.0), (180.0, 100.0)]]
+    tinted = drawn(quad([0.0] * 4, "#ff0000", 0.25), line(0.5))
+    assert sorted({shape.colour for shape in tinted if isinstance(shape, Stroke)}) == [
+        (0.0, 0.0, 0.0), (0.25, 0.0, 0.0)
+    ]  # fmt: skip
+
+
+def colour_at(found: list[vectors.Shape], x: float, y: float) -> tuple[float, float, float]:
+    """The colour of a point: that of the last shape that holds it."""
+    colour = (1.0, 1.0, 1.0)
+    for shape in found:
+        for ring in shape.rings if isinstance(shape, Area) else ():
+            polygon = QPolygonF([QPointF(*corner) for corner in ring])
+            if polygon.containsPoint(QPointF(x, y), Qt.FillRule.OddEvenFill):
+                colour = shape.colour  # type: ignore[union-attr]
+    return colour
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_everywhere_the_nearest_face_is_seen(seed: int) -> None:
+    """Also where faces pass through each other, and where they lie in a ring."""
+    chance = random.Random(seed)
+    planes, actors = [], []
+    for number in range(7):
+        a, b, c = (chance.uniform(-0.4, 0.4) for _ in range(3))
+        half = chance.uniform(0.4, 0.9)
+        corners = [(-half, -half), (half, -half), (half, half), (-half, half)]
+        level = (number + 1) * 30
+        actors.append(quad([a * x + b * y + c for x, y in corners], f"#{level:02x}0000", half=half))
+        planes.append((half, a, b, c, level / 255.0))
+    found = drawn(*actors)
+    for _ in range(200):
+        x, y = chance.uniform(-1.0, 1.0), chance.uniform(-1.0, 1.0)
+        here = sorted(
+            (a * x + b * y + c, red)
+            for half, a, b, c, red in planes
+            if max(abs(x), abs(y)) < half - 0.01
+        )
+        near_a_border = any(abs(max(abs(x), abs(y)) - plane[0]) < 0.02 for plane in planes)
+        if near_a_border or (len(here) > 1 and here[1][0] - here[0][0] < 0.01):
+            continue
+        red = colour_at(found, (x + 1.0) / 2.0 * SIDE, (1.0 - y) / 2.0 * SIDE)[0]
+        assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
+
+
+def test_a_line_that_leaves_the_frame_and_comes_back_is_two() -> None:
+    points = [(0.0, 0.5, 0.0), (1.5, 0.5, 0.0), (1.5, -0.5, 0.0), (0.0, -0.5, 0.0)]
+    line = line_actor(points, [(0, 1, 2, 3)], "#000000", 2.0)
+    assert ends_of(drawn(line)) == [
+        [(100.0, 50.0), (200.0, 50.0)], [(100.0, 150.0), (200.0, 150.0)]
+    ]  # fmt: skip
+
+
+def test_neighbours_in_a_plane_become_one_face() -> None:
+    points = [(x / 4.0 - 0.5, y / 4.0 - 0.5, 0.0) for y in range(3) for x in range(3)]
+    triangles = []
+    for corner in (0, 1, 3, 4):
+        triangles += [[corner, corner + 1, corner + 4], [corner, corner + 4, corner + 3]]
+    background, *found = drawn(face_actor(points, triangles, "#00ff00"))
+    assert isinstance(background, Area)
+    (face,) = found
+    assert isinstance(face, Area)
+    ((*corners,),) = face.rings
+    assert sorted(corners) == [(50.0, 100.0), (50.0, 150.0), (100.0, 100.0), (100.0, 150.0)]
+
+
+def test_too_many_faces_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(vectors, "MOST_CELLS", 10)
+    scene = load("letter-f")
+    with pytest.raises(
+        Refusal, match=r"the limit of a figure without pixels is 10: write it as .png"
+    ):
+        shapes(scene, scene.start, panes=["image"])

@@ -1,0 +1,48 @@
+"""The mistakes that teachers make in a lesson's file: each is found, with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from app.lessons.checking import Report
+from tests.support.mistakes import LESSON, MISTAKES
+
+
+def faults(path: Path, text: str) -> list[str]:
+    path.write_text(text, encoding="utf-8")
+    report = Report()
+    report.read(path)
+    return [str(error) for error in report.wrong]
+
+
+def test_the_lesson_is_right_before_it_is_changed(tmp_path: Path) -> None:
+    assert faults(tmp_path / "l.md", LESSON) == []
+    assert len(MISTAKES) >= 33
+
+
+@pytest.mark.parametrize("kind", MISTAKES)
+def test_a_mistake_is_found(tmp_path: Path, kind: str) -> None:
+    old, new, said = MISTAKES[kind]
+    assert LESSON.count(old), kind
+    found = faults(tmp_path / "l.md", LESSON.replace(old, new, 1))
+    assert any(said in each and "line" in each for each in found), found
+
+
+def test_all_mistakes_of_a_file_are_said_at_once(tmp_path: Path) -> None:
+    """Also several of a step, some of which make it unreadable; each once."""
+    text = LESSON
+    kinds = (
+        "no right choice", "a condition without a sign", "an unknown unit", "a ragged matrix",
+        "an unclosed dollar", "something unknown to hide", "a link",
+    )  # fmt: skip
+    for kind in kinds:
+        old, new, _ = MISTAKES[kind]
+        text = text.replace(old, new, 1)
+    found = faults(tmp_path / "l.md", f"{text}\n---\n# Two {{#one}}\n```tsak\n```\n")
+    for kind in kinds:
+        if kind != "a link":  # in a block that cannot be read
+            assert sum(MISTAKES[kind][2] in each for each in found) == 1, (kind, found)
+    assert any("unknown kind of block, tsak" in each for each in found)
+    assert len(found) == len(kinds) + 1 and "repeats the name" in found[6], found
