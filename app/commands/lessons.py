@@ -1,4 +1,4 @@
-"""The command ``lesson``: check or list lessons and talks, or print their exercises."""
+"""The command ``lesson``: check or list lessons and talks, print exercises, mark results."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pathlib import Path
 from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
 from app.commands.options import CliError, one_of, parser_of, write_out
+from app.commands.results import results
 from app.lessons.checking import Report
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
@@ -16,9 +17,11 @@ from app.strangers import printable
 
 
 def lesson(arguments: Sequence[str]) -> int:
-    """Check or list lessons, print tests or all names; return 1 if something is wrong with one."""
+    """Do what the first argument says; return 1 if something is wrong with a lesson."""
     found, (what, *names) = parser_of("lesson").read(arguments)
-    one_of("lesson", what, ("check", "list", "names", "print"))
+    one_of("lesson", what, ("check", "list", "names", "print", "results"))
+    if found.csv and what != "results":
+        raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")
     if what == "print":
         if names:
             raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
@@ -26,6 +29,8 @@ def lesson(arguments: Sequence[str]) -> int:
     for option in ("topics", "seeds", "out", "key"):
         if getattr(found, option):
             raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
+    if what == "results":
+        return results(found, names)
     if what == "names":
         write_out(page())
         return 0

@@ -29,7 +29,7 @@ SUMMARIES = {
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
-    "lesson": "check or list lessons and talks, or print tests of their exercises",
+    "lesson": "check or list lessons and talks, print tests of exercises, mark results",
     "talk": "draw every step of a talk, or print it with its notes",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
@@ -378,10 +378,11 @@ def _lesson() -> Parser:
     text = (
         "check: try every state, answer key and sample of lessons and talks, and measure their "
         "pictures (default: those that come with the program); list: list them; names: "
-        "print every name that their files may use; print: print tests, see below. FILE may also "
-        "be a name such as L5 or 001"
+        "print every name that their files may use; print: print tests, see below; results: mark "
+        "files of results again from what was typed, count the wrong ideas, and list what no idea "
+        "explains. FILE may also be a name such as L5 or 001"
     )
-    parser = Parser("lesson", "check|list|names|print [FILE...]", text)
+    parser = Parser("lesson", "check|list|names|print|results [FILE...]", text)
     parser.add_argument(
         "--topics", metavar="L3,L5,...",
         help="of print: the topics, or files of lessons, whose exercises make the test",
@@ -397,6 +398,10 @@ def _lesson() -> Parser:
     parser.add_argument(
         "--key", action="store_true",
         help="of print: write one more file, with the answers of all variants and their ways",
+    )  # fmt: skip
+    parser.add_argument(
+        "--csv", metavar="FILE",
+        help="of results: write a table, a row for each answer; an existing file is overwritten",
     )  # fmt: skip
     return parser
 

@@ -55,6 +55,16 @@ class Course:
         self.lesson = lesson
         self._shown: dict[int, Shown] = {}
 
+    @property
+    def name(self) -> str:
+        """Return the name under which answers are kept."""
+        return name_of(self.lesson.path)
+
+    @property
+    def file(self) -> Path | None:
+        """Return the lesson's file, if it has one."""
+        return self.lesson.path
+
     def at(self, place: int) -> AtStep:
         """Return a step as a state of the model, counted from 0."""
         return AtStep(self, place)
@@ -65,7 +75,7 @@ class Course:
         return Path(os.path.dirname(os.path.realpath(self.lesson.path)))
 
     @cached_property
-    def _managed(self) -> frozenset[str]:
+    def managed(self) -> frozenset[str]:
         """Return the fields of the view that any step sets."""
         fields = set()
         for step in self.lesson.steps:
@@ -90,7 +100,7 @@ class Course:
                 before = None if self._anew(number) else self._shown[number - 1].document
                 state = self.lesson.steps[number].state
                 document = self.made(state, before)
-                view = {name: getattr(document.view, name) for name in self._managed}
+                view = {name: getattr(document.view, name) for name in self.managed}
                 self._shown[number] = Shown(document, view)
         shown = self._shown[place]
         self._try_scene(shown.document, place)

@@ -4,7 +4,7 @@
 
     an answer -> Record.add: one line of JSON at the end of a file
     Record.read -> standings: each exercise as it was last solved, and when it is due again
-                -> met: how often each wrong idea was behind an answer
+                -> met: the wrong ideas behind the answers
 
 The record says what happened. Where a student stands in a lesson, and what is shown there, is
 `Progress`, which "Begin again" deletes; the record stays.
@@ -17,7 +17,6 @@ import json
 import os
 import stat
 import unicodedata
-from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date, timedelta
@@ -108,17 +107,19 @@ def _checked(name: str, value: object) -> object:
         if type(value) is not int or not 0 <= value <= most:
             raise Refusal.in_document(A_WHOLE_NUMBER, 0, most, field=name, value=value)
         return value
-    longest = LONGEST_TYPED if name == "typed" else LONGEST_NAME
-    if not isinstance(value, str) or len(value) > longest or not _can_be_shown(value):
-        raise Refusal.in_document(A_TEXT, longest, field=name)
+    value = one_line(name, value, LONGEST_TYPED if name == "typed" else LONGEST_NAME)
     if name == "verdict" and value not in (RIGHT, WRONG, SHOWN):
         raise Refusal.in_document(ONE_OF, f"{RIGHT}, {WRONG}, {SHOWN}", field=name, value=value)
     return value
 
 
-def _can_be_shown(text: str) -> bool:
-    """Whether a text has neither control characters nor halves of surrogate pairs."""
-    return not any(unicodedata.category(letter) in ("Cc", "Cs") for letter in text)
+def one_line(name: str, value: object, longest: int) -> str:
+    """Return a text without control characters and halves of surrogate pairs, or refuse it."""
+    if not isinstance(value, str) or len(value) > longest:
+        raise Refusal.in_document(A_TEXT, longest, field=name)
+    if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in value):
+        raise Refusal.in_document(A_TEXT, longest, field=name)
+    return value
 
 
 # --------------------------------------------------------------------------- the file
@@ -268,6 +269,21 @@ def due(
     return [key for _, key in sorted(waiting)]
 
 
-def met(attempts: Iterable[Attempt]) -> Counter[tuple[str, str]]:
-    """Count the wrong ideas behind a student's answers, by lesson and name of the idea."""
-    return Counter((each.lesson, each.idea) for each in attempts if each.idea)
+class Met(NamedTuple):
+    """A wrong idea: how often it was met, and how its last question was solved since."""
+
+    times: int
+    outcome: str
+
+
+def met(
+    attempts: Iterable[Attempt], known: Mapping[tuple[str, str], Standing]
+) -> dict[tuple[str, str], Met]:
+    """Return the wrong ideas behind a student's answers, by lesson and name of the idea."""
+    found: dict[tuple[str, str], Met] = {}
+    for attempt in attempts:
+        if attempt.idea:
+            key = attempt.lesson, attempt.idea
+            before = found[key].times if key in found else 0
+            found[key] = Met(before + 1, known[attempt.key].outcome)
+    return found

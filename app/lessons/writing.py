@@ -58,7 +58,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     return [f"{path}={text}" for path, text in (first | texts).items()]
 
 
-def changes(before: Document, after: Document) -> str:
+def changes(before: Document, after: Document) -> list[str]:
     """Return what turned one document into another, as in a sample of a task."""
     given, texts = _texts(before), _texts(after)
     found = [f"scene={after.scene}"] if after.scene != before.scene else []
@@ -69,7 +69,7 @@ def changes(before: Document, after: Document) -> str:
     ]
     turned = [name for name, camera in after.view.panes.items()
               if before.view.panes.get(name) != camera]  # fmt: skip
-    return " ".join([*found, *([f"view.panes={','.join(turned)}"] if turned else [])])
+    return [*found, *([f"view.panes={','.join(turned)}"] if turned else [])]
 
 
 def _said(document: Document) -> Document:

@@ -133,4 +133,6 @@ def test_what_waits_longest_comes_first_and_ideas_are_counted() -> None:
     known = standings(said)
     assert due(known, today(2))[0] == ("l03", "x/y") and len(known) == 3
     assert known["l03", "x/y"].due == today(0) + timedelta(days=1)
-    assert met(said) == {("l03", "a"): 2, ("l04", "b"): 1}
+    assert met(said, known) == {("l03", "a"): (2, ""), ("l04", "b"): (1, "")}
+    said.append(attempt(1, exercise="x/y"))
+    assert met(said, standings(said))["l03", "a"] == (2, "helped"), "as where it was met last"

@@ -35,7 +35,7 @@ def settle() -> None:
         QApplication.processEvents()
 
 
-def activate(window: MainWindow) -> None:
+def activate(window: QWidget) -> None:
     """Wait until the keyboard is the window's."""
     window.activateWindow()
     assert QTest.qWaitForWindowActive(window, PATIENCE_MS)

@@ -126,12 +126,13 @@ class Files(QObject):
         self._remember(path)
         return True
 
-    def open_step(self, document: Document, scene: Scene, lesson: Path) -> bool:
+    def open_step(self, document: Document, scene: Scene, lesson: Path | None) -> bool:
         """Show the first state of a lesson; the student's changes to it are not unsaved work."""
         self.keep(document, scene)
         if not self._change_to(document, None, is_work=False):
             return False
-        self._remember(str(lesson))
+        if lesson is not None:
+            self._remember(str(lesson))
         return True
 
     def _change_to(

@@ -12,6 +12,9 @@ from widgets.panes.pane import Pane
 from widgets.parts.section import Section
 from widgets.window.drawer import Panels
 
+IN_TEST = "panels"
+"""Hidden during a test: all panels."""
+
 
 class Hiding(QObject):
     """Hides the numbers of panels, readout, cursors and of the lens, and pictures."""
@@ -32,7 +35,8 @@ class Hiding(QObject):
         """Hide what `HIDDEN` of the exercises lists, and show everything else again."""
         why = self.tr("Hidden until the exercise is answered")
         of_numbers = why if "numbers" in hidden else ""
-        self._panels.close_for(of_numbers)
+        of_test = self.tr("Closed during a test") if IN_TEST in hidden else ""
+        self._panels.close_for(of_test or of_numbers)
         self._card.readout.close_for(of_numbers)
         self._card.explanation.setEnabled(not of_numbers)
         self._lens.close_for(why if "lens" in hidden else "")

@@ -11,6 +11,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -42,6 +43,7 @@ from app.document.view import View
 from app.lessons.blocks.block import Part
 from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
+from app.lessons.practice import Sheet, marked
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, Record
 from app.lessons.text import escaped, in_line
 from app.model.refusal import Refusal
@@ -53,10 +55,13 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label
 from widgets.parts.roles import give_role
+from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
+from widgets.window.lesson_blocks.exercise import Practises
 from widgets.window.lesson_blocks.task import DONE, Tries
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
+from widgets.window.self_test_marks import SelfTestMarks
 from widgets.window.settings import Progress, Settings
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
@@ -64,8 +69,10 @@ WIDTH_EM = 31.0
 """Width of the column while a lesson is open."""
 SHARE = 0.6
 """The card's share of the column's height."""
-MOST_MARKS = 10
+MOST_MARKS = 12
 """Most steps for which each has a mark."""
+MOST_COUNTED = 8
+"""Most marks beside which there is room for the number of the step."""
 LATE_MS = 1000
 """Delay before the current step is saved: writing the file takes as long as a frame."""
 CALL_MS = 1500
@@ -98,6 +105,10 @@ class LessonCard(QFrame):
     been answered so, or None."""
     handles_called = Signal(object)
     """The names or settings of handles that an open task needs, for a short time; then none."""
+    result_wanted = Signal(object)
+    """The user wants a file with these marks of a test."""
+    test_left = Signal()
+    """A test was closed before its end; its answers are kept."""
     room_wanted = Signal(int)
     """How many pixels of height a response lacks; 0 once the step is left."""
     went_on = Signal()
@@ -180,20 +191,37 @@ class LessonCard(QFrame):
     def _lesson(self) -> Lesson | None:
         return self._lessons.lesson
 
-    def open(self, path: str | Path) -> bool:
-        """Open a lesson at its last step; return False if it cannot be opened."""
+    @property
+    def _sheet(self) -> Sheet | None:
+        """The open lesson, if it is made of exercises of others."""
+        course = self._lessons.course
+        return course if isinstance(course, Sheet) else None
+
+    @property
+    def _is_test(self) -> bool:
+        return self._sheet is not None and self._sheet.is_test
+
+    def play(self, sheet: Sheet) -> bool:
+        """Open a sheet of exercises at its last one."""
+        kept = self._settings.progress.get(sheet.name, Progress())
+        return self._lessons.play(sheet, kept.step)
+
+    def open(self, path: str | Path, step: str = "") -> bool:
+        """Open a lesson at a step, or where it was left; return False if it cannot be opened."""
         kept = self._settings.progress.get(name_of(Path(path)), Progress())
-        return self._lessons.open(path, kept.step)
+        return self._lessons.open(path, step or kept.step)
 
     def leave(self) -> None:
         """Close the lesson; it will reopen at this step."""
         self.keep_now()
         self._clear()
-        self._shown = None
+        self._shown, is_test = None, self._is_test
         self._lessons.close()
         self.is_on = False
         self.toggled.emit(False)
         self.went_on.emit()
+        if is_test:
+            self.test_left.emit()
 
     def begin_again(self) -> None:
         """Delete the answers of the lesson, and go to its first step; this can be undone."""
@@ -214,11 +242,11 @@ class LessonCard(QFrame):
         self.open(path)
 
     def _open(self) -> None:
-        lesson = self._lesson
+        lesson, course = self._lesson, self._lessons.course
         self.keep_now()
-        if lesson is None:
+        if lesson is None or course is None:
             return
-        self._progress = self._settings.progress.get(name_of(lesson.path), Progress())
+        self._progress = self._settings.progress.get(course.name, Progress())
         self._shown = None
         self._title.setText(lesson.title)
         self._make_marks(lesson)
@@ -295,6 +323,7 @@ class LessonCard(QFrame):
                 give_role(mark, QAccessible.Role.PageTab)
                 self._numbers.append(mark)
                 row.insertWidget(place, mark)
+        self._counted.setVisible(len(self._numbers) <= MOST_COUNTED)
 
     def _show_marks(self) -> None:
         lesson = self._lesson
@@ -319,6 +348,8 @@ class LessonCard(QFrame):
         asked, answered = ([v for v in aims if v.is_open == is_open] for is_open in (True, False))
         self.aimed.emit(asked, answered[-1] if answered else None)
         hides = frozenset[str]().union(*(block.hides for block in self.blocks))
+        if self.blocks and self._is_test:
+            hides |= {IN_TEST}
         if hides != self._hides:
             self._hides = hides
             self.hidden.emit(hides)
@@ -354,6 +385,9 @@ class LessonCard(QFrame):
                 self._column.addWidget(LessonText(part.text))
                 continue
             view = view_of(here, part)
+            if isinstance(view, Practises) and self._sheet is not None:
+                seed = self._sheet.items[self._shown[1]].seed
+                view.pose(seed, is_test=self._sheet.is_test)
             answer = self._progress.answers.get(self._key(view.block.name), "")
             if answer:
                 view.restore(answer)
@@ -433,7 +467,7 @@ class LessonCard(QFrame):
         """Add an answer to the record of this student."""
         idea = "" if word in (RIGHT, WRONG, SHOWN) else word
         attempt = Attempt(
-            int(time.time()), name_of(view.here.course.lesson.path),
+            int(time.time()), view.here.course.name,
             f"{view.here.step.name}/{view.block.name}", view.variant_seed, typed,
             WRONG if idea else word, idea, view.hints_read,
         )  # fmt: skip
@@ -454,11 +488,13 @@ class LessonCard(QFrame):
 
     def _keep(self) -> None:
         self._late.stop()
-        lesson = self._lesson if self._shown is None else self._shown[0].lesson
-        assert lesson is not None
-        done = sum(self._is_done(step) for step in lesson.steps)
-        self._progress = replace(self._progress, done=done, of=len(lesson.steps))
-        self._settings.keep_progress(name_of(lesson.path), self._progress)
+        course = self._lessons.course if self._shown is None else self._shown[0]
+        assert course is not None
+        steps = course.lesson.steps
+        done = sum(self._is_done(step) for step in steps)
+        self._progress = replace(self._progress, done=done, of=len(steps))
+        if course.name:
+            self._settings.keep_progress(course.name, self._progress)
 
     def _show_aside(self, document: Document) -> None:
         self._hide()  # before it is seen
@@ -516,7 +552,7 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._lesson is not None:
+        if self._lesson is not None and self._sheet is None:
             self._say(
                 self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
             )
@@ -529,6 +565,8 @@ class LessonCard(QFrame):
 
     def _finish(self, lesson: Lesson) -> None:
         """Close the lesson; the card lists unfinished steps and names the next lesson."""
+        course = self._lessons.course
+        assert course is not None
         if not self._here.asked:
             self._note("", DONE)
         self._progress = replace(self._progress, step="")
@@ -541,31 +579,74 @@ class LessonCard(QFrame):
                 rest = self.tr("Something is left to do in steps {0}.")
             said = f"{said} {rest.format(', '.join(str(place + 1) for place in left))}"
         following = _after(lesson.path)
+        if self._is_test:
+            self._finish_test(left)
+            return
         self._clear()
         self._shown = None
         self._lessons.close()
-        ways = []
+        ways: list[QPushButton] = []
         if following is not None:
             name = self.tr("Next lesson: {0}").format(following.title.replace("&", "&&"))
             ways.append(_push(name, self.tr("Open it"), partial(self.open, following.path)))
-        close = _push(self.tr("&Close"), self.tr("Close the lesson"), self.leave)
-        first = ways[0] if ways else close
+        ways.append(_push(self.tr("&Close"), self.tr("Close the lesson"), self.leave))
         if left:
             name = self.tr("Back to step {0}").format(left[0] + 1)
-            act = partial(self._lessons.open, lesson.path, lesson.steps[left[0]].name)
-            ways.append(_push(name, self.tr("Go on there"), act))
+            act = partial(self._lessons.play, course, lesson.steps[left[0]].name)
+            ways.insert(-1, _push(name, self.tr("Go on there"), act))
+        self._show_end(LessonText(escaped(said)), *ways)
+
+    def _finish_test(self, left: Sequence[int]) -> None:
+        """Mark a test, once it is finished or the student wants it."""
+        if not left:
+            self._mark_test()
+            return
+        self._clear()
+        said = self.tr("Not answered yet: {0}.").format(", ".join(str(at + 1) for at in left))
+        back = self.tr("Back to exercise {0}").format(left[0] + 1)
+        self._show_end(
+            LessonText(said),
+            _push(back, self.tr("Go on there"), partial(self._go_back_to, left[0])),
+            _push(self.tr("&Mark the test now"), self.tr("End the test"), self._mark_test),
+        )
+
+    def _go_back_to(self, place: int) -> None:
+        self._shown = None
+        self._show_way(True)
+        self._lessons.go(place)
+
+    def _mark_test(self) -> None:
+        """End the test: show its solutions beside the student's answers."""
+        sheet = self._sheet
+        assert sheet is not None
+        self._late.stop()
+        marks = marked(sheet, self._progress.answers)
+        self._settings.keep_progress(sheet.name, None)
+        self._clear()
+        self._shown = None
+        self._lessons.close()
+        save = _push(
+            self.tr("&Save the result…"), self.tr("Write a file for your teacher"),
+            partial(self.result_wanted.emit, marks),
+        )  # fmt: skip
+        close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
+        self._show_end(SelfTestMarks(marks), save, close)
+
+    def _show_end(self, said: QWidget, *ways: QPushButton) -> None:
+        """Show a last page with its buttons, the first of which gets the focus."""
         page = QWidget()
-        in_column(LessonText(escaped(said)), *ways, close, FREE, on=page)
+        in_column(said, *ways, FREE, on=page)
         self._area.setWidget(page)
         self._show_way(False)
-        first.setFocus(Qt.FocusReason.OtherFocusReason)
+        ways[0].setFocus(Qt.FocusReason.OtherFocusReason)
         self.went_on.emit()
 
     def _show_way(self, on: bool) -> None:
         """Show or hide the buttons that only an open lesson needs."""
+        shown: dict[QWidget, bool] = {self.hint: not self._is_test, self.anew: self._sheet is None}
         for part in (self._marks, self.back, self.again, self.hint, self.next, self.anew):
-            part.setVisible(on)
-            part.setEnabled(on)
+            part.setVisible(on and shown.get(part, True))
+            part.setEnabled(on and shown.get(part, True))
 
     def _say(self, text: str) -> None:
         self._notice.setText(text)

@@ -19,6 +19,7 @@ from widgets.window.lesson_card import (
     LessonCard,
     heads,
 )
+from widgets.window.practice import Practice, review_text
 from widgets.window.settings import Progress, Settings
 
 
@@ -48,6 +49,22 @@ class LessonMenu(QMenu):
         self.addAction(self.tour)
         self.lessons = self.addMenu(self.tr("&Lessons"))
         self.talks = self.addMenu(self.tr("T&alks"))
+        self.addSeparator()
+        self.test = make(
+            self.tr("Test &yourself…"), None, None,
+            self.tr("Exercises of topics that you choose, without help"),
+        )  # fmt: skip
+        self.test_again = make(self.tr("Go on with the t&est"))
+        self.review = make(
+            self.tr("&Review"), None, None,
+            self.tr("What you did not solve alone comes back after 1, 3 and 7 days"),
+        )  # fmt: skip
+        self.overview = make(
+            self.tr("O&verview…"), None, None,
+            self.tr("Every topic with its exercises, as you solved them"),
+        )  # fmt: skip
+        self.addActions([self.test, self.test_again, self.review, self.overview])
+        self.addSeparator()
         self.open = make(
             self.tr("&Open a lesson…"), None, None, self.tr("Open a lesson or a talk from its file")
         )
@@ -69,8 +86,9 @@ class LessonMenu(QMenu):
         self.addSeparator()
         self.addActions([self.anew, self.check, self.leave])
 
-    def wire(self, card: LessonCard, settings: Settings) -> None:
-        """Connect the actions to the lesson's card."""
+    def wire(self, card: LessonCard, settings: Settings, practice: Practice) -> None:
+        """Connect the actions to the lesson's card and to what is practised on it."""
+        self.aboutToShow.connect(partial(self._show_practice, practice))
         for menu, talks in ((self.lessons, False), (self.talks, True)):
             menu.aboutToShow.connect(
                 lambda menu=menu, talks=talks: fill(menu, settings.progress, card.open, talks=talks)
@@ -78,6 +96,10 @@ class LessonMenu(QMenu):
         for action, act in (
             (self.tour, partial(card.open, TOUR)),
             (self.open, partial(self._ask, card)),
+            (self.test, practice.choose_test),
+            (self.test_again, practice.go_on),
+            (self.review, practice.review),
+            (self.overview, practice.show_overview),
             (self.again, card.show_again),
             (self.next, card.go_on),
             (self.back, card.go_back),
@@ -89,6 +111,11 @@ class LessonMenu(QMenu):
             action.triggered.connect(lambda _on=False, act=act: act())
         card.went_on.connect(partial(self._show, card))
         self._show(card)
+
+    def _show_practice(self, practice: Practice) -> None:
+        """Say what has come back, and whether a test waits."""
+        self.review.setText(review_text(len(practice.due)))
+        self.test_again.setVisible(bool(practice.begun))
 
     def _show(self, card: LessonCard) -> None:
         """Enable the actions that are possible now."""

@@ -156,11 +156,19 @@ class Lessons(QObject):
         """Open a lesson at its first step, or at the named one; emit the reason if that fails."""
         try:
             course = Course(read(path))
+        except Refusal as error:
+            self._messages.say(named(error, Path(path)))
+            return False
+        return self.play(course, step)
+
+    def play(self, course: Course, step: str = "") -> bool:
+        """Open a lesson that is read already, as `open` does."""
+        try:
             place = course.lesson.place_of(step)
             shown = course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self._messages.say(named(error, Path(path)))
+            self._messages.say(named(error, course.lesson.path))
             return False
         self.complained.emit("")
         self._messages.done()
@@ -171,7 +179,7 @@ class Lessons(QObject):
         # A lesson begins with the default view, whatever the window showed before.
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
-        if not self._files.open_step(document, scene, course.lesson.path):
+        if not self._files.open_step(document, scene, course.file):
             self.course, self.place = left
             return False
         self._arrived, self._posed = {}, None
@@ -375,9 +383,10 @@ class Lessons(QObject):
 
     def _watch(self) -> None:
         assert self.course is not None
-        path = self.course.lesson.path
+        path = self.course.file
         self._unwatch()
-        self._watcher.addPaths([str(path), str(path.parent)])
+        if path is not None:
+            self._watcher.addPaths([str(path), str(path.parent)])
 
     def _unwatch(self) -> None:
         watched = [*self._watcher.files(), *self._watcher.directories()]

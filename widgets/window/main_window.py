@@ -68,6 +68,7 @@ from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
 from widgets.window.pointing import Pointing
+from widgets.window.practice import Practice, review_text
 from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
@@ -330,6 +331,7 @@ class MainWindow(QMainWindow):
         self.record = Record(data_folder() / RECORD)
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings, self.record)
         self.side.take_card(self.lesson_card)
+        self.practice = Practice(self, self.lesson_card, self.record, self.settings, self.messages)
         self.hiding = Hiding(
             self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
         )
@@ -460,13 +462,16 @@ class MainWindow(QMainWindow):
         if self.start_card is not None:
             return
         settings = self.settings
+        count = len(self.practice.due)
         self.start_card = card = StartCard(
             self, self.menus.scene_titles, self.files.recent, settings.progress,
-            at_every_start=settings.start_card, dark=palette.is_dark(settings.theme),
+            review=review_text(count) if count else "", at_every_start=settings.start_card,
+            dark=palette.is_dark(settings.theme),
         )  # fmt: skip
         card.scene_chosen.connect(self.guide.choose)
         card.file_chosen.connect(self.files.open)
         card.open_wanted.connect(self.files.open_dialog)
+        card.review_wanted.connect(self.practice.review)
         card.always_set.connect(partial(setattr, settings, "start_card"))
         card.left.connect(partial(setattr, self, "start_card", None))
         card.open()

@@ -56,8 +56,9 @@ def settings_path() -> Path:
 
 
 LEAST_NOTES_PX, LARGEST_NOTES_PX = 10, 72
-MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 80
-"""Limits of saved progress: lessons, the newest answers of each, and characters of an answer."""
+MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 1200
+"""Limits of saved progress: lessons, the newest answers of each, and characters of an answer,
+which may be a matrix."""
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QCloseEvent, QIcon, QMouseEvent, QPixmap
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -58,11 +58,13 @@ class StartCard(QWidget):
     """The scenes, the lessons and the recent files, over the whole window.
 
     `titles` are those of the built-in scenes by name, `recent` the paths of files, and `progress`
-    belongs to the lessons that were begun.
+    belongs to the lessons that were begun. `review` names the exercises that have come back; it is
+    empty if there are none.
     """
 
     scene_chosen = Signal(str)
     file_chosen = Signal(str)
+    review_wanted = Signal()
     open_wanted = Signal()
     always_set = Signal(bool)
     """Whether the card appears at every start."""
@@ -76,6 +78,7 @@ class StartCard(QWidget):
         recent: Sequence[str],
         progress: Mapping[str, Progress],
         *,
+        review: str,
         at_every_start: bool,
         dark: bool,
     ) -> None:
@@ -100,7 +103,7 @@ class StartCard(QWidget):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
-            _heading(self.tr("Learn")), *self._lessons(progress), 12,
+            _heading(self.tr("Learn")), *self._lessons(progress), *self._review(review), 12,
             _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
@@ -158,11 +161,17 @@ class StartCard(QWidget):
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
             yield button
 
+    def _review(self, text: str) -> Iterator[QToolButton]:
+        if text:
+            tip = self.tr("What you did not solve alone, with other numbers")
+            act = partial(self._leave_for, self.review_wanted)
+            yield tool_button(text, tip, act, icon="reset", flat=True)
+
     def _files(self, recent: Sequence[str]) -> Iterator[QToolButton]:
         yield tool_button(
             self.tr("Open a file…"),
             self.tr("Open a document, a lesson, a mesh or an exported picture"),
-            self._open, icon="open", flat=True,
+            partial(self._leave_for, self.open_wanted), icon="open", flat=True,
         )  # fmt: skip
         for path in recent[:MOST_RECENT]:
             act = partial(self._choose, self.file_chosen.emit, path)
@@ -176,9 +185,9 @@ class StartCard(QWidget):
         self.close()
         tell(what)
 
-    def _open(self) -> None:
+    def _leave_for(self, wanted: SignalInstance) -> None:
         self.close()
-        self.open_wanted.emit()
+        wanted.emit()
 
     # -- the pictures
 

@@ -127,8 +127,9 @@ class Talks(QObject):
 
     @property
     def has_lesson(self) -> bool:
-        """Whether a lesson or a talk is open."""
-        return self._lessons.lesson is not None
+        """Whether the file of a lesson or a talk is open; a test shows no answers to a speaker."""
+        course = self._lessons.course
+        return course is not None and course.file is not None
 
     @property
     def _questions(self) -> Sequence[Part]:

@@ -100,7 +100,7 @@ def _wire_components(window: Any) -> None:
 def _wire_lesson(window: Any) -> None:
     """Connect the lesson's card to its keys, and to everything that a task may require."""
     card, menus = window.lesson_card, window.menus
-    menus.lesson_menu.wire(card, window.settings)
+    menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
     card.hidden.connect(window.hiding.hide)
     card.aimed.connect(window.pointing.aim)

@@ -170,16 +170,16 @@ class Matrix(Marked):
             return []
         sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
         values = [f"${value:.4g}$" for value in self.answer(here)]
-        return [self._table(side) for side in (*sides, values)]
+        return [self.table(side) for side in (*sides, values)]
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""
-        return self._table([write(value) for value in self.answer(here)]) + unit
+        return self.table([write(value) for value in self.answer(here)]) + unit
 
     def told(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}\n\n{answer}" if answer else self.text
 
-    def _table(self, cells: Sequence[str]) -> str:
+    def table(self, cells: Sequence[str]) -> str:
         """Write the cells as a table in Markdown."""
         rows = [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
         lines = [[""] * self.columns, ["---"] * self.columns, *rows]

@@ -13,7 +13,7 @@ from app.lessons.text import plain_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
+from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button, hand_in
 
 
 class _Choice(QWidget):
@@ -90,6 +90,11 @@ class Chooses(BlockView):
     def first(self) -> QWidget | None:
         return self._group.checkedButton() or self._choices[0].button
 
+    def _show(self, answer: str) -> None:
+        button = self._group.button(int(answer) - 1 if answer.isdecimal() else -1)
+        if button is not None:
+            button.setChecked(True)
+
     def restore(self, answer: str) -> None:
         if answer == TOLD and self.question.retries:
             self.answer = TOLD
@@ -119,6 +124,10 @@ class Chooses(BlockView):
         else:
             super().keyPressEvent(event)
 
+    def begin_test(self) -> None:
+        super().begin_test()
+        hand_in(self._commit)
+
     def commit(self) -> None:
         """Submit the current choice as the answer."""
         number = self._group.checkedId()
@@ -126,6 +135,9 @@ class Chooses(BlockView):
             text = self.tr("Choose one first: with the arrow keys, or a click.")
             self._warn(text)
             self._announce(text)
+            return
+        if self.is_test:
+            self._hand_in(str(number + 1))
             return
         settles = number == self.question.right or not self.question.retries
         if settles:

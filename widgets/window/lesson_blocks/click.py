@@ -14,6 +14,9 @@ from widgets.parts.layouts import FREE
 from widgets.window.lesson_blocks.marked import Attempts
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
+NOWHERE = "-"
+"""Recorded for a place that has no coordinates."""
+
 
 class Points(Attempts):
     """A place in a picture; `Pointing` shows the crosshair there, and says where it is."""
@@ -80,4 +83,4 @@ class Points(Attempts):
 
 
 def _written(place: Value) -> str:
-    return " ".join(f"{value:.6g}" for value in place)
+    return " ".join(f"{value:.6g}" for value in place) or NOWHERE

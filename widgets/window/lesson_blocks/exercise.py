@@ -45,8 +45,10 @@ class Practises(BlockView):
         self._another.hide()
         title = Label(self.tr("Exercise"))
         title.setObjectName("paneTitle")
-        parts = title, FREE, Label(self.tr("Variant")), self.seed, self._begin, self._another
-        self._insert(on_holder(*parts, gap=5))
+        self._row = on_holder(
+            Label(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
+        )
+        self._insert(on_holder(title, FREE, self._row, gap=5))
 
     @property
     def first(self) -> QWidget | None:
@@ -58,7 +60,7 @@ class Practises(BlockView):
 
     @property
     def hides(self) -> frozenset[str]:
-        is_asked = self.asked is not None and self.asked.is_open
+        is_asked = self.asked is not None and (self.is_test or self.asked.is_open)
         return self.exercise.hides if is_asked else frozenset()
 
     @property
@@ -75,10 +77,22 @@ class Practises(BlockView):
 
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
+        if self.is_test and seed != self.seed.text():  # the lessons have changed since
+            return
         self.seed.setText(seed)
         if self._draw() and self.asked is not None:
-            self.asked.restore(given)
+            if self.is_test:
+                self.asked.take_in(given)
+            else:
+                self.asked.restore(given)
             self.answer = answer
+
+    def pose(self, seed: int, *, is_test: bool) -> None:
+        """Ask with the numbers of a seed, which the window shows already."""
+        self.is_test = is_test
+        self._row.setHidden(is_test)
+        self.seed.setText(str(seed))
+        self._draw()
 
     @property
     def said(self) -> list[QWidget]:
@@ -125,6 +139,8 @@ class Practises(BlockView):
             self._column.removeWidget(self.asked)
             self.asked.hide()
             self.asked.deleteLater()
+        if self.is_test:
+            asked.begin_test()
         self.asked, self.answer, self.hints = asked, "", asked.hints
         self._insert(asked)
         self._begin.hide()

@@ -7,25 +7,25 @@ from __future__ import annotations
 
 from abc import abstractmethod
 
+from PySide6.QtWidgets import QPushButton
+
 from app.lessons.blocks.question import Marked, Verdict
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
-from widgets.window.lesson_blocks.view import TOLD, BlockView
+from widgets.window.lesson_blocks.view import TOLD, BlockView, hand_in
 
 
 class Attempts(BlockView):
     """A question whose answers are submitted with `_submit`."""
 
+    _check: QPushButton
+
     def __init__(self, here: AtStep, question: Marked) -> None:
         super().__init__(here, question)
         self.question = question
-
-    @abstractmethod
-    def _show(self, typed: str) -> None:
-        """Show an answer that was given earlier."""
 
     @abstractmethod
     def _close(self) -> None:
@@ -51,8 +51,13 @@ class Attempts(BlockView):
             self.answer = answer
             self._praise_and_close(verdict)
 
-    def _submit(self, typed: str, given: str = "") -> None:
+    def begin_test(self) -> None:
+        super().begin_test()
+        hand_in(self._check)
+
+    def _submit(self, typed: str, given: str | None = None) -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
+        given = typed if given is None else given
         self._hush()
         try:
             verdict = self._mark(typed)
@@ -60,8 +65,11 @@ class Attempts(BlockView):
             self._refuse(error)
             self._announce(sentence(error))
             return
+        if self.is_test:
+            self._hand_in(given)
+            return
         if verdict.right:
-            self.tried.emit(given or typed, verdict.word)
+            self.tried.emit(given, verdict.word)
             self._praise_and_close(verdict)
             self._settle(typed)
             return
@@ -71,7 +79,7 @@ class Attempts(BlockView):
             self._say("help", self.tr("Too few digits"), text)
             self._announce(text)
             return
-        self.tried.emit(given or typed, verdict.word)
+        self.tried.emit(given, verdict.word)
         self._offer_answer(self.give_away)
         if verdict.idea or verdict.says:
             self._refute(verdict)

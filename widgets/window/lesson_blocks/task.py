@@ -12,10 +12,13 @@ from app.lessons.course import AtStep
 from app.lessons.record import RIGHT, SHOWN
 from app.lessons.writing import changes
 from app.model.refusal import Refusal
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign
+from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
 
 DONE = "done"
 """Stored as the answer of a finished task."""
+
+_IN_CONDITIONS = {"panes": "turned", "probes": "_"}
+"""By which a condition names a field of the view, where its name is another one."""
 
 
 class Tries(BlockView):
@@ -24,8 +27,33 @@ class Tries(BlockView):
     def __init__(self, here: AtStep, task: Task) -> None:
         sign = Sign("", "")
         super().__init__(here, task, sign)
-        self.task, self._sign = task, sign
+        self.task, self._sign, self._now = task, sign, here.document
         sign.show_icon("", self.tr("To do"))
+
+    def begin_test(self) -> None:
+        super().begin_test()
+        tip = self.tr("The window as it is now is my answer")
+        self._insert(button(self.tr("Hand it &in"), tip, self.hand_in))
+
+    @property
+    def _given(self) -> str:
+        """Return what was changed, as in a sample; of the view only what the task is about."""
+        asked = " ".join(condition.text for _, condition in self.task.until)
+
+        def matters(change: str) -> bool:
+            section, _, name = change.partition("=")[0].partition(".")
+            return section != "view" or _IN_CONDITIONS.get(name, name) in asked
+
+        return " ".join(filter(matters, changes(self.here.document, self._now)))
+
+    def hand_in(self) -> None:
+        """Keep the window's current state as the answer of a test."""
+        given = self._given
+        if given:
+            self._hand_in(given)
+        else:
+            self._warn(self.tr("Nothing is changed yet."))
+            self._announce(self.tr("Nothing is changed yet."))
 
     def restore(self, answer: str) -> None:
         self.answer = answer
@@ -54,7 +82,8 @@ class Tries(BlockView):
             super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
-        if not self.is_open:
+        self._now = replace(document, view=view)
+        if not self.is_open or self.is_test:
             return
         try:
             is_done = self.task.is_done(self.here, document, view)
@@ -64,7 +93,7 @@ class Tries(BlockView):
         if is_done:
             self._hush()
             self._tick()
-            self.tried.emit(changes(self.here.document, replace(document, view=view)), RIGHT)
+            self.tried.emit(self._given, RIGHT)
             self._announce(self.tr("Done."), self.task.done)
             self._settle(DONE)
         elif document != self.here.document:  # tried

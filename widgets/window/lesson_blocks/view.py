@@ -14,7 +14,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QRect, Signal
+from PySide6.QtCore import QCoreApplication, QRect, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleAnnouncementEvent,
@@ -22,13 +22,21 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPen,
 )
-from PySide6.QtWidgets import QFrame, QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QFrame,
+    QLineEdit,
+    QPushButton,
+    QSizePolicy,
+    QWidget,
+)
 
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.block import Asked
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
+from app.lessons.practice import verdict_on
 from app.lessons.text import escaped, plain_of
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
@@ -93,6 +101,8 @@ class BlockView(QFrame):
         self.setObjectName("asked")
         self.here, self.block = here, block
         self.answer = ""
+        self.is_test = False
+        """Whether the answer is kept unmarked, for the end of a test."""
         self.hints = list(block.hints)
         """The hints not given yet."""
         self.setAccessibleName(plain_of(block.text))
@@ -154,6 +164,33 @@ class BlockView(QFrame):
     @property
     def hints_read(self) -> int:
         return len(self.block.hints) - len(self.hints)
+
+    def begin_test(self) -> None:
+        """Give no hints, and keep the first answer for the end of a test."""
+        self.is_test = True
+        self.hints = []
+
+    def take_in(self, answer: str) -> None:
+        """Show an answer that is kept for the end of a test; it can no longer be changed."""
+        self.answer = answer
+        self._hush()
+        self._show(answer)
+        for field in self.findChildren(QLineEdit):
+            field.setReadOnly(True)
+        for each in self.findChildren(QAbstractButton):
+            each.setEnabled(False)
+            each.setVisible(not isinstance(each, QPushButton))
+        self._say("check", self.tr("Kept"), self.tr("Your answer is kept until the end."))
+
+    def _show(self, answer: str) -> None:
+        """Show an answer that was given earlier."""
+
+    def _hand_in(self, answer: str) -> None:
+        """Keep an answer for the end of a test."""
+        self.tried.emit(answer, verdict_on(self.block, self.here, answer))
+        self.take_in(answer)
+        self._announce(self.tr("Your answer is kept until the end."))
+        self._settle(answer)
 
     def open_up(self) -> None:
         """Begin, as the block whose turn it is when its step opens."""
@@ -265,3 +302,10 @@ def button(name: str, tip: str, act: Callable[[], object]) -> QPushButton:
     made.setAutoDefault(True)
     made.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
     return made
+
+
+def hand_in(button: QPushButton) -> None:
+    """Name a button for a test, in which an answer is given once."""
+    button.setText(QCoreApplication.translate("BlockView", "Hand it &in"))
+    tip = QCoreApplication.translate("BlockView", "This is my answer; there is one try (Enter)")
+    set_tip(button, tip)

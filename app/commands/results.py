@@ -1,0 +1,117 @@
+"""``lesson results``: the results of a class, marked again from what was typed."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import io
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
+from datetime import UTC, datetime
+from pathlib import Path
+
+from app.commands.arguments import check_out
+from app.commands.options import BAD_INPUT, CliError, complain, write_out
+from app.document.files import write_bytes_atomically
+from app.lessons.course import idea_named
+from app.lessons.record import RIGHT, SHOWN, WRONG
+from app.lessons.results import Marked, Marker, Results, read
+from app.model.refusal import Refusal
+from app.strangers import printable
+
+MOST_LISTED = 40
+"""Most answers without an idea that are listed."""
+COLUMNS = (
+    "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
+    "right", "note",
+)  # fmt: skip
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+"""A cell that begins so would be computed by a spreadsheet."""
+
+
+def results(found: argparse.Namespace, files: Sequence[str]) -> int:
+    """Mark the results of a class; return `BAD_INPUT` if a file cannot be read."""
+    if not files:
+        raise CliError("lesson results needs a FILE.")
+    if found.csv:
+        check_out("--csv", found.csv)
+    read_files: list[tuple[str, Results]] = []
+    for file in files:
+        try:
+            read_files.append((Path(file).name, read(file)))
+        except Refusal as error:
+            complain(str(error), BAD_INPUT)
+    marker = Marker()
+    marks = [(name, each, list(map(marker.marked, each.attempts))) for name, each in read_files]
+    if found.csv:
+        rows = (row for name, each, answers in marks for row in _rows(name, each, answers, marker))
+        write_bytes_atomically(found.csv, _csv(rows))
+    write_out(f"{printable(line)}\n" for line in _summary([answers for _, _, answers in marks]))
+    return BAD_INPUT if len(read_files) < len(files) else 0
+
+
+def _rows(
+    file: str, student: Results, answers: Iterable[Marked], marker: Marker
+) -> Iterator[Sequence[object]]:
+    for attempt, word, right in answers:
+        mark = word if word in (RIGHT, SHOWN, "") else WRONG
+        notes = []
+        if not word:
+            notes.append("no such question here")
+        elif mark != attempt.verdict:
+            notes.append(f"the file says {attempt.verdict}")
+        if marker.is_other(attempt.lesson, student.digests):
+            notes.append("the student had another version of the lesson")
+        time = datetime.fromtimestamp(attempt.when, UTC).isoformat(timespec="seconds")
+        idea = "" if word in (RIGHT, SHOWN, WRONG) else word
+        yield (
+            file, student.student, time, attempt.lesson, attempt.exercise, attempt.seed,
+            attempt.typed, mark, idea, attempt.hints, right, "; ".join(notes),
+        )  # fmt: skip
+
+
+def _csv(rows: Iterable[Sequence[object]]) -> bytes:
+    """Write a table that no spreadsheet computes; with a mark by which it is read as UTF-8."""
+    text = io.StringIO(newline="")
+    writer = csv.writer(text)
+    writer.writerow(COLUMNS)
+    for row in rows:
+        cells = map(str, row)
+        writer.writerow(f"'{cell}" if cell.startswith(_FORMULA) else cell for cell in cells)
+    return text.getvalue().encode("utf-8-sig")
+
+
+def _summary(students: Sequence[Sequence[Marked]]) -> Iterator[str]:
+    """Yield the counts of a class, its wrong ideas, and what no idea explained."""
+    answers = [each for student in students for each in student]
+    words = Counter(each.word for each in answers)
+    ideas = {each for each in words if each not in (RIGHT, SHOWN, WRONG, "")}
+    wrong = words[WRONG] + sum(words[idea] for idea in ideas)
+    yield (
+        f"{len(students)} files, {len(answers)} answers: {words[RIGHT]} right, {wrong} wrong, "
+        f"{words[SHOWN]} shown, {words['']} not marked"
+    )
+    changed = sum(
+        bool(each.word) and (each.word == RIGHT) != (each.attempt.verdict == RIGHT)
+        for each in answers
+    )
+    if changed:
+        yield f"{changed} marks differ from those in the files"
+    if ideas:
+        yield "Wrong ideas (answers, students):"
+    for idea in sorted(ideas, key=lambda name: (-words[name], name)):
+        count = sum(any(each.word == idea for each in student) for student in students)
+        known = idea_named(idea)
+        title = f"  {known.title}" if known is not None else ""
+        yield f"{words[idea]:>5} {count:>4}  {idea}{title}"
+    unexplained = Counter(
+        (a.lesson, a.exercise, a.seed, a.typed, right)
+        for a, word, right in answers
+        if word == WRONG and a.typed
+    )
+    if unexplained:
+        yield "No idea explains (answers; lesson, exercise, variant; what was typed; right):"
+    for (lesson, exercise, seed, typed, right), count in unexplained.most_common(MOST_LISTED):
+        yield f"{count:>5}  {lesson} {exercise} {seed}: {typed} ({right})"
+    if len(unexplained) > MOST_LISTED:
+        yield f"       … and {len(unexplained) - MOST_LISTED} more; --csv has them all"

@@ -1,0 +1,246 @@
+"""Exercises of several lessons on one sheet: a test, or what has come back to be practised.
+
+A `Sheet` is a course in memory: each of its steps is an exercise of another lesson, in the state of
+its own variant. Whatever plays a lesson plays a sheet.
+"""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
+from functools import cache, cached_property
+from itertools import islice
+from pathlib import Path
+from typing import NamedTuple
+
+from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
+from app.lessons.course import AtStep, Course, Shown, contained, file_of
+from app.lessons.lesson import Lesson, Step, read
+from app.lessons.record import RIGHT, WRONG, Standing
+from app.model.refusal import Refusal
+
+MOST = 12
+"""Most exercises of a test, and of what is reviewed at once."""
+_DRAWS = 20
+"""How many seeds are tried until the numbers of an exercise suit."""
+
+
+class Found(NamedTuple):
+    """An exercise in the step of its lesson."""
+
+    course: Course
+    place: int
+    exercise: Exercise
+
+    @property
+    def here(self) -> AtStep:
+        return self.course.at(self.place)
+
+    @property
+    def key(self) -> tuple[str, str]:
+        """Return its lesson and ``step/block``, as in the record."""
+        return self.course.name, f"{self.here.step.name}/{self.exercise.name}"
+
+
+class Item(NamedTuple):
+    """An exercise of a sheet, and the seed of its numbers."""
+
+    found: Found
+    seed: int
+
+    @property
+    def variant(self) -> Variant:
+        return self.found.exercise.variant(self.found.here, self.seed)
+
+
+class Sheet(Course):
+    """Exercises as the steps of one lesson.
+
+    Parameters
+    ----------
+    name : str
+        Under which the answers are kept; empty for nowhere.
+    title : str
+        Its title for the student.
+    items : sequence of Item
+    is_test : bool
+        Whether answers are marked at the end.
+    """
+
+    def __init__(self, name: str, title: str, items: Sequence[Item], *, is_test: bool) -> None:
+        steps = (
+            Step(str(number), item.found.course.lesson.title, 1, (item.found.exercise,))
+            for number, item in enumerate(items, 1)
+        )
+        super().__init__(Lesson(Path(title), title, tuple(steps)))
+        self._name, self.items, self.is_test = name, tuple(items), is_test
+        self._variants: dict[int, Variant] = {}
+
+    @property
+    def name(self) -> str:
+        return self._name
+
+    @property
+    def file(self) -> Path | None:
+        return None
+
+    def at(self, place: int) -> AtStep:
+        return self.items[place].found.here
+
+    @cached_property
+    def managed(self) -> frozenset[str]:
+        fields = frozenset({"panel"}) if self.is_test else frozenset()
+        return fields.union(*(item.found.course.managed for item in self.items))
+
+    def variant(self, place: int) -> Variant:
+        """Return the exercise of a step with its numbers; a `Refusal` if they do not suit."""
+        if place not in self._variants:
+            self._variants[place] = self.items[place].variant
+        return self._variants[place]
+
+    def shown(self, place: int) -> Shown:
+        document = self.variant(place).here.document
+        if self.is_test:
+            document = replace(document, view=replace(document.view, panel=""))
+        return Shown(document, {name: getattr(document.view, name) for name in self.managed})
+
+
+# --------------------------------------------------------------------------- what there is
+
+
+def exercises_of(course: Course) -> Iterator[Found]:
+    """Yield the exercises of a lesson in order."""
+    for place, step in enumerate(course.lesson.steps):
+        for part in step.asked:
+            if isinstance(part, Exercise):
+                yield Found(course, place, part)
+
+
+@cache
+def topics() -> Mapping[str, Course]:
+    """Return the lessons that come with the program by their topics, ``L1`` to ``L24``."""
+    lessons = [read(path) for path in contained() if path.stem.startswith("l")]
+    return {lesson.topics[0]: Course(lesson) for lesson in lessons if lesson.topics}
+
+
+def find(key: tuple[str, str]) -> Found | None:
+    """Return the exercise of a record's key; None if its lesson no longer has it."""
+    course = course_named(key[0])
+    found = exercises_of(course) if course is not None else ()
+    return next((each for each in found if each.key[1] == key[1]), None)
+
+
+def course_named(name: str) -> Course | None:
+    """Return a lesson by its name in the record; None if it cannot be read."""
+    for course in topics().values():
+        if course.name == name:
+            return course
+    try:
+        return Course(read(file_of(name)))
+    except Refusal:
+        return None
+
+
+# --------------------------------------------------------------------------- sheets
+
+_TEST = re.compile(r"test((?: L\d+)+) (\d{1,4})")
+
+
+def name_of_test(names: Iterable[str], number: int) -> str:
+    """Return the name under which a test's answers are kept; it says all of the test."""
+    return " ".join(("test", *names, str(number)))
+
+
+def named_test(name: str) -> tuple[list[str], int] | None:
+    """Return topics and number of a test from its name; None if it is no test's."""
+    found = _TEST.fullmatch(name)
+    return None if found is None else (found[1].split(), int(found[2]))
+
+
+def drawn(names: Collection[str], number: int) -> list[Item]:
+    """Draw the exercises of a test: `MOST` of some topics, about as many of each, mixed.
+
+    The same topics and number give the same test to everyone.
+    """
+    chosen = [name for name in topics() if name in names]
+    chance = random.Random(f"{' '.join(chosen)} {number}")
+    pools = [list(exercises_of(topics()[name])) for name in chosen]
+    for pool in pools:
+        chance.shuffle(pool)
+    chance.shuffle(pools)
+    found: list[Item] = []
+    while any(pools) and len(found) < MOST:
+        for pool in filter(None, pools):
+            seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
+            item = _suited(pool.pop(), seeds)
+            if item is not None and len(found) < MOST:
+                found.append(item)
+    chance.shuffle(found)
+    return found
+
+
+def _suited(found: Found, seeds: Iterable[int]) -> Item | None:
+    """Return an exercise with the first seed for which it has numbers."""
+    for seed in seeds:
+        item = Item(found, seed)
+        try:
+            _ = item.variant
+        except Refusal:
+            continue
+        return item
+    return None
+
+
+def to_review(
+    due: Sequence[tuple[str, str]], known: Mapping[tuple[str, str], Standing]
+) -> list[Item]:
+    """Return exercises that have come back, each with numbers that the student has not seen."""
+    found: list[Item] = []
+    for key in due:
+        exercise, seen = find(key), known[key].seeds
+        if exercise is not None and len(found) < MOST:
+            # After the largest one comes 1 again.
+            numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
+            item = _suited(exercise, islice((n for n in numbers if n not in seen), _DRAWS))
+            found += [] if item is None else [item]
+    return found
+
+
+class Mark(NamedTuple):
+    """An exercise of a test, and how it was answered.
+
+    Attributes
+    ----------
+    typed : str
+        Empty without an answer.
+    word : str
+        `RIGHT`, the name of a wrong idea, or `WRONG`.
+    """
+
+    item: Item
+    typed: str
+    word: str
+
+
+def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[Mark]:
+    """Mark a test, whose answers are kept by ``step/block`` as the seed and what was typed."""
+    found = []
+    for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
+        kept = answers.get(f"{step.name}/{item.found.exercise.name}", "")
+        (seed, _, typed), variant = kept.partition(" "), item.variant
+        if seed != str(item.seed):  # the lessons have changed since
+            typed = ""
+        found.append(Mark(item, typed, verdict_on(variant.question, variant.here, typed)))
+    return found
+
+
+def verdict_on(question: Asked, here: Here, typed: str) -> str:
+    """Mark an answer, as in a sample; return `RIGHT`, the name of its idea, or `WRONG`."""
+    try:
+        word = question.verdict(here, typed, question.line)
+    except Refusal:
+        return WRONG
+    return {"done": RIGHT, "open": WRONG, "no number": WRONG}.get(word, word)

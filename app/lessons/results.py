@@ -1,0 +1,214 @@
+"""Result files: answers of a student for the teacher, who marks them again from what was typed.
+
+A file comes from a student, so nothing in it is believed but what was typed: its size is limited,
+lessons are found by their bare names only, and every mark is computed anew.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from app.document.codec import Path as AnyPath
+from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
+from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.exercise import Exercise
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Question
+from app.lessons.blocks.task import Task
+from app.lessons.course import Course
+from app.lessons.practice import Mark, course_named, verdict_on
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, one_line
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.strangers import open_regular
+
+FORMAT, VERSION = "frustum-lab-results", 1
+LARGEST = 4 * 2**20
+"""Largest file in bytes."""
+MOST = 5000
+"""Most answers of a file; the newest are exported."""
+LONGEST_STUDENT = 100
+_DIGITS = 16
+
+NO_RESULTS = QT_TRANSLATE_NOOP("Refusal", "is not a file of results of Frustum Lab")
+NEWER = QT_TRANSLATE_NOOP(
+    "Refusal", "was written by a newer Frustum Lab: its version is {0}, the limit is {1}"
+)
+TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
+
+
+class Results(NamedTuple):
+    """The answers of a student.
+
+    Attributes
+    ----------
+    student : str
+        As typed by the student; empty if nothing was.
+    digests : mapping of str to object
+        By the name of a lesson: a digest of its file as the student had it.
+    """
+
+    student: str
+    digests: Mapping[str, object]
+    attempts: Sequence[Attempt]
+
+
+class Marked(NamedTuple):
+    """An answer that was marked again.
+
+    Attributes
+    ----------
+    word : str
+        `RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there.
+    right : str
+        The right answer, as in a sample.
+    """
+
+    attempt: Attempt
+    word: str
+    right: str
+
+
+# --------------------------------------------------------------------------- the file
+
+
+def to_json(student: str, attempts: Sequence[Attempt], program: str) -> str:
+    """Write a file of results; lessons of one's own lose their folders."""
+    attempts = attempts[-MOST:]
+    names = {each.lesson: bare(each.lesson) for each in attempts}
+    found = {name: course_named(lesson) for lesson, name in names.items()}
+    tree = {
+        "format": FORMAT, "version": VERSION, "program": program, "student": student,
+        "lessons": {name: digest(course) for name, course in found.items() if course is not None},
+        "answers": [each._replace(lesson=names[each.lesson])._asdict() for each in attempts],
+    }  # fmt: skip
+    return json.dumps(tree, ensure_ascii=False, indent=1)
+
+
+def bare(lesson: str) -> str:
+    """Return a lesson's name without folders, which may name the student."""
+    return Path(lesson).name
+
+
+def digest(course: Course) -> str:
+    """Return a digest of a lesson's file; empty if it is no longer there."""
+    try:
+        return hashlib.sha256(course.lesson.path.read_bytes()).hexdigest()[:_DIGITS]
+    except OSError:
+        return ""
+
+
+def read(path: AnyPath) -> Results:
+    """Read a file of results; a `Refusal` says what is wrong with it."""
+    with blamed_on(path, UNREADABLE):
+        with open_regular(path) as file:
+            content = file.read(LARGEST + 1)
+        if len(content) > LARGEST:
+            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        try:
+            tree = json.loads(content)
+        except (ValueError, RecursionError) as error:
+            raise Refusal.in_document(NO_RESULTS) from error
+        if not isinstance(tree, dict) or tree.get("format") != FORMAT:
+            raise Refusal.in_document(NO_RESULTS)
+        version, answers = tree.get("version"), tree.get("answers")
+        if type(version) is not int or not isinstance(answers, list):
+            raise Refusal.in_document(NO_RESULTS)
+        if version > VERSION:
+            raise Refusal.in_document(NEWER, version, VERSION)
+        if len(answers) > MOST:
+            raise Refusal.in_document(TOO_MANY, MOST)
+        lessons = tree.get("lessons")
+        digests = lessons if isinstance(lessons, dict) else {}
+        student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
+        return Results(student, digests, [attempt_from(each) for each in answers])
+
+
+def of_test(marks: Iterable[Mark], now: int) -> list[Attempt]:
+    """Return the answers of a test, the missing ones too."""
+    found = []
+    for mark in marks:
+        verdict = RIGHT if mark.word == RIGHT else WRONG
+        idea = "" if mark.word in (RIGHT, WRONG) else mark.word
+        key, seed = mark.item.found.key, mark.item.seed
+        found.append(Attempt(now, *key, seed, mark.typed, verdict, idea))
+    return found
+
+
+# --------------------------------------------------------------------------- marks
+
+
+class Marker:
+    """Marks answers again; lessons and questions are read once."""
+
+    def __init__(self) -> None:
+        self._courses: dict[str, Course | None] = {}
+        self._digests: dict[str, str] = {}
+        self._posed: dict[tuple[str, str, int], tuple[Asked, Here] | None] = {}
+
+    def marked(self, attempt: Attempt) -> Marked:
+        """Mark an answer again."""
+        key = attempt.lesson, attempt.exercise, attempt.seed
+        if key not in self._posed:
+            course = self._course(attempt.lesson)
+            found = None if course is None else _posed(course, attempt.exercise, attempt.seed)
+            self._posed[key] = found
+        found = self._posed[key]
+        if found is None:
+            return Marked(attempt, "", "")
+        question, here = found
+        is_shown = attempt.verdict == SHOWN and not attempt.typed
+        word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
+        return Marked(attempt, word, _right(question, here))
+
+    def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
+        """Whether the student had another version of a lesson."""
+        course, theirs = self._course(lesson), digests.get(lesson)
+        if course is None or not theirs:
+            return False
+        if lesson not in self._digests:
+            self._digests[lesson] = digest(course)
+        return theirs != self._digests[lesson]
+
+    def _course(self, lesson: str) -> Course | None:
+        """Return a lesson by its bare name: one of the program, or one in the current folder."""
+        if lesson not in self._courses:
+            self._courses[lesson] = course_named(lesson) if bare(lesson) == lesson else None
+        return self._courses[lesson]
+
+
+def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | None:
+    """Return a question with its numbers; None if there is no such question."""
+    step, _, name = exercise.rpartition("/")
+    for place, each in enumerate(course.lesson.steps):
+        part = course.at(place).asked.get(name) if each.name == step else None
+        if isinstance(part, Exercise):
+            try:
+                variant = part.variant(course.at(place), seed) if seed else None
+            except Refusal:
+                variant = None
+            return (variant.question, variant.here) if variant is not None else None
+        if part is not None:
+            return part, course.at(place)
+    return None
+
+
+def _right(question: Asked, here: Here) -> str:
+    """Return the right answer as in a sample; empty if it has no value."""
+    if isinstance(question, Choices):
+        return str(question.right + 1)
+    if isinstance(question, Task):
+        return ", ".join(condition.text for _, condition in question.until)
+    assert isinstance(question, Question)
+    try:
+        texts = [f"{value:.5g}" for value in question.values(here, *question.key)]
+    except Refusal:
+        return ""
+    if not isinstance(question, Matrix):
+        return " ".join(texts)
+    wide = question.columns
+    return "; ".join(" | ".join(texts[at : at + wide]) for at in range(0, len(texts), wide))

@@ -1,0 +1,257 @@
+"""Tests of several topics, and exercises that come back: by keyboard alone."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import QTimer
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import (
+    QApplication,
+    QCheckBox,
+    QFileDialog,
+    QInputDialog,
+    QLineEdit,
+    QRadioButton,
+    QToolButton,
+)
+
+from app.lessons import practice
+from app.lessons.course import Course
+from app.lessons.lesson import read as read_lesson
+from app.lessons.practice import drawn, exercises_of
+from app.lessons.record import Attempt
+from app.lessons.results import read
+from tests.support.window import activate, enter, settle
+from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
+from widgets.window.main_window import RECORD, MainWindow
+from widgets.window.overview import Overview
+from widgets.window.self_test import SelfTestDialog
+from widgets.window.settings import data_folder
+
+HEAD = """---
+title: {0}
+topic: {0}
+---
+# Practise {{#practise}}
+```state
+scene=letter-f
+view.panel=matrices
+```
+"""
+WIDE = """```exercise wide
+vary fov: 20..100 step 5
+vary a: 4/3, 16/9, 2
+state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
+{=fov}° high, {=a} times as wide. How wide?
+value: 2*atan(a*tan(fov/2))
+unit: °
+wrong angle-linear: a*fov
+hint: Take the tangent.
+why: The tangent grows faster.
+```
+"""
+SET = """```exercise set
+vary wanted: 0.5..4 step 0.1
+Set near to {=wanted}.
+until: near = wanted
+done: It is there.
+```
+"""
+CHOOSE = """```exercise choose
+vary n: 2..40
+Is {=n} larger than {=n+1}?
+- [ ] yes
+- [x] no
+```
+"""
+
+
+@pytest.fixture(autouse=True)
+def own_topics(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
+    lessons = {}
+    for name, blocks in (("L3", WIDE + SET), ("L5", CHOOSE)):
+        path = tmp_path / f"{name}.md"
+        path.write_text(HEAD.format(name) + blocks, encoding="utf-8")
+        lessons[name] = read_lesson(path)
+    found = {name: Course(lesson) for name, lesson in lessons.items()}
+    monkeypatch.setattr(practice, "topics", lambda: found)
+    monkeypatch.setattr("widgets.window.practice.topics", lambda: found)
+    yield
+
+
+def test_a_number_gives_everyone_the_same_test() -> None:
+    def keys(names: list[str], number: int) -> list[tuple[str, int]]:
+        return [(item.found.exercise.name, item.seed) for item in drawn(names, number)]
+
+    assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
+    assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
+    assert len({tuple(keys(["L3", "L5"], number)) for number in range(1, 30)}) == 29
+    assert keys(["L4"], 1) == [] and {name for name, _ in keys(["L5"], 1)} == {"choose"}
+    (item,) = drawn(["L5"], 3)
+    assert [found.key[1] for found in exercises_of(item.found.course)] == ["practise/choose"]
+
+
+def test_a_test_is_taken_by_keyboard_alone(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    activate(window)
+    card, menus = window.lesson_card, window.menus.lesson_menu
+
+    def answer_dialog() -> None:
+        dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, SelfTestDialog))
+        assert not dialog.begin.isEnabled()
+        for box in dialog.findChildren(QCheckBox):
+            QTest.keyClick(box, KEY.Key_Space)
+        assert dialog.topics == ["L3", "L5"]
+        enter(dialog.number, "4")
+        if dialog.isVisible():
+            QTest.keyClick(dialog.begin, KEY.Key_Return)
+
+    window.panels.open(window.matrices)
+    QTimer.singleShot(0, answer_dialog)
+    menus.test.trigger()
+    come_to_rest(window)
+    assert len(window.lessons.lesson.steps) == 3 and window.panels.open_panel is None
+    assert not card.hint.isVisible() and not card.anew.isVisible()
+    assert not menus.hint.isEnabled() and not menus.anew.isEnabled()
+    given = {}
+    for place in range(3):
+        (view,) = card.blocks
+        assert window.store.document == view.variant.here.document
+        assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
+        name, here, question = view.block.name, view.variant.here, view.variant.question
+        if name == "wide":
+            assert isinstance(keyboard(), QLineEdit)
+            QTest.keyClicks(keyboard(), "what")
+            press(KEY.Key_Return)
+            assert "cannot be read" in texts(card) or "neither" in texts(card)
+            keyboard().selectAll()
+            given[name] = f"{question.values(here, question.replies[0].formulas, 1)[0]:.4g}"
+            QTest.keyClicks(keyboard(), given[name])
+            press(KEY.Key_Return)
+        elif name == "choose":
+            assert isinstance(keyboard(), QRadioButton)
+            press(KEY.Key_Down)
+            press(KEY.Key_Return)
+            given[name] = "2"
+        else:
+            buttons(card)["Hand it in"].click()
+            settle()
+            assert "Nothing is changed yet." in texts(card)
+            wanted = float(view.variant.numbers["wanted"])
+            enter(window.controls.rows["near"].field, str(wanted))
+            come_to_rest(window)
+            assert view.is_open, "nothing says that it is right"
+            buttons(card)["Hand it in"].setFocus()
+            press(KEY.Key_Return)
+            given[name] = f"lens.near={wanted:g}"
+        settle()
+        assert not view.is_open and "Your answer is kept until the end." in texts(card)
+        assert "Right" not in texts(card) and "idea" not in texts(card)
+        assert "Show the answer" not in buttons(card)
+        if place == 0:  # it is left, and gone on with
+            card.leave()
+            assert window.messages.text == "The test is kept." and window.panels.open_panel is None
+            (go_on,) = window.messages.choices
+            go_on.click()
+            come_to_rest(window)
+            (view,) = card.blocks
+            assert not view.is_open and "Your answer is kept" in texts(card)
+            assert window.lessons.place == 0
+        assert keyboard() is card.next
+        press(KEY.Key_Return)
+        if place == 1:
+            press(KEY.Key_N, ALT)
+            assert "Not answered yet: 3." in texts(card)
+            buttons(card)["Back to exercise 3"].click()
+        come_to_rest(window)
+    said = texts(card)
+    assert "2 of 3 right" in said and window.lessons.lesson is None
+    assert f"Your answer: {given['wide']}" in said and "The tangent grows faster." in said
+    assert "Your answer: no" in said and given["set"] in said
+    assert "The idea behind it" in said
+    assert not window.practice.begun and window.panels.open_panel is None
+    attempts = {each.exercise.partition("/")[2]: each for each in window.record.read()}
+    assert {name: each.typed for name, each in attempts.items()} == given
+    assert attempts["wide"].idea == "angle-linear" and attempts["set"].verdict == "right"
+    out = tmp_path / "mine.json"
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    press(KEY.Key_Return)
+    assert window.messages.text == f"The result is in {out}."
+    result = read(out)
+    assert result.student == "Ana" and len(result.attempts) == 3
+    assert {each.exercise.partition("/")[2]: each.typed for each in result.attempts} == given
+    press(KEY.Key_Tab)
+    press(KEY.Key_Return)
+    assert not card.is_on
+
+
+def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindow) -> None:
+    activate(window)
+    menu, record = window.menus.lesson_menu, window.record
+    menu.aboutToShow.emit()
+    assert menu.review.text() == "&Review" and not menu.test_again.isVisible()
+    for exercise, verdict in (("choose", "wrong"), ("wide", "right"), ("gone", "shown")):
+        lesson = practice.topics()["L3" if exercise == "wide" else "L5"].name
+        record.add(Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict))
+    menu.aboutToShow.emit()
+    assert menu.review.text() == "&Review: 1 exercise"
+    window.menus.start_card.trigger()
+    settle()
+    assert window.start_card is not None
+    names = [button.text() for button in window.start_card.findChildren(QToolButton)]
+    assert "&Review: 1 exercise" in names
+    window.start_card.close()
+    menu.review.trigger()
+    come_to_rest(window)
+    (view,) = window.lesson_card.blocks
+    assert view.block.name == "choose" and view.variant_seed == 2 and view.seed.isVisible()
+    press(KEY.Key_Down)
+    press(KEY.Key_Return)
+    assert "Right." in texts(window.lesson_card)
+    menu.aboutToShow.emit()
+    assert menu.review.text() == "&Review" and record.read()[-1].seed == 2
+    window.lesson_card.go_on()
+    settle()
+    assert "Done: “Review”." in texts(window.lesson_card)
+    assert not any("Review" in name for name in window.settings.progress)
+
+
+def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow) -> None:
+    activate(window)
+    for exercise, verdict, idea in (
+        ("set", "shown", ""), ("wide", "wrong", "angle-linear"), ("wide", "right", ""),
+    ):  # fmt: skip
+        lesson = practice.topics()["L3"].name
+        window.record.add(
+            Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict, idea)
+        )
+    with (data_folder() / RECORD).open("a") as file:
+        file.write("\n{")
+    window.menus.lesson_menu.overview.trigger()
+    settle()
+    overview = window.practice.overview
+    said = texts(overview)
+    assert "unreadable lines (1)" in said and "once; then: solved with help" in said
+    names = [each.accessibleName() for each in overview.findChildren(QToolButton)]
+    assert [name.partition(". ")[0] for name in names if name] == [
+        "L3, exercise 1: solved with help", "L3, exercise 2: answer shown",
+        "L5, exercise 1: not yet",
+    ]  # fmt: skip
+    activate(overview)
+    overview.first.setFocus()  # no window manager does it here
+    settle()
+    assert overview.review.text() == "&Review: 2 exercises" and keyboard() is overview.review
+    for _ in range(30):
+        press(KEY.Key_Tab)
+        if "exercise 2" in keyboard().accessibleName():
+            break
+    press(KEY.Key_Space)
+    assert window.lessons.step is not None and window.lessons.step.name == "practise"
+    assert not any(
+        isinstance(w, Overview) and w.isVisible() for w in QApplication.topLevelWidgets()
+    )

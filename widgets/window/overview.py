@@ -1,0 +1,157 @@
+"""The overview: every topic with its exercises as the student solved them, and the wrong ideas."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+
+from PySide6.QtCore import QSize, Qt, Signal, SignalInstance
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QGridLayout,
+    QScrollArea,
+    QToolButton,
+    QWidget,
+)
+
+from app.lessons.course import Course, idea_named
+from app.lessons.practice import Found, exercises_of
+from app.lessons.record import ALONE, HELPED, SHOWN, Met, Standing
+from app.lessons.text import plain_of
+from widgets.parts.buttons import push_button, tool_button
+from widgets.parts.icons import WarningLabel
+from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.plain import Label
+from widgets.window.lesson_blocks.view import Sign
+
+ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
+"""The icon of how an exercise was solved; none for one that is not solved yet."""
+LONGEST = 60
+"""Most characters of an exercise in the name of its button."""
+
+
+class Overview(QDialog):
+    """A window that lists what was practised, and leads there.
+
+    Parameters
+    ----------
+    topics : mapping
+        The lesson of each topic.
+    known : mapping
+        By lesson and ``step/block``.
+    ideas : mapping
+        By lesson and name of the idea.
+    review : str
+        The text of the button for what has come back.
+    problem : str
+        Why a part of the record could not be read.
+    """
+
+    lesson_wanted = Signal(object)
+    """A `Course`."""
+    exercise_wanted = Signal(object)
+    """A `Found`."""
+    review_wanted = Signal()
+    test_wanted = Signal()
+    export_wanted = Signal()
+
+    def __init__(
+        self,
+        topics: Mapping[str, Course],
+        known: Mapping[tuple[str, str], Standing],
+        ideas: Mapping[tuple[str, str], Met],
+        review: str,
+        problem: str,
+        parent: QWidget,
+    ) -> None:
+        super().__init__(parent)
+        self.setWindowTitle(self.tr("Overview of what you practised"))
+        self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        self._known, self._ideas = known, ideas
+        self._words = {
+            ALONE: self.tr("solved alone"), HELPED: self.tr("solved with help"),
+            SHOWN: self.tr("answer shown"), "": self.tr("not yet"),
+        }  # fmt: skip
+        holder = QWidget()
+        grid = QGridLayout(holder)
+        grid.setColumnStretch(2, 1)
+        grid.setVerticalSpacing(2)
+        for row, (name, course) in enumerate(topics.items()):
+            for column, widget in enumerate(self._row(name, course)):
+                grid.addWidget(widget, row, column)
+        grid.setRowStretch(len(topics), 1)
+        area = QScrollArea(widgetResizable=True)
+        area.setWidget(holder)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        area.setMinimumWidth(holder.minimumSizeHint().width() + 30)
+        warning = WarningLabel()
+        warning.setText(problem)
+        self.review = push_button(review, act=partial(self._go, self.review_wanted))
+        test = push_button(self.tr("Test &yourself…"), act=partial(self._go, self.test_wanted))
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons.rejected.connect(self.close)
+        export = push_button(
+            self.tr("&Export…"), self.tr("Write all of it into a file for your teacher"),
+            partial(self._go, self.export_wanted),
+        )  # fmt: skip
+        export.setEnabled(bool(known))
+        last = in_row(self.review, test, export, FREE, buttons)
+        in_column(self._legend(), warning, (area, 1), last, on=self)
+        em = self.fontMetrics().height()
+        wide = max(area.minimumWidth() + 30, 52 * em)
+        self.resize(QSize(wide, 44 * em).boundedTo(parent.screen().availableSize() * 0.9))
+        self.first.setFocus()
+
+    @property
+    def first(self) -> QWidget:
+        """Return the button that the keyboard begins at."""
+        found = self.findChildren(QToolButton)
+        return self.review if self.review.isEnabled() or not found else found[0]
+
+    def _legend(self) -> QWidget:
+        parts: list[QWidget | None] = []
+        for outcome, icon in ICONS.items():
+            parts += [Sign(icon, self._words[outcome]), Label(self._words[outcome]), None]
+        holder = QWidget()
+        in_row(*parts, Label(self.tr("only a number: not yet")), on=holder, margins=(4, 0, 4, 0))
+        return holder
+
+    def _row(self, name: str, course: Course) -> Sequence[QWidget]:
+        """Return a topic's button, those of its exercises, and its wrong ideas."""
+        title = f"{name}  {course.lesson.title}"
+        act = partial(self._go, self.lesson_wanted, course)
+        topic = tool_button(title, self.tr("Open the lesson"), act, flat=True, by_click=True)
+        found = [
+            self._exercise(name, number, each)
+            for number, each in enumerate(exercises_of(course), 1)
+        ]
+        holder = QWidget()
+        in_row(*found, FREE, on=holder, margins=(0, 0, 0, 0), gap=2)
+        return topic, holder, Label(self._met(course), wordWrap=True)
+
+    def _exercise(self, topic: str, number: int, found: Found) -> QToolButton:
+        standing = self._known.get(found.key, Standing())
+        outcome = self._words[standing.outcome]
+        text = plain_of(found.exercise.text)
+        text = text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
+        said = self.tr("{0}, exercise {1}: {2}. {3}").format(topic, number, outcome, text)
+        act = partial(self._go, self.exercise_wanted, found)
+        icon = ICONS.get(standing.outcome, "")
+        return tool_button(str(number), said, act, icon=icon, name=said, by_click=True)
+
+    def _met(self, course: Course) -> str:
+        """Say which wrong ideas were met in a lesson, and how it went on."""
+        said = []
+        for (lesson, name), met in self._ideas.items():
+            idea = idea_named(name)
+            if lesson == course.name:
+                title = idea.title.rstrip(".") if idea is not None else name
+                times = self.tr("once") if met.times == 1 else self.tr("{0} times")
+                text = self.tr("“{0}” {1}; then: {2}")
+                said.append(text.format(title, times.format(met.times), self._words[met.outcome]))
+        return "\n".join(said)
+
+    def _go(self, signal: SignalInstance, *what: object) -> None:
+        self.close()
+        signal.emit(*what)

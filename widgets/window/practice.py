@@ -1,0 +1,170 @@
+"""What a student practises besides one lesson: tests, and exercises that have come back."""
+
+from __future__ import annotations
+
+import random
+import time
+from collections.abc import Sequence
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtWidgets import QInputDialog, QWidget
+
+from app import __version__
+from app.document.files import write_bytes_atomically
+from app.lessons.blocks.exercise import LARGEST_SEED
+from app.lessons.practice import (
+    Found,
+    Sheet,
+    drawn,
+    exercises_of,
+    find,
+    name_of_test,
+    named_test,
+    to_review,
+    topics,
+)
+from app.lessons.record import Attempt, Record, due, met, standings
+from app.lessons.results import LONGEST_STUDENT, of_test, to_json
+from app.model.refusal import Refusal
+from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
+from widgets.parts.saving import ask_where
+from widgets.window.lesson_card import LessonCard
+from widgets.window.overview import Overview
+from widgets.window.self_test import SelfTestDialog
+from widgets.window.settings import Settings
+
+
+def review_text(count: int) -> str:
+    """Return the name of the action that practises what has come back, with a mnemonic."""
+    if count == 1:
+        return QCoreApplication.translate("Practice", "&Review: 1 exercise")
+    if count:
+        return QCoreApplication.translate("Practice", "&Review: {0} exercises").format(count)
+    return QCoreApplication.translate("Practice", "&Review")
+
+
+class Practice(QObject):
+    """Begins tests and reviews on the lesson's card."""
+
+    def __init__(
+        self,
+        window: QWidget,
+        card: LessonCard,
+        record: Record,
+        settings: Settings,
+        messages: MessageBar,
+    ) -> None:
+        super().__init__(window)
+        self._window, self._card, self._record = window, card, record
+        self._settings, self._messages = settings, messages
+        card.test_left.connect(self._tell_kept)
+        card.result_wanted.connect(lambda marks: self.save(of_test(marks, int(time.time()))))
+
+    # -- tests
+
+    @property
+    def begun(self) -> str:
+        """The name of the test that is not finished yet; empty if there is none."""
+        return next((name for name in self._settings.progress if named_test(name) is not None), "")
+
+    def choose_test(self) -> None:
+        """Ask for the topics of a test, and begin it."""
+        counts = {
+            name: (course.lesson.title, sum(1 for _ in exercises_of(course)))
+            for name, course in topics().items()
+        }
+        number = random.randint(1, LARGEST_SEED)
+        dialog = SelfTestDialog(counts, number, self._window)
+        if dialog.exec():
+            self.begin_test(dialog.topics, int(dialog.number.text()))
+        dialog.deleteLater()
+
+    def begin_test(self, names: list[str], number: int) -> None:
+        """Begin a test instead of one that was begun."""
+        if self.begun:
+            self._settings.keep_progress(self.begun, None)
+        self._play_test(names, number)
+
+    def go_on(self) -> None:
+        """Go on with the test that was begun."""
+        found = named_test(self.begun)
+        if found is not None:
+            self._play_test(*found)
+
+    def _tell_kept(self) -> None:
+        self._messages.say(self.tr("The test is kept."), (self.tr("Go on with it"), self.go_on))
+
+    def _play_test(self, names: list[str], number: int) -> None:
+        every = len(names) == len(topics()) > 1
+        said = self.tr("all topics") if every else ", ".join(names)
+        title = self.tr("Test {0}: {1}").format(number, said)
+        items = drawn(names, number)
+        if items:
+            self._card.play(Sheet(name_of_test(names, number), title, items, is_test=True))
+        else:
+            self._messages.say(self.tr("These topics have no exercises yet."))
+
+    # -- results
+
+    def save(self, attempts: Sequence[Attempt]) -> None:
+        """Ask for a file, and write answers to it for a teacher."""
+        title = self.tr("Save the result")
+        asked = self.tr("Your name, if your teacher is to read it in the file:")
+        student, is_wanted = QInputDialog.getText(self._window, title, asked)
+        path = ""
+        if is_wanted:
+            kinds = self.tr("Results (*.json);;All files (*)")
+            path = ask_where(self._window, title, self.tr("result") + ".json", kinds, ".json")
+        if not path:
+            return
+        text = to_json(student.strip()[:LONGEST_STUDENT], attempts, __version__)
+        try:
+            write_bytes_atomically(path, text.encode())
+        except Refusal as error:
+            self._messages.say(sentence(error))
+        else:
+            self._messages.say(self.tr("The result is in {0}.").format(path))
+
+    # -- what was practised
+
+    def show_overview(self) -> None:
+        """Show every topic with its exercises, as they were solved."""
+        attempts = self._record.read()
+        known, problem = standings(attempts), self._record.problem
+        count = len(self.due)
+        said = "" if problem is None else sentence(problem)
+        self.overview = overview = Overview(
+            topics(), known, met(attempts, known), review_text(count), said, self._window
+        )
+        overview.review.setEnabled(count > 0)
+        overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))
+        overview.exercise_wanted.connect(self._open)
+        overview.review_wanted.connect(self.review)
+        overview.test_wanted.connect(self.choose_test)
+        overview.export_wanted.connect(partial(self.save, attempts))
+        overview.show()
+
+    def _open(self, found: Found) -> None:
+        self._card.open(found.course.lesson.path, found.here.step.name)
+
+    # -- what has come back
+
+    @property
+    def due(self) -> list[tuple[str, str]]:
+        """The exercises that have come back and still exist."""
+        waiting = due(standings(self._record.read()))
+        return [key for key in waiting if find(key) is not None]
+
+    def review(self) -> None:
+        """Practise what has come back, with new numbers."""
+        attempts = self._record.read()
+        if self._record.problem is not None:
+            self._messages.say(sentence(self._record.problem))
+        known = standings(attempts)
+        items = to_review(due(known), known)
+        if items:
+            self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
+        else:
+            self._messages.say(self.tr("Nothing has come back today."))

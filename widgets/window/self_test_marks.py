@@ -1,0 +1,69 @@
+"""The end of a test: every exercise with the student's answer beside the right one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QWidget
+
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Marked, Question
+from app.lessons.course import idea_named
+from app.lessons.practice import Mark
+from app.lessons.record import RIGHT
+from app.lessons.text import escaped
+from widgets.parts.layouts import TOP, in_column
+from widgets.parts.lesson_text import LessonText, answer_of
+from widgets.window.lesson_blocks.view import Sign, on_holder
+
+
+class SelfTestMarks(QWidget):
+    """The marks of a test and its solutions."""
+
+    def __init__(self, marks: Sequence[Mark]) -> None:
+        super().__init__()
+        right = sum(mark.word == RIGHT for mark in marks)
+        said = self.tr("{0} of {1} right").format(right, len(marks))
+        parts = [self._marked(number, mark) for number, mark in enumerate(marks, 1)]
+        in_column(LessonText(said, title=True), *parts, on=self, margins=(0, 0, 0, 0), gap=10)
+        self.setAccessibleName(said)
+
+    def _marked(self, number: int, mark: Mark) -> QWidget:
+        question, here = mark.item.variant.question, mark.item.variant.here
+        texts = [f"**{number}.** {question.text}", self._own(mark)]
+        if isinstance(question, Question):
+            texts.append(self.tr("The right answer:") + f" {_right(question, mark)}")
+            if isinstance(question, Marked):
+                texts.append(question.solution(here))
+            texts.append(question.why)
+        else:
+            conditions = ", ".join(f"`{condition.text}`" for _, condition in question.until)
+            texts += [self.tr("Wanted:") + f" {conditions}", question.done]
+        is_right = mark.word == RIGHT
+        sign = Sign("check", self.tr("Right")) if is_right else Sign("close", self.tr("Wrong"))
+        words = LessonText("\n\n".join(filter(None, texts)))
+        return on_holder((sign, TOP), (words, 1), gap=4)
+
+    def _own(self, mark: Mark) -> str:
+        """Return the student's own answer, and the idea behind it."""
+        if not mark.typed:
+            return self.tr("You gave no answer.")
+        question, own = mark.item.variant.question, f"**{escaped(mark.typed)}**"
+        if isinstance(question, Choices):
+            own = f"*{question.replies[int(mark.typed) - 1].text}*"
+        elif isinstance(question, Matrix):
+            own = f"\n\n{question.table([escaped(cell) for cell in question.texts_of(mark.typed)])}"
+        said = self.tr("Your answer:") + f" {own}"
+        idea = idea_named(mark.word)
+        if idea is not None:
+            behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
+            said = f"{said}\n\n{behind}"
+        return said
+
+
+def _right(question: Question, mark: Mark) -> str:
+    if isinstance(question, Choices):
+        return question.replies[question.right].text
+    answer = answer_of(question, mark.item.variant.here)
+    return f"\n\n{answer}" if "\n" in answer else f"**{answer}**"
