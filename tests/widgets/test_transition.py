@@ -125,9 +125,7 @@ def test_another_scene_fades(window: MainWindow) -> None:
     before, canvas, drawn = pixels(window), window.panes["world"].canvas, list[int]()
     canvas.drawn.connect(lambda: drawn.append(canvas.height()))
     assert window.lessons.go(3) and window.lessons.is_moving
-    assert set(drawn) == {canvas.height()} and canvas.height() < before.shape[0], (
-        "drawn in its place"
-    )
+    assert drawn[-1] == canvas.height() < before.shape[0], "drawn in its place, above the strip"
     old = next(each for each in window.slide.children() if type(each).__name__ == "_Old")
     assert old.isVisible() and old.size() == window.slide.size()  # type: ignore[attr-defined]
     arrive(window.lessons)
