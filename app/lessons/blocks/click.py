@@ -115,9 +115,12 @@ class Click(Marked):
         numbered = self.numbered(here)
         if not numbered:
             return ""
-        sides = (", ".join(latex(each, {}) for each in side) for side in (self.right, numbered))
-        values = ", ".join(f"{value:.4g}" for value in self.answer(here))
-        return f"${' = '.join(f'({side})' for side in dict.fromkeys((*sides, values)))}$"
+        sides = ([latex(each, {}) for each in side] for side in (self.right, numbered))
+        values = (f"{value:.4g}" for value in self.answer(here))
+        return "\n\n".join(  # a line for each side, because the lesson is narrow
+            "  \n$=$ ".join(f"${each}$" for each in dict.fromkeys(line))
+            for line in zip(*sides, values, strict=True)
+        )
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return f"({', '.join(map(write, self.answer(here)))})"
