@@ -28,7 +28,7 @@ title: From <b> to $x$
 letters: 001
 ---
 # One {#one}
-Words with $\\frac{1}{2}$ and <script>alert(1)</script>.
+Words with $\\frac{1}{2}$ and `<script>alert(1)</script>`.
 
 ```state
 scene=letter-f

@@ -120,6 +120,7 @@ def test_both_draw_finer_and_coarser_pictures_of_the_same_things(
 
 def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: Opened) -> None:
     window = opened()
+    window.settings.reduce_motion = True  # a label that fades draws frames of its own
     with counted_repaints(window) as counts:
         window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
         settle()

@@ -466,7 +466,7 @@ class TalkActions(QObject):
         self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
         self.add = QAction(self.tr("Add th&is state as a step…"), window)
         self.add.triggered.connect(talks.writer.add_state)
-        self.begin = QAction(self.tr("A new talk f&rom here…"), window)
+        self.begin = QAction(self.tr("A new talk fro&m here…"), window)
         self.begin.triggered.connect(talks.writer.begin_new)
         self.all = (self.speaker, self.with_talk, self.add, self.begin)
         self.show_lesson()
