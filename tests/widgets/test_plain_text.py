@@ -34,7 +34,7 @@ scene=letter-f
 ```answer a
 {PICTURE}
 value: near
-unit: {PICTURE}
+unit: m
 hint: {PICTURE}
 ```
 
