@@ -14,6 +14,7 @@ import pytest
 from mpmath import mp
 
 from app.document.settings import set_values
+from app.lessons.blocks import exercise
 from app.lessons.blocks.block import Here, of_kind
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.question import Question
@@ -30,6 +31,12 @@ for _path in sorted(Path(__file__).parent.glob("keys_*.py")):
     KEYS |= import_module(f"tests.lessons.{_path.stem}").KEYS
 SEEDS = range(1, 9)
 """The variants of an exercise that are reckoned anew."""
+
+
+@pytest.fixture(autouse=True)
+def few_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Enough to find a fault of every exercise; ``lesson check`` tries more."""
+    monkeypatch.setattr(exercise, "SEEDS", 40)
 
 
 class Reckoned(NamedTuple):

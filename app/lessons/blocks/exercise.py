@@ -33,7 +33,7 @@ LEAST_VARIANTS = 20
 LARGEST_SEED = 9999
 _DRAWS = 40
 """How often numbers are drawn until they suit; rarer ones would be slow to find."""
-_SEEDS, _WHOLE = 200, 5
+SEEDS, _WHOLE = 200, 5
 """How many seeds a check draws, and for how many it checks the whole question."""
 
 A_RANGE = QT_TRANSLATE_NOOP(
@@ -187,7 +187,7 @@ class Exercise(Asked):
         count = 1
         for each in self.varied:
             count *= len(each.values)
-        found = {tuple(self.variant(here, seed).numbers.values()) for seed in range(1, _SEEDS + 1)}
+        found = {tuple(self.variant(here, seed).numbers.values()) for seed in range(1, SEEDS + 1)}
         if min(count, len(found)) < LEAST_VARIANTS:
             raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
         shown: set[str] | None = None
