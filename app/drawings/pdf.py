@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from app.drawings.hidden import Points
 from app.drawings.label import (
     HALO_EM,
     HALO_OPACITY,
@@ -17,7 +18,7 @@ from app.drawings.label import (
     piece_of,
 )
 from app.drawings.style import rgb
-from app.drawings.vectors import Area, Disc, Picture, Points, Shape, Stroke, Text
+from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.lessons.text import FONT
 
 _SEAM_PX = 0.4  # as in SVG

@@ -12,8 +12,9 @@ from xml.sax.saxutils import escape, quoteattr
 
 from PIL import Image
 
+from app.drawings.hidden import Colour
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
-from app.drawings.vectors import Area, Colour, Disc, Picture, Shape, Stroke, Text
+from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.lessons.text import outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
