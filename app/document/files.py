@@ -76,6 +76,15 @@ def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
 # --------------------------------------------------------------------------- reading
 
 
+def content_of(path: Path, largest: int) -> bytes:
+    """Return what a regular file contains; a `Refusal` if that is more than `largest` bytes."""
+    with open_regular(path) as file:
+        content = file.read(largest + 1)
+    if len(content) > largest:
+        raise Refusal.in_document(TOO_LARGE, largest // 2**20)
+    return content
+
+
 def read(path: Path) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
@@ -129,12 +138,8 @@ def _read_bytes(path: Path) -> bytes:
     if os.path.isdir(path):
         raise Refusal.in_document(FOLDER)
     with open_regular(path) as file:
-        content = file.read(len(_PNG))
-        limit = LARGEST_PICTURE if content == _PNG else LARGEST_DOCUMENT
-        content += file.read(limit - len(content) + 1)
-    if len(content) > limit:
-        raise Refusal.in_document(TOO_LARGE, limit // 2**20)
-    return content
+        is_picture = file.read(len(_PNG)) == _PNG
+    return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_DOCUMENT)
 
 
 # --------------------------------------------------------------------------- PNG pictures

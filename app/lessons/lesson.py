@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from app.document.codec import Path as AnyPath
-from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
+from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
@@ -170,10 +170,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
         Receives the refusal of every faulty block and step; the lesson then lacks these.
     """
     with blamed_on(path, UNREADABLE):
-        with open_regular(path) as file:
-            content = file.read(LARGEST + 1)
-        if len(content) > LARGEST:
-            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        content = content_of(path, LARGEST)
         try:
             text = content.decode("utf-8-sig")
         except UnicodeDecodeError as error:

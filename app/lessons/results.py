@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.document.codec import Path as AnyPath
-from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
+from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.exercise import Exercise
@@ -24,7 +24,6 @@ from app.lessons.course import Course
 from app.lessons.practice import Mark, course_named, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, one_line
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import open_regular
 
 FORMAT, VERSION = "frustum-lab-results", 1
 LARGEST = 4 * 2**20
@@ -105,10 +104,7 @@ def digest(course: Course) -> str:
 def read(path: AnyPath) -> Results:
     """Read a file of results; a `Refusal` says what is wrong with it."""
     with blamed_on(path, UNREADABLE):
-        with open_regular(path) as file:
-            content = file.read(LARGEST + 1)
-        if len(content) > LARGEST:
-            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        content = content_of(path, LARGEST)
         try:
             tree = json.loads(content)
         except (ValueError, RecursionError) as error:

@@ -7,9 +7,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
-from app.document.files import TOO_LARGE, UNREADABLE, blamed_on
+from app.document.files import UNREADABLE, blamed_on, content_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import open_regular
 
 LARGEST = 8 * 2**20
 """Most bytes of a file."""
@@ -54,10 +53,7 @@ def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
     if not path.exists():
         return {}
     with blamed_on(path, UNREADABLE):
-        with open_regular(path) as file:
-            content = file.read(LARGEST + 1)
-        if len(content) > LARGEST:
-            raise Refusal.in_document(TOO_LARGE, LARGEST // 2**20)
+        content = content_of(path, LARGEST)
         try:
             tree = json.loads(content.decode("utf-8"))["strokes"]
             return {str(step): tuple(map(_stroke, drawn)) for step, drawn in tree.items()}
