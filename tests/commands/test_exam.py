@@ -19,11 +19,13 @@ from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run_here
+from tests.support.exercises import WIDE
 from tests.support.pdf import pages_of, printed
 from widgets.program import paper
 from widgets.program.exam import Numbered, paged
 
-LESSON = """---
+LESSON = (
+    """---
 title: Angles and places
 ---
 # One {#one}
@@ -31,15 +33,9 @@ title: Angles and places
 scene=letter-f
 ```
 ```exercise wide
-vary fov: 20..100 step 5
-vary a: 4/3, 16/9, 2, 1.5, 5/2
-where: fov_x < 150
-state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
-The picture is {=fov} degrees high and {=a} times as wide. How wide is its angle?
-value: 2*atan(a*tan(fov/2))
-unit: °
-wrong angle-linear: a*fov
-why: By tangents.
+"""
+    + WIDE
+    + """why: By tangents.
 hide: world
 ```
 ```exercise cells
@@ -72,6 +68,7 @@ Make the picture {=q} degrees wide.
 until: fov_x = q
 ```
 """
+)
 
 
 @pytest.fixture
@@ -125,7 +122,7 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
             for each, name in ((place, "x"), (place, "y"), (pick, "d"))
         )
         angle = math.degrees(2.0 * math.atan(a * math.tan(math.radians(fov / 2.0))))
-        assert f"The picture is {fov:g} degrees high" in said and f"twice {d:g}?" in said
+        assert f"The picture is {fov:g}° high" in said and f"twice {d:g}?" in said
         assert f"{2 * d + 100:g}" in said  # a choice, but nothing says which
         for answer in (f"{angle:.4g}", "✓", "By tangents.", f"({x:g}, {y:g})"):
             assert answer in key and answer not in said, answer

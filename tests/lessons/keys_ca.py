@@ -9,43 +9,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from mpmath import atan, cos, cot, mpf, pi, sin, sqrt, tan
+from mpmath import atan, cos, cot, degrees, mpf, radians, sin, tan
 
-Vector = tuple[mpf, mpf, mpf]
-
-
-def _rad(degrees: int | mpf) -> mpf:
-    return mpf(degrees) * pi / 180
-
-
-def _deg(radians: mpf) -> mpf:
-    return radians * 180 / pi
-
-
-def _cross(p: Vector, q: Vector) -> Vector:
-    return (
-        p[1] * q[2] - p[2] * q[1],
-        p[2] * q[0] - p[0] * q[2],
-        p[0] * q[1] - p[1] * q[0],
-    )
-
-
-def _dot(p: Vector, q: Vector) -> mpf:
-    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
-
-
-def _unit(p: Vector) -> Vector:
-    length = sqrt(_dot(p, p))
-    return (p[0] / length, p[1] / length, p[2] / length)
-
+from tests.lessons.by_hand import Vector, cross, dot, unit
 
 # --------------------------------------------------------------------------- L1, lecture 004
 
 _EYE: Vector = (mpf(2), mpf(3), mpf(6))  # target at the origin
 _UP: Vector = (mpf(0), mpf(1), mpf(0))
-_N = _unit(_EYE)  # N = eye - target, n = N/|N|
-_U_LONG = _cross(_UP, _N)  # U = V x n
-_V = _cross(_N, _unit(_U_LONG))  # v = n x u, u = U/|U|
+_N = unit(_EYE)  # N = eye - target, n = N/|N|
+_U_LONG = cross(_UP, _N)  # U = V x n
+_V = cross(_N, unit(_U_LONG))  # v = n x u, u = U/|U|
 
 
 # --------------------------------------------------------------------------- L2, lecture 003
@@ -53,13 +27,13 @@ _V = _cross(_N, _unit(_U_LONG))  # v = n x u, u = U/|U|
 
 def _turned_then_moved(angle: int, move: int, x: int, y: int) -> tuple[mpf, mpf]:
     """T Rz (x, y): M_O->W of lecture 003, its columns the turned axes, its last one the origin."""
-    c, s = cos(_rad(angle)), sin(_rad(angle))
+    c, s = cos(radians(angle)), sin(radians(angle))
     return c * x - s * y + move, s * x + c * y
 
 
 def _moved_then_turned(angle: int, move: int, x: int, y: int) -> tuple[mpf, mpf]:
     """Rz T (x, y): TEACHING's rule `order`."""
-    c, s = cos(_rad(angle)), sin(_rad(angle))
+    c, s = cos(radians(angle)), sin(radians(angle))
     return c * (x + move) - s * y, s * (x + move) + c * y
 
 
@@ -68,7 +42,7 @@ def _moved_then_turned(angle: int, move: int, x: int, y: int) -> tuple[mpf, mpf]
 
 def _across(beta: int, a: mpf) -> mpf:
     """Lecture 003: tan(beta/2) = a/e and tan(alpha/2) = 1/e, a = h/w."""
-    return _deg(2 * atan(tan(_rad(beta) / 2) / a))
+    return degrees(2 * atan(tan(radians(beta) / 2) / a))
 
 
 # --------------------------------------------------------------------------- L5, lecture 000
@@ -132,18 +106,18 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # 004: v = n x u; up-v takes V itself, no-norm n x U.
     (L1, "length/v-y", "right"): lambda: _V[1],
     (L1, "length/v-y", "up-v"): lambda: _UP[1],
-    (L1, "length/v-y", "no-norm"): lambda: _cross(_N, _U_LONG)[1],
+    (L1, "length/v-y", "no-norm"): lambda: cross(_N, _U_LONG)[1],
     # 004: R P, last column -R eye. order: P R, -eye. inverse: the eye itself. look-n: -n for n.
-    (L1, "column/cell", "right"): lambda: -_dot(_N, _EYE),
+    (L1, "column/cell", "right"): lambda: -dot(_N, _EYE),
     (L1, "column/cell", "order"): lambda: -_EYE[2],
     (L1, "column/cell", "inverse"): lambda: _EYE[2],
-    (L1, "column/cell", "look-n"): lambda: _dot(_N, _EYE),
+    (L1, "column/cell", "look-n"): lambda: dot(_N, _EYE),
     # 003: columns are the axes; y of T Rz (1, 0, 0), and of Rz T.
     (L2, "predict/land", "1"): lambda: _turned_then_moved(90, 3, 1, 0)[1],
     (L2, "predict/land", "2"): lambda: _moved_then_turned(90, 3, 1, 0)[1],
     # 003: row 2, column 1 of Rz(30) is sin 30. degrees: the sine of 30 radians.
-    (L2, "cell/cell", "right"): lambda: sin(_rad(30)),
-    (L2, "cell/cell", "transposed"): lambda: -sin(_rad(30)),
+    (L2, "cell/cell", "right"): lambda: sin(radians(30)),
+    (L2, "cell/cell", "transposed"): lambda: -sin(radians(30)),
     (L2, "cell/cell", "degrees"): lambda: sin(mpf(30)),
     # 003: x of T(4, 0, 0) Rz(30) (2, 1, 0). transposed: the turn by -30.
     (L2, "point/x", "right"): lambda: _turned_then_moved(30, 4, 2, 1)[0],
@@ -157,15 +131,15 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     (L3, "twice/alpha", "angle-linear"): lambda: 40 * mpf(1000) / 500,
     (L3, "twice/alpha", "fov-xy"): lambda: mpf(40),
     # 003: e = cot(alpha/2). full-angle: cot(alpha). degrees: the cotangent of 25 radians.
-    (L3, "focal/e", "right"): lambda: cot(_rad(50) / 2),
-    (L3, "focal/e", "full-angle"): lambda: cot(_rad(50)),
+    (L3, "focal/e", "right"): lambda: cot(radians(50) / 2),
+    (L3, "focal/e", "full-angle"): lambda: cot(radians(50)),
     (L3, "focal/e", "degrees"): lambda: cot(mpf(50) / 2),
     # 001: a parallel volume has no foreshortening, w = 1. ortho-div: depths 4 and 8 divide.
     (L4, "predict/size", "1"): lambda: (1 / mpf(8)) / (1 / mpf(4)),
     (L4, "predict/size", "2"): lambda: mpf(1) / 1,
     # 001: |AC| = D tan(theta_v/2). full-angle, degrees as above.
-    (L4, "height/h", "right"): lambda: 10 * tan(_rad(50) / 2),
-    (L4, "height/h", "full-angle"): lambda: 10 * tan(_rad(50)),
+    (L4, "height/h", "right"): lambda: 10 * tan(radians(50) / 2),
+    (L4, "height/h", "full-angle"): lambda: 10 * tan(radians(50)),
     (L4, "height/h", "degrees"): lambda: 10 * tan(mpf(50) / 2),
     # 000, (1): y_p at d = 2 over y_p at d = 1, of P at depth 5. from-plane: depths 3 and 4.
     (L5, "predict/grow", "1"): lambda: _from_plane(2, 2, -5) / _from_plane(1, 2, -5),

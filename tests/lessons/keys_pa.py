@@ -9,31 +9,27 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from mpmath import acos, atan, cos, expm, lu_solve, matrix, mp, mpc, mpf, nstr, pi, sin, sqrt, tan
+from mpmath import (
+    acos,
+    atan,
+    cos,
+    degrees,
+    expm,
+    lu_solve,
+    matrix,
+    mp,
+    mpc,
+    mpf,
+    nstr,
+    radians,
+    sin,
+    sqrt,
+    tan,
+)
 
-Vector = tuple[mpf, mpf, mpf]
+from tests.lessons.by_hand import Vector, cross, unit
+
 Of = Callable[..., Any]
-
-
-def _rad(degrees: mpf) -> mpf:
-    return mpf(degrees) * pi / 180
-
-
-def _deg(radians: mpf) -> mpf:
-    return radians * 180 / pi
-
-
-def _cross(p: Vector, q: Vector) -> Vector:
-    return (
-        p[1] * q[2] - p[2] * q[1],
-        p[2] * q[0] - p[0] * q[2],
-        p[0] * q[1] - p[1] * q[0],
-    )
-
-
-def _unit(p: Vector) -> Vector:
-    length = sqrt(sum(part**2 for part in p))
-    return (p[0] / length, p[1] / length, p[2] / length)
 
 
 def _set(**values: Any) -> str:
@@ -58,13 +54,13 @@ _UP: Vector = (mpf(0), mpf(1), mpf(0))
 
 
 def _v_y(**g: mpf) -> mpf:
-    n = _unit((g["N_x"], g["N_y"], g["N_z"]))
-    return _cross(n, _unit(_cross(_UP, n)))[1]
+    n = unit((g["N_x"], g["N_y"], g["N_z"]))
+    return cross(n, unit(cross(_UP, n)))[1]
 
 
 def _v_y_of_long_u(**g: mpf) -> mpf:
-    n = _unit((g["N_x"], g["N_y"], g["N_z"]))
-    return _cross(n, _cross(_UP, n))[1]
+    n = unit((g["N_x"], g["N_y"], g["N_z"]))
+    return cross(n, cross(_UP, n))[1]
 
 
 def _row_3(order: str, forward: int = 1) -> Of:
@@ -73,10 +69,10 @@ def _row_3(order: str, forward: int = 1) -> Of:
     def row(**g: mpf) -> tuple[mpf, ...]:
         long = (g["g"] * g["p"], g["p"] + 1, g["p"] * (g["p"] + 1))
         eye = [g[axis] + part for axis, part in zip("xyz", long, strict=True)]
-        n = _unit((forward * long[0], forward * long[1], forward * long[2]))
-        u = _unit(_cross(_UP, n))
+        n = unit((forward * long[0], forward * long[1], forward * long[2]))
+        u = unit(cross(_UP, n))
         turn, move = mp.eye(4), mp.eye(4)
-        for place, axis in enumerate((u, _cross(n, u), n)):
+        for place, axis in enumerate((u, cross(n, u), n)):
             turn[place, 0], turn[place, 1], turn[place, 2] = axis
             move[place, 3] = -eye[place]
         made = {"RP": turn * move, "PR": move * turn, "inverse": (turn * move) ** -1}[order]
@@ -120,11 +116,11 @@ def _moved_to(which: str) -> Of:
 
 def _between_rays(half_width: mpf) -> mpf:
     """The angle between the rays to both sides of a picture at distance 1."""
-    return _deg(acos((1 - half_width**2) / (1 + half_width**2)))
+    return degrees(acos((1 - half_width**2) / (1 + half_width**2)))
 
 
 def _fov(tangent: mpf) -> str:
-    return _set(lens__fov_y_deg=2 * _deg(atan(tangent)))
+    return _set(lens__fov_y_deg=2 * degrees(atan(tangent)))
 
 
 def _of_three(choose: Callable[[list[tuple[mpf, mpf]]], tuple[mpf, mpf]]) -> Of:
@@ -249,8 +245,8 @@ KEYS: dict[tuple[str, str, str], Of] = {
         "done": _camera_along(1), "look-n": _camera_along(-1),
     }),
     **_keys("l02-columns", "practise-1/cells", {
-        "right": lambda φ: _turn(_rad(φ)),
-        "transposed": lambda φ: _turn(-_rad(φ)),
+        "right": lambda φ: _turn(radians(φ)),
+        "transposed": lambda φ: _turn(-radians(φ)),
         "degrees": lambda φ: _turn(φ),
     }),
     **_keys("l02-columns", "practise-2/x", {
@@ -262,18 +258,18 @@ KEYS: dict[tuple[str, str, str], Of] = {
         "done": _moved_to("done"), "order": _moved_to("order"),
     }),
     **_keys("l03-field-of-view", "practise-1/alpha", {
-        "right": lambda beta, w, h: _between_rays(tan(_rad(beta / 2)) * w / h),
+        "right": lambda beta, w, h: _between_rays(tan(radians(beta / 2)) * w / h),
         "angle-linear": lambda beta, w, h: beta * w / h,
         "fov-xy": lambda beta, **_: beta,
     }),
     **_keys("l03-field-of-view", "practise-2/e", {
-        "right": lambda alpha: sqrt(1 / sin(_rad(alpha / 2)) ** 2 - 1),
-        "full-angle": lambda alpha: cos(_rad(alpha)) / sin(_rad(alpha)),
+        "right": lambda alpha: sqrt(1 / sin(radians(alpha / 2)) ** 2 - 1),
+        "full-angle": lambda alpha: cos(radians(alpha)) / sin(radians(alpha)),
         "degrees": lambda alpha: cos(alpha / 2) / sin(alpha / 2),
-        "fov-xy": lambda alpha: 16 * sqrt(1 / sin(_rad(alpha / 2)) ** 2 - 1) / 9,
+        "fov-xy": lambda alpha: 16 * sqrt(1 / sin(radians(alpha / 2)) ** 2 - 1) / 9,
     }),
     **_keys("l03-field-of-view", "practise-3/wanted", {
-        "done": lambda q, w: _fov(tan(_rad(q / 2)) * 600 / w),
+        "done": lambda q, w: _fov(tan(radians(q / 2)) * 600 / w),
         "fov-xy": lambda q, **_: _set(lens__fov_y_deg=q),
         "angle-linear": lambda q, w: _set(lens__fov_y_deg=q * 600 / w),
     }),
@@ -283,8 +279,8 @@ KEYS: dict[tuple[str, str, str], Of] = {
         "nearest": _of_three(min),
     }),
     **_keys("l04-view-volumes", "practise-2/h", {
-        "right": lambda D, theta_v: D * (1 - cos(_rad(theta_v))) / sin(_rad(theta_v)),
-        "full-angle": lambda D, theta_v: D * sin(_rad(theta_v)) / cos(_rad(theta_v)),
+        "right": lambda D, theta_v: D * (1 - cos(radians(theta_v))) / sin(radians(theta_v)),
+        "full-angle": lambda D, theta_v: D * sin(radians(theta_v)) / cos(radians(theta_v)),
         "degrees": lambda D, theta_v: D * (1 - cos(theta_v)) / sin(theta_v),
     }),
     **_keys("l04-view-volumes", "practise-3/side", {

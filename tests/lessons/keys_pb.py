@@ -6,19 +6,16 @@ the two points that fix a line, by going very far along it, by intersecting line
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 
 from mpmath import cos, hypot, lu_solve, matrix, mpf, nstr, radians, sin, tan
+
+from tests.lessons.by_hand import cross
 
 FAR_AWAY = mpf(10) ** 30
 """Steps along a line after which 20 digits of its image no longer change."""
 PIXELS_PER_UNIT = 160
 """Of the cube's picture in L11: 1280 pixels for 8 units, 720 for 4.5."""
-
-
-def _cross(one: Sequence[mpf], other: Sequence[mpf]) -> list[mpf]:
-    (a, b, c), (d, e, f) = one, other
-    return [b * f - c * e, c * d - a * f, a * e - b * d]
 
 
 def _digits(value: mpf) -> str:
@@ -147,13 +144,11 @@ def _turned(point: tuple[int, int, int], w: int, psi: mpf, theta: mpf) -> tuple[
     """A point of the world (w = 1) or a direction (w = 0) in the camera's own axes."""
     azimuth, elevation = radians(psi), radians(theta)
     n = [cos(elevation) * sin(azimuth), sin(elevation), cos(elevation) * cos(azimuth)]
-    u = _cross([mpf(0), mpf(1), mpf(0)], n)
+    u = cross([mpf(0), mpf(1), mpf(0)], n)
     u = [part / hypot(u[0], u[2]) for part in u]
     eye = [14 * n[0], 2 + 14 * n[1], 14 * n[2]]
     off = [p - w * e for p, e in zip(point, eye, strict=True)]
-    return tuple(
-        sum(a * b for a, b in zip(axis, off, strict=True)) for axis in (u, _cross(n, u), n)
-    )
+    return tuple(sum(a * b for a, b in zip(axis, off, strict=True)) for axis in (u, cross(n, u), n))
 
 
 def _found(psi: mpf, theta: mpf, fov: mpf) -> tuple[mpf, mpf]:
@@ -210,8 +205,8 @@ def _far(q: mpf, one: mpf, other: mpf) -> str:
 
 def _leaves(edge: mpf, a_x: mpf, a_y: mpf, b_x: mpf, b_y: mpf) -> tuple[mpf, mpf]:
     """Meet the line through A' and B' with the line x' = edge, both as homogeneous triples."""
-    line = _cross([a_x, a_y, mpf(1)], [b_x, b_y, mpf(1)])
-    x, y, w = _cross(line, [mpf(1), mpf(0), -edge])
+    line = cross([a_x, a_y, mpf(1)], [b_x, b_y, mpf(1)])
+    x, y, w = cross(line, [mpf(1), mpf(0), -edge])
     return _pixel(x / w, y / w, 720, 720)
 
 

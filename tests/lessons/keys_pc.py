@@ -12,6 +12,8 @@ from typing import Any
 
 from mpmath import atan, cos, findroot, mp, mpf, radians, sin, sqrt, tan
 
+from tests.lessons.by_hand import cross, unit
+
 mp.dps = 50
 
 Point = tuple[Any, ...]
@@ -22,15 +24,6 @@ _F = mpf("0.05")
 def _plus(p: Point, q: Point, times: Any = 1) -> Point:
     """``p + times q``."""
     return tuple(a + times * b for a, b in zip(p, q, strict=True))
-
-
-def _cross(p: Point, q: Point) -> Point:
-    return p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]
-
-
-def _unit(p: Point) -> Point:
-    length = sqrt(sum(part * part for part in p))
-    return tuple(part / length for part in p)
 
 
 def _depth_buffer(n: Any, f: Any, D: Any) -> tuple[Any, Any, Any]:
@@ -84,9 +77,9 @@ def _seen_at(z_1: Any, z_2: Any, t: Any) -> tuple[Any, Any]:
 
 def _v(a: Any, b: Any, c: Any, normed: bool) -> Point:
     """004: v = n x u with u = V x n, made 1 long or not."""
-    n = _unit((a, b, c))
-    across = _cross((0, 1, 0), n)
-    return _cross(n, _unit(across) if normed else across)
+    n = unit((a, b, c))
+    across = cross((0, 1, 0), n)
+    return cross(n, unit(across) if normed else across)
 
 
 def _sharp(s: Any, N: Any, F: Any, far: bool) -> Any:
@@ -103,9 +96,9 @@ def _obscura(pixel: Point, d: Any, turn: tuple[int, int]) -> Point:
 def _corner(x_1: Any, e: Any, s: Any, t: Any) -> Point:
     """The pixel of the corner (s, t, 0.5): eye ((x_1 - 640)/100, e, 9), target (0, 2.5, 0), 40°."""
     eye = (x_1 - 640) / 100, e, mpf(9)
-    n = _unit(_plus(eye, (0, mpf("2.5"), 0), -1))
-    u = _unit(_cross((0, 1, 0), n))
-    v = _cross(n, u)
+    n = unit(_plus(eye, (0, mpf("2.5"), 0), -1))
+    u = unit(cross((0, 1, 0), n))
+    v = cross(n, u)
     way = _plus((s, t, mpf("0.5")), eye, -1)
     x, y, z = (sum(a * b for a, b in zip(axis, way, strict=True)) for axis in (u, v, n))
     half = 360 / tan(radians(20))

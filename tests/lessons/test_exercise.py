@@ -14,17 +14,9 @@ from app.lessons.checking import Report
 from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
+from tests.support.exercises import WIDE
 
-WIDE = """vary fov: 20..100 step 5
-vary a: 4/3, 16/9, 2, 1.5, 5/2
-where: fov_x < 150
-state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
-The picture is {=fov}° high and {=a} times as wide. How wide is its angle?
-value: 2*atan(a*tan(fov/2))
-unit: °
-wrong angle-linear: a*fov
-why: Its half is {=fov/2}°.
-"""
+HALVED = f"{WIDE}why: Its half is {{=fov/2}}°.\n"
 SET = """vary q: 30..120 step 2
 state: lens.fov_y_deg=20
 Make the picture {=q}° wide.
@@ -53,14 +45,14 @@ def faults(body: str, test: str = "") -> str:
 
 
 def test_a_seed_gives_the_same_numbers_everywhere_and_another_one_others() -> None:
-    asked, here = exercise(WIDE)
+    asked, here = exercise(HALVED)
     one = asked.variant(here, 1)
     assert one.numbers == {"fov": 30, "a": 2} == asked.variant(here, 1).numbers
     assert len({tuple(asked.variant(here, seed).numbers.values()) for seed in range(1, 201)}) > 60
 
 
 def test_state_text_and_formulas_use_the_numbers() -> None:
-    asked, here = exercise(WIDE)
+    asked, here = exercise(HALVED)
     for seed in range(1, 30):
         variant = asked.variant(here, seed)
         fov, a = (float(variant.numbers[name]) for name in ("fov", "a"))
@@ -80,8 +72,8 @@ def test_state_text_and_formulas_use_the_numbers() -> None:
 
 
 def test_the_exercises_own_lines_continue_on_indented_ones() -> None:
-    body = WIDE.replace("; image.width", ";\n  image.width").replace(", 1.5,", ",\n  1.5,")
-    (asked, here), (before, there) = exercise(body), exercise(WIDE)
+    body = HALVED.replace("; image.width", ";\n  image.width").replace(", 1.5,", ",\n  1.5,")
+    (asked, here), (before, there) = exercise(body), exercise(HALVED)
     for seed in range(1, 9):
         one, other = asked.variant(here, seed), before.variant(there, seed)
         assert one.here.document == other.here.document
@@ -104,22 +96,22 @@ def test_a_task_of_an_exercise_is_done_in_the_window() -> None:
 
 def test_numbers_do_not_suit_where_a_wrong_idea_is_right() -> None:
     # With a = 1 the wrong value is the right one, for every angle.
-    asked, here = exercise(WIDE.replace("vary a: 4/3,", "vary a: 1, 4/3,"))
+    asked, here = exercise(HALVED.replace("vary a: 4/3,", "vary a: 1, 4/3,"))
     assert all(asked.variant(here, seed).numbers["a"] != 1 for seed in range(1, 100))
-    only = WIDE.replace("vary a: 4/3, 16/9, 2, 1.5, 5/2", "vary a: 1")
+    only = HALVED.replace("vary a: 4/3, 16/9, 2, 1.5, 5/2", "vary a: 1")
     with pytest.raises(Refusal, match="finds no numbers that suit, for seed 1"):
         exercise(only)[0].variant(here, 1)
 
 
 def test_samples_begin_with_their_seed() -> None:
-    assert faults(WIDE, "mine: 1 56.4 -> right\nmine: 1 60 -> angle-linear") == ""
-    assert "gets “wrong” instead of “right”" in faults(WIDE, "mine: 2 56.4 -> right")
-    assert "must begin with a seed" in faults(WIDE, "mine: 112.6 -> right")
-    assert "must begin with a seed" in faults(WIDE, "mine: 10000 1 -> right")
+    assert faults(HALVED, "mine: 1 56.4 -> right\nmine: 1 60 -> angle-linear") == ""
+    assert "gets “wrong” instead of “right”" in faults(HALVED, "mine: 2 56.4 -> right")
+    assert "must begin with a seed" in faults(HALVED, "mine: 112.6 -> right")
+    assert "must begin with a seed" in faults(HALVED, "mine: 10000 1 -> right")
 
 
 def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
-    asked, here = exercise(WIDE)
+    asked, here = exercise(HALVED)
     variant = asked.variant(here, 3)
     assert variant.question.solution(variant.here) == (  # type: ignore[union-attr]
         r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
@@ -162,8 +154,8 @@ def test_a_number_has_any_letter_of_a_lecture() -> None:
     ],
 )
 def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: str) -> None:
-    assert old in WIDE
-    found = faults(WIDE.replace(old, new))
+    assert old in HALVED
+    found = faults(HALVED.replace(old, new))
     assert said in found and "line " in found
 
 

@@ -38,6 +38,7 @@ from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
 from app.lessons.text import plain_of
 from app.model.projection import Perspective
+from tests.support.exercises import WIDE
 from tests.support.mistakes import LESSON as RIGHT_LESSON
 from tests.support.mistakes import MISTAKES
 from tests.support.window import (
@@ -630,7 +631,8 @@ def test_lessons_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) ->
         assert (kept.done, kept.of, kept.step) == (len(course.lesson.steps),) * 2 + ("",)
 
 
-EXERCISE = """---
+EXERCISE = (
+    """---
 title: Practise
 ---
 # Widths {#widths}
@@ -638,14 +640,9 @@ title: Practise
 scene=letter-f
 ```
 ```exercise wide
-vary fov: 20..100 step 5
-vary a: 4/3, 16/9, 2, 1.5, 5/2
-state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
-{=fov}° high, {=a} times as wide. How wide?
-value: 2*atan(a*tan(fov/2))
-unit: °
-wrong angle-linear: a*fov
-hint: Take the tangent.
+"""
+    + WIDE
+    + """hint: Take the tangent.
 ```
 ```exercise set
 vary near: 0.5..4 step 0.1
@@ -653,6 +650,7 @@ Set near to {=near}.
 until: near = near_wanted
 ```
 """
+)
 
 
 def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:

@@ -24,6 +24,7 @@ from app.lessons.lesson import read as read_lesson
 from app.lessons.practice import drawn, exercises_of
 from app.lessons.record import Attempt
 from app.lessons.results import read
+from tests.support.exercises import WIDE
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
 from widgets.window.main_window import RECORD, MainWindow
@@ -41,18 +42,7 @@ scene=letter-f
 view.panel=matrices
 ```
 """
-WIDE = """```exercise wide
-vary fov: 20..100 step 5
-vary a: 4/3, 16/9, 2
-state: lens.fov_y_deg={=fov}; image.width={=720*a}; image.height=720
-{=fov}° high, {=a} times as wide. How wide?
-value: 2*atan(a*tan(fov/2))
-unit: °
-wrong angle-linear: a*fov
-hint: Take the tangent.
-why: The tangent grows faster.
-```
-"""
+HINTED = f"```exercise wide\n{WIDE}hint: Take the tangent.\nwhy: The tangent grows faster.\n```\n"
 SET = """```exercise set
 vary wanted: 0.5..4 step 0.1
 Set near to {=wanted}.
@@ -72,7 +62,7 @@ Is {=n} larger than {=n+1}?
 @pytest.fixture(autouse=True)
 def own_topics(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None]:
     lessons = {}
-    for name, blocks in (("L3", WIDE + SET), ("L5", CHOOSE)):
+    for name, blocks in (("L3", HINTED + SET), ("L5", CHOOSE)):
         path = tmp_path / f"{name}.md"
         path.write_text(HEAD.format(name) + blocks, encoding="utf-8")
         lessons[name] = read_lesson(path)
