@@ -17,11 +17,10 @@ from functools import partial
 from pathlib import Path
 from typing import cast
 
-from PySide6.QtCore import QEvent, QObject, QPoint, Qt, QTimer, Signal
+from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QAccessible,
     QAccessibleAnnouncementEvent,
-    QFontInfo,
     QKeySequence,
     QShowEvent,
 )
@@ -32,7 +31,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QPushButton,
     QScrollArea,
-    QSplitter,
     QToolButton,
     QWidget,
 )
@@ -47,7 +45,6 @@ from app.lessons.practice import Sheet, marked
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, Record
 from app.lessons.text import escaped, in_line
 from app.model.refusal import Refusal
-from widgets.controls.controls import Controls
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.focus import lay_out
 from widgets.parts.layouts import FREE, TOP, in_column, in_row
@@ -65,10 +62,6 @@ from widgets.window.self_test_marks import SelfTestMarks
 from widgets.window.settings import Progress, Settings
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
-WIDTH_EM = 31.0
-"""Width of the column while a lesson is open."""
-SHARE = 0.6
-"""The card's share of the column's height."""
 MOST_MARKS = 12
 """Most steps for which each has a mark."""
 MOST_COUNTED = 8
@@ -714,72 +707,3 @@ def _push(text: str, tip: str, act: object) -> QPushButton:
     button = push_button(text, tip, act)
     button.setAutoDefault(True)  # Enter presses it
     return button
-
-
-class Side(QSplitter):
-    """The column beside the pictures in a splitter: the lesson's card above the controls.
-
-    The card takes the controls' height when a response does not fit in its own. The controls get
-    it back when the mouse or the focus comes to them, or another step is shown.
-    """
-
-    def __init__(self, around: QSplitter) -> None:
-        super().__init__(Qt.Orientation.Vertical)
-        around.addWidget(self)
-        self._around = around
-        self.controls = Controls(self)
-        self.controls.installEventFilter(self)
-        self.controls.setMinimumHeight(2 * self.fontMetrics().height())  # its search remains
-        cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
-        self._card: LessonCard | None = None
-        self._before: list[int] = []
-        """Widths of pictures and column without a lesson."""
-        self._own: list[int] = []
-        """Heights of card and controls while the card has some of the controls' height."""
-        self.splitterMoved.connect(lambda *_: self._own.clear())
-        self.setChildrenCollapsible(False)
-
-    def take_card(self, card: LessonCard) -> None:
-        self._card = card
-        card.room_wanted.connect(self._lend)
-        self.insertWidget(0, card)
-
-    def _lend(self, height: int) -> None:
-        """Give the card some of the controls' height; 0 gives all of it back."""
-        if height and self.controls.isVisible() and not self._is_used(QApplication.focusWidget()):
-            card, controls = self.sizes()
-            self._own = self._own or [card, controls]
-            self.setSizes([card + height, max(0, controls - height)])
-        elif self._own:
-            self.setSizes(self._own)
-            self._own = []
-
-    def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
-        if self._own and self._is_used(focus):
-            self._lend(0)
-
-    def _is_used(self, focus: QWidget | None) -> bool:
-        return focus is not None and self.controls.isAncestorOf(focus)
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if self._own and event.type() == QEvent.Type.Enter:
-            self._lend(0)
-        return super().eventFilter(watched, event)
-
-    def show_parts(self, *, card: bool, controls: bool) -> None:
-        assert self._card is not None
-        self._card.setVisible(card)
-        self.controls.setVisible(controls)
-        self.setVisible(card or controls)
-
-    def make_room(self, on: bool) -> None:
-        """Make the column wider while a lesson is open."""
-        around = self._around
-        if on:
-            self._before = around.sizes()
-            em = QFontInfo(self.font()).pixelSize()
-            wide = max(self._before[-1], round(WIDTH_EM * em))
-            around.setSizes([sum(self._before) - wide, wide])
-            self.setSizes([round(SHARE * 1000), round((1.0 - SHARE) * 1000)])
-        elif self._before and self._before[-1]:
-            around.setSizes(self._before)

@@ -63,7 +63,7 @@ from widgets.window.files import Files
 from widgets.window.help import Help
 from widgets.window.hiding import Hiding
 from widgets.window.history import History
-from widgets.window.lesson_card import LessonCard, Side
+from widgets.window.lesson_card import LessonCard
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
 from widgets.window.pictures import Pictures
@@ -75,6 +75,7 @@ from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
+from widgets.window.side import Side
 from widgets.window.slide import Slide
 from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
