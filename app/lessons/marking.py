@@ -106,7 +106,8 @@ class Typed(NamedTuple):
 def read(text: str, unit: str = "") -> Typed:
     """Read a number as people write it: ``0,5``, ``1 1/2``, ``-√3/2``, ``pi/6``, ``1.17·10⁻²``.
 
-    A unit of the same kind as `unit` may follow, and is converted. A comma is a decimal point.
+    A unit of the same kind as `unit`, one of `UNITS`, may follow, and is converted. A comma is a
+    decimal point.
 
     Raises
     ------
@@ -149,13 +150,12 @@ def _in_one_line(text: str) -> str:
 
 def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
     """Take the unit off the end; return the rest, and by what it is to be multiplied."""
-    kind, size = _UNITS.get(unit.lower(), (unit or _NUMBER, Fraction(1)))
-    known = _UNITS if unit.lower() in _UNITS or not unit else _UNITS | {unit.lower(): (kind, size)}
-    for name in sorted(known, key=len, reverse=True):
+    kind, size = _UNITS[unit.lower()] if unit else (_NUMBER, Fraction(1))
+    for name in sorted(UNITS, key=len, reverse=True):
         rest = plain.removesuffix(name).rstrip()
         if rest == plain or (name.isalpha() and rest[-1:].isalpha() and not rest.endswith("pi")):
             continue
-        typed_kind, typed_size = known[name]
+        typed_kind, typed_size = _UNITS[name]
         same = typed_kind == kind or (not unit and typed_kind == _UNIT)
         if rest and not same:
             raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, name)))

@@ -91,7 +91,7 @@ def test_a_unit_of_the_same_kind_is_converted(text: str, unit: str, value: float
 
 def test_a_converted_number_keeps_its_digits() -> None:
     assert marking.equals(marking.read("343 cm", "m"), 3.4267)
-    assert not marking.equals(marking.read("34 dm", "dm"), 3.4)
+    assert not marking.equals(marking.read("34 mm", "mm"), 3.4)
     assert marking.read("34e1 cm", "m").digits == 2
 
 
