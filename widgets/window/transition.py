@@ -114,8 +114,9 @@ class Transition(QObject):
 
         First everything has its place, or the panes would be drawn again in another size.
         """
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
-        self._slide.repaint()
+        for _ in range(2):  # the stage strip has other rows in another width
+            QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+        self._slide.window().repaint()
 
     def go(self, part: float) -> None:
         """Show a part of the way, 0 to 1."""
