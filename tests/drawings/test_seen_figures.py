@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app.document.lengths import DPI
 from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
 from app.drawings.figures import (
-    DPI,
     USUAL_TEXT,
     checked_text,
     png_bytes,
