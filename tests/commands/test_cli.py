@@ -1239,8 +1239,8 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
     two = export(tmp_path / "two.png", by_hand, "--panes=world/ndc", "--scale=0.5")
     assert two.shape == (640, 320, 3)  # two squares of 640 at half the scale
-    paper = export(tmp_path / "paper.png", by_hand, "--size=12mmx8mm", "--panes=ndc", "--crop")
-    assert 60 < paper.shape[0] < 95 and 60 < paper.shape[1] < 141
+    paper = export(tmp_path / "paper.png", by_hand, "--size=24mmx12mm", "--panes=ndc", "--crop")
+    assert 100 < paper.shape[0] <= 142 and 100 < paper.shape[1] < 284
     clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
     assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
     light = export(tmp_path / "light.png", by_hand, "--size=96x32")
