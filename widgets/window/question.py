@@ -71,7 +71,7 @@ class Question(QFrame):
         tried = []
         for letters, widest in product(range(len(LETTERS)), WIDTHS):
             size, whole = self._lay_out(letters, widest)
-            level = next((at for at, s in enumerate(SHARES) if whole <= s * room.height()), len(SHARES))
+            level = sum(whole > share * room.height() for share in SHARES)
             free = room.width() - size.width(), room.height() - size.height()
             for order, (across, down) in enumerate(PLACES):
                 place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
