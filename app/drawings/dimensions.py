@@ -240,7 +240,7 @@ class Dimensions:
         self._board.want_beside((_KEY, name), (*half, 1.0), LENGTH, (1.0, 0.0))
 
     def _beside(self, ground: Ground, spots: Array, measured: Measured) -> None:
-        """Half the angle at the eye, half the window on the far plane, and where half of it is 1."""
+        """Half the angle at the eye, half the window on the far plane, and where that half is 1."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)
         if half is None or not half.has_eye:
