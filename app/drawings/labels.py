@@ -320,7 +320,7 @@ class Labels:
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
     def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
-        """Ask for places outside the window, each beside its side, at the middle if that is free."""
+        """Ask for places outside the window, beside each side, at its middle if that is free."""
         board, em = self._board, self._board.em
         middle = pane.seen(near.mean(axis=0)[None])[0]
         ways = np.roll(near, -1, axis=0) - near
