@@ -17,6 +17,7 @@ from app.commands import exam as command
 from app.commands.exam import Posed
 from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson
+from app.lessons.practice import exercises_of
 from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run_here
 from tests.support.exercises import WIDE
@@ -32,6 +33,7 @@ title: Angles and places
 ```state
 scene=letter-f
 ```
+Angles go from bottom to top.
 ```exercise wide
 """
     + WIDE
@@ -80,9 +82,9 @@ def lesson(tmp_path: Path) -> Path:
 
 def exercises(seed: int, text: str = LESSON) -> list[Numbered]:
     """The exercises of a variant that can be solved on paper."""
-    here = Course(parse_lesson(text, Path("l.md"))).at(0)
-    posed = [Posed(f"About {e.name}", here, e) for e in here.asked.values()]  # type: ignore[arg-type]
-    return command.with_numbers([each for each in posed if each.exercise.is_on_paper], seed)
+    every = exercises_of(Course(parse_lesson(text, Path("l.md"))))
+    posed = [Posed("About it", found) for found in every if found.exercise.is_on_paper]
+    return command.with_numbers(posed, seed)
 
 
 def said_in(pdf: Path) -> str:
@@ -99,7 +101,7 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
     names = ["test-small-07.pdf", "test-small-08.pdf", "key-small.pdf"]
     left_out, *written = done.stdout.splitlines()
     assert left_out == (
-        "Left out, because it is done in the window: small: Angles and places, set."
+        "Left out, because it is done in the window: small, One."
     )
     counts = ["1 of 2", "2 of 2", "key"]
     assert written == [
@@ -115,6 +117,7 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
         assert said.count(f"small, variant {seed}") == count, "on every page"
         assert all(f"{number} / {count}" in said for number in range(1, count + 1))
         assert "Name" in said and "Date" in said
+        assert "Angles go from bottom to top." in said and "go from bottom" not in key
         wide, _cells, place, pick = exercises(seed)
         fov, a = (float(value) for value in wide.variant.numbers.values())
         x, y, d = (

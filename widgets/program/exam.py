@@ -55,9 +55,11 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
 
 
 class Numbered(NamedTuple):
-    """An exercise of a test: the title of its lesson, its numbers, and what is hidden."""
+    """An exercise of a test: the title of its lesson, what its step says, its numbers, and what is
+    hidden."""
 
     title: str
+    words: Sequence[str]
     variant: Variant
     hides: frozenset[str]
 
@@ -260,10 +262,12 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
         figure = paper.figure(
             document, width, (CLICKED if is_click else share) * width, exercise.panes
         )
-    asked = question.posed()
+    told = [*exercise.words, question.posed()]
     if is_click:
-        mark = QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
-        asked = f"{asked}\n\n{mark}"
+        told.append(
+            QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
+        )
+    asked = "\n\n".join(told)
     room = width - (figure.wide + NOTE_INDENT_PT if figure is not None else 0.0)
     body = paper.text(asked, max(room, COLUMN * width), TEXT_PT)
     is_beside = room >= COLUMN * width and body.wide <= room + 0.5
