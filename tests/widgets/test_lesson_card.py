@@ -1257,7 +1257,11 @@ def test_every_response_is_seen_whole_and_announced(
             come_to_rest(window)
             heard.clear()
             answer(view, right=True)
-            assert response(f"right {of}") and view.answer.startswith("2 ")
+            said_last = response(f"right {of}")
+            assert view.answer.startswith("2 "), of
+            if not isinstance(view.asked, Tries):  # the way, besides its reason
+                way = plain_of(view.asked.question.solution(view.variant.here))
+                assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()
             assert side.sizes() == before, "the controls are as high as before where they are used"
