@@ -118,7 +118,9 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
         assert all(f"{number} / {count}" in said for number in range(1, count + 1))
         assert "Name" in said and "Date" in said
         assert "Angles go from bottom to top." in said and "go from bottom" not in key
-        wide, _cells, place, pick = exercises(seed)
+        wide, cells, place, pick = exercises(seed)
+        s, t = (f"{float(value):g}" for value in cells.variant.numbers.values())
+        assert f"{s} 0 0 {t}" in key, "a matrix, its numbers as text within the page"
         fov, a = (float(value) for value in wide.variant.numbers.values())
         x, y, d = (
             float(each.variant.numbers[name])
@@ -189,6 +191,11 @@ def test_pages_are_about_equally_full_and_no_exercise_is_split(qapp: Any, count:
     # A page that is emptier by more than an exercise would take one of its neighbour's.
     assert max(used) - min(used) <= highest + head.height + paper.BETWEEN_STEPS_PT
     assert len(pages) == 1 or sum(used) > 0.6 * height * (len(pages) - 1)
+
+
+def test_fractions_on_paper_have_letters_of_full_size(qapp: Any) -> None:
+    small, large = (paper.text(rf"As $\{name}{{d}}{{n}}$", 400.0, 10.0) for name in ("frac", "dfrac"))
+    assert small.height == large.height > paper.text("As", 400.0, 10.0).height
 
 
 def test_an_exercise_that_fills_more_than_a_page_is_refused(qapp: Any) -> None:

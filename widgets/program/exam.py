@@ -167,14 +167,6 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
     """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
     question, here = exercise.question, exercise.variant.here
     answer = answer_of(question, here)
-    if isinstance(question, Matrix):
-        sides = question.sides(here) or [answer]
-        yield paper.text(f"**{number}.** {question.text}", width, TEXT_PT, kept=True)
-        row = [side for each in sides for side in ("=", each)][1:]
-        yield paper.in_row([paper.text(side, width, TEXT_PT) for side in row])
-        if question.why:
-            yield paper.text(question.why, width, TEXT_PT)
-        return
     parts = [f"**{number}.** {question.told(answer, others=False)}"]
     if isinstance(question, Click):
         parts.append(f"**{answer}**")
