@@ -139,7 +139,7 @@ def _export(arguments: Sequence[str]) -> int:
     scene = load_scene(document.scene, document.mesh, shown)
     with importing():
         from app.drawings.figures import TEXT, render, write_png, write_shapes
-        from app.drawings.style import DARK, LIGHT
+        from app.drawings.style import PALETTES
     check_drawing()
     try:
         options = {
@@ -148,7 +148,7 @@ def _export(arguments: Sequence[str]) -> int:
             "crop": found.crop,
             "size": found.size,
             "transparent": found.transparent,
-            "style": DARK if found.theme == "dark" else LIGHT,
+            "style": PALETTES[found.palette],
             "view": document.view,
             "settings": document.settings,
             "quality": document.quality,

@@ -37,6 +37,7 @@ SUMMARIES = {
 """The commands and their summaries."""
 
 THEMES = ("light", "dark")
+PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
@@ -326,7 +327,10 @@ def _export() -> Parser:
     parser.add_argument(
         "--transparent", action="store_true", help="leave the background transparent"
     )
-    parser.add_choice("--theme", THEMES, "colours (default: light)", "light")
+    parser.add_choice(
+        "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
+        "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
+    )  # fmt: skip
     parser.add_set()
     return parser
 

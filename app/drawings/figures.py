@@ -35,6 +35,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.pdf import pdf
+from app.drawings.shades import printed
 from app.drawings.side_by_side import BARE_EM, panes_in, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
@@ -161,7 +162,7 @@ def render(
     if words is WORDS:
         words = Words(view.letters)
     illustration = _illustration(scene, projection, settings)
-    scene = reduced(scene, quality.detail)
+    scene = printed(reduced(scene, quality.detail), style)
     parts: list[Pixels] = []
     for pane, (_, _, *sides) in zip(panes, places, strict=True):
         if progress is not None and not progress(len(parts) / len(panes)):
@@ -256,7 +257,7 @@ def shapes(
     places = _places(projection, panes, size, 1.0, column)
     style, words = _styled(style, projection, panes, size, text_pt, column), Words(view.letters)
     illustration = _illustration(scene, projection, settings)
-    scene = reduced(scene, quality.detail)
+    scene = printed(reduced(scene, quality.detail), style)
     draw = partial(
         _shapes_of_pane, scene=scene, transparent=transparent, style=style, words=words, view=view,
         quality=quality,
