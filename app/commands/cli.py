@@ -130,6 +130,8 @@ def _export(arguments: Sequence[str]) -> int:
     has_pixels = out.lower().endswith(".png")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
+    if has_pixels and found.hidden:
+        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
     column = "/" in found.panes
     if column and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
@@ -155,7 +157,8 @@ def _export(arguments: Sequence[str]) -> int:
             "text_pt": found.text_size,
         }
         if not has_pixels:
-            write_shapes(out, scene, document.projection, **options)
+            hidden = found.hidden or "none"
+            write_shapes(out, scene, document.projection, hidden=hidden, **options)
         else:
             pixels = render(scene, document.projection, scale=found.scale, **options)
             write_png(out, pixels, picture_json(document), found.scale)

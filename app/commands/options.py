@@ -37,6 +37,7 @@ SUMMARIES = {
 """The commands and their summaries."""
 
 THEMES = ("light", "dark")
+HIDDEN = ("none", "dashed", "grey")
 PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
@@ -323,6 +324,10 @@ def _export() -> Parser:
         "--text-size", type=_points, metavar="PT",
         help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
              "in a pane of 640 pixels, in proportion in others)",
+    )  # fmt: skip
+    parser.add_choice(
+        "--hidden", HIDDEN, "in .svg and .pdf, lines behind faces: left out, dashed as in "
+        "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_argument(
         "--transparent", action="store_true", help="leave the background transparent"

@@ -38,7 +38,7 @@ from app.drawings.pdf import pdf
 from app.drawings.shades import printed
 from app.drawings.side_by_side import BARE_EM, panes_in, places_of
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, Style, rgb
+from app.drawings.style import LIGHT, Style, mixed, rgb
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, Shape, Stroke, Text, box_of, moved, shapes_of, within
 from app.drawings.world import WorldDrawing
@@ -94,6 +94,7 @@ TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
 LINE_EM = 1.5
+_GREY = 0.55  # of the background in the colour of hidden lines
 _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 _SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
 
@@ -247,12 +248,13 @@ def shapes(
     text_pt: float | None = None,
     column: bool = False,
     crop: bool = False,
+    hidden: str = "none",
 ) -> tuple[tuple[float, float], list[Shape]]:
     """Return a figure's size in pixels and its shapes, from the back to the front.
 
     The size is exactly the one asked for; what lies beyond is for the writer to cut off.
 
-    The parameters are those of `render`. A `Refusal` also for too many shapes.
+    The parameters are those of `render`, and one of `HIDDEN`. A `Refusal` also for too many shapes.
     """
     places = _places(projection, panes, size, 1.0, column)
     style, words = _styled(style, projection, panes, size, text_pt, column), Words(view.letters)
@@ -260,7 +262,7 @@ def shapes(
     scene = printed(reduced(scene, quality.detail), style)
     draw = partial(
         _shapes_of_pane, scene=scene, transparent=transparent, style=style, words=words, view=view,
-        quality=quality,
+        quality=quality, hidden=hidden,
     )  # fmt: skip
     found: list[Shape] = []
     for pane, (left, top, *sides) in zip(panes, places, strict=True):
@@ -632,14 +634,18 @@ def _shapes_of_pane(
     *,
     scene: Scene,
     framed: bool,
+    hidden: str,
+    style: Style,
     **options: Any,
 ) -> tuple[list[Shape], tuple[float, float]]:
     """A pane's shapes, and where its picture begins and ends in them."""
     factor = _oversampling(size)
     with drawn_pane(
-        pane, scene, projection, illustration, size, framed=framed, finer=factor, **options
-    ) as (window, drawing):
-        return shapes_of(window, factor), _ends(drawing, size, factor)
+        pane, scene, projection, illustration, size, style=style, framed=framed, finer=factor,
+        **options,
+    ) as (window, drawing):  # fmt: skip
+        grey = rgb(mixed(style.ink, style.background, _GREY))
+        return shapes_of(window, factor, hidden, grey), _ends(drawing, size, factor)
 
 
 def _ends(drawing: Drawing, size: tuple[int, int], factor: int) -> tuple[float, float]:

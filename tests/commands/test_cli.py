@@ -30,6 +30,8 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
+from app.drawings.style import PALETTES
+from app.drawings.vectors import HIDDEN
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (
@@ -1052,7 +1054,7 @@ def test_the_help_names_what_exists() -> None:
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert options.SPACES == SPACES
-    assert tuple(PALETTES) == options.PALETTES
+    assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     for form in options.PROJECT_FORMATS:
@@ -1291,6 +1293,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
+        (["figure.png", "--hidden=grey"], "--hidden: is for .svg and .pdf"),
         (["figure.png", "--palette=pink"], "must be one of screen, print, dark, contrast"),
         ([], "export takes OUT [FILE], and 0 names were given"),
     ],
