@@ -30,6 +30,8 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
+from app.drawings.style import PALETTES
+from app.drawings.vectors import HIDDEN
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (
@@ -1052,6 +1054,7 @@ def test_the_help_names_what_exists() -> None:
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert options.SPACES == SPACES
+    assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     for form in options.PROJECT_FORMATS:
@@ -1237,12 +1240,14 @@ def test_the_view_does_not_change_numbers() -> None:
 def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
     image = export(tmp_path / "image.png", by_hand, "--panes", "image")
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
-    two = export(tmp_path / "two.png", by_hand, "--panes=world,ndc", "--scale=0.5")
-    assert two.shape == (320, 640, 3)  # two squares of 640 at half the scale
+    two = export(tmp_path / "two.png", by_hand, "--panes=world/ndc", "--scale=0.5")
+    assert two.shape == (640, 320, 3)  # two squares of 640 at half the scale
+    paper = export(tmp_path / "paper.png", by_hand, "--size=24mmx12mm", "--panes=ndc", "--crop")
+    assert 100 < paper.shape[0] <= 142 and 100 < paper.shape[1] < 284
     clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
     assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
     light = export(tmp_path / "light.png", by_hand, "--size=96x32")
-    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--theme", "dark")
+    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--palette", "dark")
     assert np.median(dark) < 100 < 200 < np.median(light)
 
 
@@ -1251,7 +1256,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert (tmp_path / "a.PDF").read_bytes().startswith(b"%PDF-")
     out = tmp_path / "figure.svg"
-    done = run_here("export", out, by_hand, "--panes=world,ndc", "--theme=dark", "--transparent")
+    done = run_here("export", out, by_hand, "--panes=world,ndc", "--palette=dark", "--transparent")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     tree = ElementTree.parse(out).getroot()
     assert tree.get("viewBox") == "0 0 1280 640" and tree.get("width") == "108.37mm"
@@ -1274,6 +1279,13 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
             ["figure.png", "--size", "10x100", "--panes", "world"],
             "--size width = 10: must be a whole number of pixels from 32 to 16384.",
         ),
+        (["a.png", "--size=0mmx80mm"], "--size width = 0 mm: must be from 8.13 to 1387 mm."),
+        (
+            ["a.png", "--size=10cmx1000cm"],
+            "--size height = 1000 cm: must be from 0.271 to 138.7 cm",
+        ),
+        (["a.svg", "--size=12mx8m"], "--size = '12mx8m': must be WIDTHxHEIGHT in mm, cm, in, px"),
+        (["a.svg", "--panes=world,ndc/image"], "must be a row or a column, not both"),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
         (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),
@@ -1281,7 +1293,8 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
-        (["figure.png", "--theme", "pink"], "--theme = 'pink': must be one of light, dark"),
+        (["figure.png", "--hidden=grey"], "--hidden: is for .svg and .pdf"),
+        (["figure.png", "--palette=pink"], "must be one of screen, print, dark, contrast"),
         ([], "export takes OUT [FILE], and 0 names were given"),
     ],
 )
