@@ -100,9 +100,7 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
     assert (done.returncode, done.stderr) == (0, "")
     names = ["test-small-07.pdf", "test-small-08.pdf", "key-small.pdf"]
     left_out, *written = done.stdout.splitlines()
-    assert left_out == (
-        "Left out, because it is done in the window: small, One."
-    )
+    assert left_out == ("Left out, because it is done in the window: small, One.")
     counts = ["1 of 2", "2 of 2", "key"]
     assert written == [
         f"{count}: {out / name} written" for count, name in zip(counts, names, strict=True)
@@ -194,7 +192,9 @@ def test_pages_are_about_equally_full_and_no_exercise_is_split(qapp: Any, count:
 
 
 def test_fractions_on_paper_have_letters_of_full_size(qapp: Any) -> None:
-    small, large = (paper.text(rf"As $\{name}{{d}}{{n}}$", 400.0, 10.0) for name in ("frac", "dfrac"))
+    small, large = (
+        paper.text(rf"As $\{name}{{d}}{{n}}$", 400.0, 10.0) for name in ("frac", "dfrac")
+    )
     assert small.height == large.height > paper.text("As", 400.0, 10.0).height
 
 

@@ -1183,11 +1183,11 @@ why: It is twice {=w}.
 The near plane goes to 2. Which number is twice the distance of the near plane from the eye then?
 - [x] 4 := 2*near
 - [ ] 6 := 3*near
-  says: That is three times the distance, and three times is one half more than twice, whatever it is.
+  says: That is three times the distance, and three times is one half more than twice, always.
 - [ ] 8 := 4*near
   says: That is four times.
 show: lens.near=2
-why: Twice the distance is the distance and the distance again, so that it is 4 if the distance is 2.
+why: Twice the distance is the distance and the distance again, so it is 4 for a distance of 2.
 ```
 """
 
