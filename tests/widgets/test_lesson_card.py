@@ -648,6 +648,9 @@ scene=letter-f
 vary near: 0.5..4 step 0.1
 Set near to {=near}.
 until: near = near_wanted
+why: Near is ${=near}$.
+right: lens.near={=near}
+wrong look-n: near = near_wanted + 1
 ```
 """
 )
@@ -711,9 +714,13 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     enter(window.controls.rows["near"].field, str(wanted + 0.5))
     come_to_rest(window)
     assert "Show the answer" in buttons(task), "after a wrong try"
-    assert task.asked.task.solution(task.variant.here) == (
-        f"$\\mathrm{{near}} = \\mathrm{{near}}_{{\\mathrm{{wanted}}}} = {wanted:g}$"
-    )
+    enter(window.controls.rows["near"].field, str(wanted + 1))
+    come_to_rest(window)
+    idea = "n is where I look"
+    assert idea not in texts(task)
+    task.asked.rest()
+    assert idea in texts(task) and "Show it" in buttons(task)
+    task.asked.rest()
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
@@ -727,6 +734,9 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert task.answer == f"1 {DONE}" and not task.is_open
     attempts = window.record.read()
     said, done = [each[1:] for each in attempts], attempts[-1]
+    assert [each.idea for each in attempts if each.exercise == "widths/set"] == ["look-n", ""], (
+        "the idea is named once"
+    )
     assert said[:3] == [
         (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
         (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
