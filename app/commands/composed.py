@@ -150,7 +150,7 @@ def measure() -> Measure:
 
 
 def states_of(course: Course, place: int) -> list[Document]:
-    """What a step shows, and then the states of its predictions and of an exercise's first numbers."""
+    """What a step shows, then its predictions, and an exercise with its first numbers."""
     here = course.at(place)
     states = [part.show for part in here.step.parts if part.show is not None]
     exercises = of_kind(here.step.blocks, Exercise)

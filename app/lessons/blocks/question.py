@@ -13,7 +13,7 @@ from typing import Any, ClassVar, NamedTuple, TypeAlias
 from app.document.document import Document
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.working import has_names, in_markdown, working
+from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Item, Items, on_line, refused
 from app.lessons.marking import UNITS
 from app.lessons.quantities import Condition, NotThere, Quantities
@@ -221,10 +221,10 @@ class Question(Asked):
     def solution(self, here: Here) -> str:
         """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
 
-        Empty if there is no way: the formula has no letters, is one alone, or has one of the program.
+        Empty if there is none: the formula is a number or a name, or no reader knows a name in it.
         """
         formulas, _ = self.key
-        is_way = any(has_names(each) and each.parts for each in formulas)
+        is_way = any(has_way(each) for each in formulas)
         found = working(formulas[0], self.known(here)) if is_way else None
         return in_markdown(found.sides(self.symbol, self.unit)) if found is not None else ""
 

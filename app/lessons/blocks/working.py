@@ -80,8 +80,8 @@ def working(formula: Formula, known: Quantities) -> Working | None:
         is_exact = is_exact and math.isclose(number, value, rel_tol=1e-9)
         found = Number(abs(number))
         numbers[part.text] = found if number >= 0 else Negative(found)
-    shown = (_in_degrees(formula, terms, False) for terms in (cells, numbers))
-    return Working(*shown, known.value(formula), is_exact)
+    letters = _in_degrees(formula, cells, False)
+    return Working(letters, _in_degrees(formula, numbers, False), known.value(formula), is_exact)
 
 
 def in_markdown(sides: Iterable[str]) -> str:
@@ -94,6 +94,12 @@ def has_names(formula: Formula) -> bool:
     return any(name not in ("pi", "infinity") for name in formula.letters) or any(
         isinstance(part, Call) and part.name not in FUNCTIONS for part in formula
     )
+
+
+def has_way(formula: Formula) -> bool:
+    """Whether a formula has names, and is more than one of them."""
+    is_name = isinstance(formula, Call) and formula.name not in FUNCTIONS
+    return bool(formula.parts) and not is_name and has_names(formula)
 
 
 def written_value(value: float) -> tuple[str, bool]:
