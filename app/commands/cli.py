@@ -8,6 +8,7 @@ that the others start fast and on any machine.
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -129,6 +130,9 @@ def _export(arguments: Sequence[str]) -> int:
     has_pixels = out.lower().endswith(".png")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
+    column = "/" in found.panes
+    if column and "," in found.panes:
+        raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
     shown = file[0] if file else None
     document = document_of(shown, found.set)
@@ -139,7 +143,9 @@ def _export(arguments: Sequence[str]) -> int:
     check_drawing()
     try:
         options = {
-            "panes": found.panes.split(","),
+            "panes": re.split("[,/]", found.panes),
+            "column": column,
+            "crop": found.crop,
             "size": found.size,
             "transparent": found.transparent,
             "style": DARK if found.theme == "dark" else LIGHT,

@@ -16,6 +16,7 @@ from collections.abc import Callable, Iterable, Sequence
 from typing import NoReturn, TextIO, TypeVar
 
 from app import __version__, bootstrap
+from app.document.lengths import PX_PER, Size, parse_size
 from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
@@ -221,6 +222,23 @@ def _size(value: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
+def _length(value: str) -> Size:
+    try:
+        return parse_size(value)
+    except ValueError:
+        raise CliError(
+            f"--size = {value!r}: must be WIDTHxHEIGHT in {', '.join(PX_PER)}, such as "
+            "120mmx80mm or 1800x600."
+        ) from None
+
+
+def _points(value: str) -> float:
+    try:
+        return parse_number(value.removesuffix("pt"))
+    except ValueError:
+        raise CliError(f"--text-size = {value!r}: must be a number of points.") from None
+
+
 def _number(option: str, bound: str) -> Callable[[str], float]:
     def read(value: str) -> float:
         try:
@@ -279,15 +297,20 @@ def _export() -> Parser:
         "--panes",
         default="world,ndc,image",
         metavar="world,ndc,image",
-        help="the panes to draw, side by side (default: all)",
+        help="the panes to draw, side by side, or below each other with / instead of commas "
+        "(default: all, side by side)",
     )
     parser.add_argument(
         "--size",
-        type=_size,
+        type=_length,
         metavar="WIDTHxHEIGHT",
-        help="size in pixels at scale 1 (default: 640x640 for each pane, or its own size for the "
-        "image alone)",
+        help="size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
+        "inch (default: 640x640 for each pane, or its own size for the image alone)",
     )
+    parser.add_argument(
+        "--crop", action="store_true",
+        help="leave out what is empty around the figure, but for a margin of 2 mm",
+    )  # fmt: skip
     parser.add_argument(
         "--scale",
         type=_number("--scale", "a finite number"),
@@ -296,7 +319,7 @@ def _export() -> Parser:
         help="draw the same figure with more pixels (default: 1)",
     )
     parser.add_argument(
-        "--text-size", type=_number("--text-size", "a number of points"), metavar="PT",
+        "--text-size", type=_points, metavar="PT",
         help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip

@@ -25,6 +25,7 @@ from app.document.compare import Written, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
+from app.document.lengths import DPI, PX_PER, Size, whole_pixels
 from app.document.naming import named_in, seen_from
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
@@ -34,11 +35,11 @@ from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.pdf import pdf
-from app.drawings.side_by_side import BARE_EM, places_of
+from app.drawings.side_by_side import BARE_EM, panes_in, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.svg import svg
-from app.drawings.vectors import Area, Shape, Stroke, Text, moved, shapes_of, within
+from app.drawings.vectors import Area, Shape, Stroke, Text, box_of, moved, shapes_of, within
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
@@ -55,13 +56,12 @@ PANE_PX = 640
 """Default side of a pane."""
 SMALLEST_PANE_PX = 32
 """Smallest side of a pane with labels."""
-DPI = 300
-"""Pixels an inch of a figure at scale 1, as its file says: three panes of `PANE_PX` are 163 mm
-wide, the text of a page; a scale makes it no larger, but finer."""
 USUAL_TEXT = 25 / PANE_PX
 """Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
 of `PANE_PX`, across a page, that is 6 points, which can be read there and on a slide (13 pixels, as
 in the window, would be 3); other figures look alike."""
+CROP_PX = 2.0 * PX_PER["mm"]
+"""Margin of a figure that is cropped."""
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 
 _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing]] = {
@@ -87,19 +87,21 @@ SCALED_WIDTH = QT_TRANSLATE_NOOP(
 SCALED_HEIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
 )
+LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to {2} {3}.")
+LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
 TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
 LINE_EM = 1.5
 _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
-_SIDES = {"width": (WIDTH, SCALED_WIDTH), "height": (HEIGHT, SCALED_HEIGHT)}
+_SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
 
 
 def render(
     scene: Scene,
     projection: Projection,
     panes: Sequence[str] = PANES,
-    size: tuple[int, int] | None = None,
+    size: Size | tuple[int, int] | None = None,
     scale: float = 1.0,
     transparent: bool = False,
     style: Style = LIGHT,
@@ -110,6 +112,8 @@ def render(
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
     seen: Callable[[Drawing, int], object] | None = None,
+    column: bool = False,
+    crop: bool = False,
 ) -> Pixels:
     """Draw one pane, or several side by side, and return (height, width, 3 or 4) uint8 pixels.
 
@@ -118,9 +122,9 @@ def render(
     Parameters
     ----------
     panes : sequence of {"world", "ndc", "image"}
-        From left to right, in equal widths. The image alone is drawn without its frame.
-    size : (int, int), optional
-        In pixels; by default `PANE_PX` squares, or the image's own size for the image alone.
+        From left to right, as wide as `panes_in` says. The image alone is drawn without its frame.
+    size : Size or (int, int), optional
+        By default `PANE_PX` squares, or the image's own size for the image alone.
     scale : float, optional
         Multiplies the size with all lines and letters: the same figure, finer.
     words : mapping, optional
@@ -135,6 +139,10 @@ def render(
         Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
     seen : callable, optional
         Called with the drawing of each pane and how many of its pixels are one of the figure's.
+    column : bool, optional
+        Draw the panes below each other.
+    crop : bool, optional
+        Leave out what is empty around the content, but for a margin of `CROP_PX`.
 
     Raises
     ------
@@ -148,15 +156,14 @@ def render(
     Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise VTK
     may use Qt's context for its own.
     """
-    width, height = checked_size(projection.image_size, panes, size, scale)
-    style = _styled(style, projection, panes, size, text_pt).enlarged(scale)
+    places = _places(projection, panes, size, scale, column)
+    style = _styled(style, projection, panes, size, text_pt, column).enlarged(scale)
     if words is WORDS:
         words = Words(view.letters)
     illustration = _illustration(scene, projection, settings)
     scene = reduced(scene, quality.detail)
-    edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     parts: list[Pixels] = []
-    for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
+    for pane, (_, _, *sides) in zip(panes, places, strict=True):
         if progress is not None and not progress(len(parts) / len(panes)):
             raise Cancelled
         draw = partial(
@@ -170,24 +177,50 @@ def render(
             quality=quality,
             seen=seen,
         )
-        size_px, framed = (right - left, height), len(panes) > 1
+        size_px, framed = (sides[0], sides[1]), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
             compared = _compared_in(pane, document, scene, size_px, framed, style, words)
             parts.append(_compared(compared, draw, style))
         else:
             parts.append(draw(projection, illustration, size_px, framed=framed)[0])
-    return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=1)
+    whole = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=0 if column else 1)
+    return _cropped(whole, style, round(CROP_PX * scale)) if crop else whole
+
+
+def _places(
+    projection: Projection,
+    panes: Sequence[str],
+    size: Size | tuple[int, int] | None,
+    scale: float,
+    column: bool,
+) -> list[tuple[int, int, int, int]]:
+    size_px = checked_size(projection.image_size, panes, size, scale, column)
+    return panes_in(size_px, [projection.aspect if p == "image" else None for p in panes], column)
+
+
+def _cropped(whole: Pixels, style: Style, margin: int) -> Pixels:
+    """The part of a picture that is not empty, and a margin of it."""
+    empty = np.round(255.0 * np.array(rgb(style.background)))
+    ink = whole[..., 3] > 0 if whole.shape[2] > 3 else (whole != empty).any(axis=2)
+    sides = []
+    for axis in (1, 0):
+        found = np.flatnonzero(ink.any(axis=axis))
+        if not len(found):
+            return whole
+        sides.append(slice(max(0, int(found[0]) - margin), int(found[-1]) + 1 + margin))
+    return np.ascontiguousarray(whole[sides[0], sides[1]])
 
 
 def _styled(
     style: Style,
     projection: Projection,
     panes: Sequence[str],
-    size: tuple[int, int] | None,
+    size: Size | tuple[int, int] | None,
     text_pt: float | None,
+    column: bool,
 ) -> Style:
-    text_pt = checked_text(projection.image_size, panes, size, text_pt)
+    text_pt = checked_text(projection.image_size, panes, size, text_pt, column)
     return replace(style, margin=style.background, font_size=text_pt * DPI / 72.0)
 
 
@@ -204,37 +237,46 @@ def shapes(
     scene: Scene,
     projection: Projection,
     panes: Sequence[str] = PANES,
-    size: tuple[int, int] | None = None,
+    size: Size | tuple[int, int] | None = None,
     transparent: bool = False,
     style: Style = LIGHT,
     view: View = AS_EVER,
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
-) -> tuple[tuple[int, int], list[Shape]]:
+    column: bool = False,
+    crop: bool = False,
+) -> tuple[tuple[float, float], list[Shape]]:
     """Return a figure's size in pixels and its shapes, from the back to the front.
+
+    The size is exactly the one asked for; what lies beyond is for the writer to cut off.
 
     The parameters are those of `render`. A `Refusal` also for too many shapes.
     """
-    width, height = checked_size(projection.image_size, panes, size, 1.0)
-    style, words = _styled(style, projection, panes, size, text_pt), Words(view.letters)
+    places = _places(projection, panes, size, 1.0, column)
+    style, words = _styled(style, projection, panes, size, text_pt, column), Words(view.letters)
     illustration = _illustration(scene, projection, settings)
     scene = reduced(scene, quality.detail)
     draw = partial(
         _shapes_of_pane, scene=scene, transparent=transparent, style=style, words=words, view=view,
         quality=quality,
     )  # fmt: skip
-    edges = [round(i * width / len(panes)) for i in range(len(panes) + 1)]
     found: list[Shape] = []
-    for pane, left, right in zip(panes, edges[:-1], edges[1:], strict=True):
-        size_px, framed = (right - left, height), len(panes) > 1
+    for pane, (left, top, *sides) in zip(panes, places, strict=True):
+        size_px, framed = (sides[0], sides[1]), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
             compared = _compared_in(pane, document, scene, size_px, framed, style, words)
             part = _compared_shapes(compared, partial(draw, pane), style)
         else:
             part = draw(pane, projection, illustration, size_px, framed=framed)[0]
-        found += (moved(shape, left, 0.0) for shape in part)
+        found += (moved(shape, left, top) for shape in part)
+    width, height = Size(*(size or _own_size(projection.image_size, panes, column))).px
+    box = box_of(found, style.background) if crop else None
+    if box is not None:
+        x, y = (max(0.0, side - CROP_PX) for side in box[:2])
+        width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
+        found = [moved(shape, -x, -y) for shape in found]
     return (width, height), found
 
 
@@ -242,7 +284,7 @@ def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any
     """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
     size, found = shapes(scene, projection, **options)
     write = pdf if path.lower().endswith(".pdf") else svg
-    write_bytes_atomically(path, write(found, size, size[0] / DPI * 25.4, scene.name))
+    write_bytes_atomically(path, write(found, size, scene.name))
 
 
 def write_png(
@@ -270,40 +312,57 @@ def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1
 
 
 def usual_text_pt(
-    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
+    image_size: tuple[int, int],
+    panes: Sequence[str],
+    size: Size | tuple[int, int] | None,
+    column: bool = False,
 ) -> float:
-    return max(_LEAST_TEXT_PX, USUAL_TEXT * _shorter_px(image_size, panes, size)) * 72.0 / DPI
+    shorter = _shorter_px(image_size, panes, size, column)
+    return max(_LEAST_TEXT_PX, USUAL_TEXT * shorter) * 72.0 / DPI
 
 
 def checked_text(
     image_size: tuple[int, int],
     panes: Sequence[str],
-    size: tuple[int, int] | None,
+    size: Size | tuple[int, int] | None,
     text_pt: float | None,
+    column: bool = False,
 ) -> float:
     """Return the height of an em in points, for `render`'s parameters; refuse an impossible one."""
     if text_pt is None:
-        return usual_text_pt(image_size, panes, size)
+        return usual_text_pt(image_size, panes, size, column)
     least = _LEAST_TEXT_PX * 72.0 / DPI
-    most = _LARGEST_TEXT * _shorter_px(image_size, panes, size) * 72.0 / DPI
+    most = _LARGEST_TEXT * _shorter_px(image_size, panes, size, column) * 72.0 / DPI
     if not least <= text_pt <= most:  # NaN fails too
         raise Refusal.saying(TEXT, format_value(text_pt), f"{least:.3g}", f"{most:.3g}")
     return text_pt
 
 
 def _shorter_px(
-    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None
+    image_size: tuple[int, int],
+    panes: Sequence[str],
+    size: Size | tuple[int, int] | None,
+    column: bool,
 ) -> float:
-    width, height = size or _own_size(image_size, panes)
-    return min(width / len(panes), height)
+    width, height = Size(*(size or _own_size(image_size, panes, column))).px
+    return min(width, height / len(panes)) if column else min(width / len(panes), height)
 
 
-def _own_size(image_size: tuple[int, int], panes: Sequence[str]) -> tuple[int, int]:
-    return image_size if tuple(panes) == ("image",) else (PANE_PX * len(panes), PANE_PX)
+def _own_size(
+    image_size: tuple[int, int], panes: Sequence[str], column: bool = False
+) -> tuple[int, int]:
+    if tuple(panes) == ("image",):
+        return image_size
+    sides = PANE_PX * len(panes), PANE_PX
+    return sides[::-1] if column else sides
 
 
 def checked_size(
-    image_size: tuple[int, int], panes: Sequence[str], size: tuple[int, int] | None, scale: float
+    image_size: tuple[int, int],
+    panes: Sequence[str],
+    size: Size | tuple[int, int] | None,
+    scale: float,
+    column: bool = False,
 ) -> tuple[int, int]:
     """Return the figure's width and height in pixels for `render`; refuse an impossible size."""
     if isinstance(panes, str) or not panes:
@@ -312,18 +371,24 @@ def checked_size(
         if pane not in _DRAWINGS:
             raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
     lone_image = tuple(panes) == ("image",)
-    size = size or _own_size(image_size, panes)
+    size = Size(*(size or _own_size(image_size, panes, column)))
     if not 0.0 < scale <= LARGEST_PX:  # NaN fails too
         raise Refusal.saying(SCALE, f"{scale:g}", LARGEST_PX)
-    asked = dict(zip(("width", "height"), size, strict=True))
-    for name, side in asked.items():
-        smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if name == "width" else 1)
+    per_px = PX_PER[size.unit]
+    for templates, side, is_divided in zip(_SIDES, size[:2], (not column, column), strict=True):
+        smallest = 1 if lone_image else SMALLEST_PANE_PX * (len(panes) if is_divided else 1)
         # Also for NaN; and an integer of 400 digits cannot be multiplied by the scale.
-        if not (side <= sys.float_info.max and smallest <= side * scale <= LARGEST_PX):
-            plain, scaled = _SIDES[name]
-            template = plain if scale == 1.0 else scaled
-            raise Refusal.saying(template, format_value(side), smallest, LARGEST_PX, f"{scale:g}")
-    return round(asked["width"] * scale), round(asked["height"] * scale)
+        if side <= sys.float_info.max and smallest <= side * per_px * scale <= LARGEST_PX:
+            continue
+        limits: tuple[object, object, object] = smallest, LARGEST_PX, f"{scale:g}"
+        template = templates[0 if scale == 1.0 else 1]
+        if size.unit != "px":
+            template = templates[2]
+            least, most = (bound / per_px / scale for bound in (smallest, LARGEST_PX))
+            limits = f"{least:.3g}", f"{most:.4g}", size.unit
+        raise Refusal.saying(template, format_value(side), *limits)
+    width, height = size.px
+    return whole_pixels((width * scale, height * scale))
 
 
 class _Compared(NamedTuple):

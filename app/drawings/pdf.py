@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from app.document.lengths import DPI
 from app.drawings.hidden import Points
 from app.drawings.label import (
     HALO_EM,
@@ -22,18 +23,18 @@ from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.lessons.text import FONT
 
 _SEAM_PX = 0.4  # as in SVG
+_PT_PER_PX = 72.0 / DPI
 
 
-def pdf(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> bytes:
-    """Return the file of a figure of a size in pixels, as wide on paper as `width_mm`."""
+def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes:
+    """Return the file of a figure of a size in pixels."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.figure import Figure
 
-    inches = width_mm / 25.4, width_mm / 25.4 * size[1] / size[0]
-    figure: Any = Figure(figsize=inches, dpi=72, frameon=False)
+    figure: Any = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=72, frameon=False)
     FigureCanvasPdf(figure)
-    writer = _Writer(figure, size, inches)
+    writer = _Writer(figure, size)
     buffer = io.BytesIO()
     with rc_context({"pdf.fonttype": 42, "path.simplify": False}):
         for shape in shapes:
@@ -51,12 +52,11 @@ def pdf(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: 
 class _Writer:
     """Adds shapes to a figure of matplotlib, each above the ones before."""
 
-    def __init__(self, figure: Any, size: tuple[int, int], inches: tuple[float, float]) -> None:
+    def __init__(self, figure: Any, size: tuple[float, float]) -> None:
         from matplotlib.transforms import Affine2D
 
         self._figure, self._number, self._size = figure, 0, size
-        self._pt_per_px = 72.0 * inches[0] / size[0]
-        pt = self._pt_per_px
+        pt = _PT_PER_PX
         self._place: Any = Affine2D().scale(pt, -pt).translate(0.0, pt * size[1])
 
     def add(self, shape: Shape) -> None:
@@ -86,7 +86,7 @@ class _Writer:
         paths: list[Any] = [Path([*ring, ring[0]], closed=True) for ring in rings]
         patch: Any = PathPatch(
             Path.make_compound_path(*paths), facecolor=(*colour, opacity), transform=self._place,
-            edgecolor=colour if seam else "none", linewidth=seam * self._pt_per_px,
+            edgecolor=colour if seam else "none", linewidth=seam * _PT_PER_PX,
             joinstyle="round", zorder=self._above(),
         )  # fmt: skip
         self._figure.add_artist(patch)
@@ -96,7 +96,7 @@ class _Writer:
 
         x, y = zip(*points, strict=True)
         line: Any = Line2D(
-            x, y, color=(*colour, opacity), linewidth=width * self._pt_per_px, zorder=self._above(),
+            x, y, color=(*colour, opacity), linewidth=width * _PT_PER_PX, zorder=self._above(),
             transform=self._place, solid_capstyle="round", solid_joinstyle="round",
         )  # fmt: skip
         self._figure.add_artist(line)
@@ -107,7 +107,7 @@ class _Writer:
 
         left, top, wide, high = picture.place
         low = self._size[1] - top - high
-        box = Bbox.from_bounds(*(self._pt_per_px * side for side in (left, low, wide, high)))
+        box = Bbox.from_bounds(*(_PT_PER_PX * side for side in (left, low, wide, high)))
         image: Any = BboxImage(box, zorder=self._above(), interpolation="none")
         image.set_data(picture.pixels)
         self._figure.add_artist(image)
@@ -131,7 +131,7 @@ class _Writer:
                     halo: Any = PathPatch(
                         Path(drawn.vertices, drawn.codes), facecolor="none",
                         edgecolor=written.halo, alpha=HALO_OPACITY * written.opacity,
-                        linewidth=2.0 * HALO_EM * em * self._pt_per_px, joinstyle="round",
+                        linewidth=2.0 * HALO_EM * em * _PT_PER_PX, joinstyle="round",
                         transform=matrix + self._place, zorder=self._above(),
                     )  # fmt: skip
                     self._figure.add_artist(halo)
@@ -139,7 +139,7 @@ class _Writer:
                 x, y = place[0] / self._size[0], 1.0 - place[1] / self._size[1]
                 name = "DejaVuSans" if is_set_in_words(piece) else "STIXGeneral"
                 font: Any = FontProperties(
-                    fname=font_file(name), size=size * em * self._pt_per_px, math_fontfamily=FONT
+                    fname=font_file(name), size=size * em * _PT_PER_PX, math_fontfamily=FONT
                 )
                 self._figure.text(
                     x, y, f"${piece}$" if is_tex else piece.replace("$", r"\$"),

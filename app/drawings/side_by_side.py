@@ -13,6 +13,8 @@ BARE_EM = 0.4
 _LEAST_PX = 24.0
 _HARDLY = 0.15  # of the largest height: fewer rows are worth it
 _BETWEEN_EM = 0.3
+_FILLED = 0.7  # at least this part of an image's pane is filled, along each side
+_LEAST_SHARE = 0.75  # of an equal share, for the panes beside an image
 
 
 def cells(
@@ -73,3 +75,33 @@ def columns(
     gap = max(1, round(_BETWEEN_EM * em))
     edges = [round(place * (width_px + gap) / count) for place in range(count + 1)]
     return [(left, 0, right - gap - left, height_px) for left, right in pairwise(edges)]
+
+
+def panes_in(
+    size_px: tuple[int, int], aspects: Sequence[float | None], column: bool = False
+) -> list[tuple[int, int, int, int]]:
+    """Return the parts of a figure for its panes, in a row or in a column.
+
+    `aspects` are those of images, and None for panes that fill any shape. The shares are equal, but
+    that an image's pane is not so long that half of it would be empty, nor so short. The parts are
+    as those of `cells`, without a remainder.
+    """
+    along, across = size_px[::-1] if column else size_px
+    equal = along / len(aspects)
+    images = [aspect for aspect in aspects if aspect is not None]
+    others = len(aspects) - len(images)
+    shares = [equal] * len(aspects)
+    if images and others:
+        most = (along - _LEAST_SHARE * equal * others) / len(images)
+        wanted = [across / aspect if column else across * aspect for aspect in images]
+        found = iter([min(max(equal, _FILLED * full), full / _FILLED, most) for full in wanted])
+        shares = [equal if aspect is None else next(found) for aspect in aspects]
+        kept = sum(s for s, aspect in zip(shares, aspects, strict=True) if aspect is not None)
+        shares = [
+            (along - kept) / others if aspect is None else share
+            for share, aspect in zip(shares, aspects, strict=True)
+        ]
+    edges = [round(edge) for edge in accumulate(shares, initial=0.0)]
+    if column:
+        return [(0, top, across, low - top) for top, low in pairwise(edges)]
+    return [(left, 0, right - left, across) for left, right in pairwise(edges)]

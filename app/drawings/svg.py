@@ -12,6 +12,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 from PIL import Image
 
+from app.document.lengths import PX_PER
 from app.drawings.hidden import Colour
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
 from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
@@ -32,12 +33,13 @@ _GREEK = dict(zip((
 _FUNCTIONS = ("tan", "sin", "cos", "log")
 
 
-def svg(shapes: Sequence[Shape], size: tuple[int, int], width_mm: float, title: str) -> bytes:
-    """Return the file of a figure of a size in pixels, as wide on paper as `width_mm`."""
-    width, height = size
+def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes:
+    """Return the file of a figure of a size in pixels."""
+    width, height = map(_n, size)
+    wide, high = (_n(side / PX_PER["mm"]) for side in size)
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
-        f' width="{_n(width_mm)}mm" height="{_n(width_mm * height / width)}mm"'
+        f' width="{wide}mm" height="{high}mm"'
         f' viewBox="0 0 {width} {height}" role="img" stroke-linecap="round"'
         f' stroke-linejoin="round">',
         f"<title>{escape(title)}</title>",

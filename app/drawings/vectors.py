@@ -12,6 +12,7 @@ Where shaders make the picture, its pixels are one shape.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
@@ -22,8 +23,9 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 
 from app.drawings.actors import PAPER, FlatActor
 from app.drawings.hidden import Cell, Colour, Hiding, Points, cut, in_order, visible
-from app.drawings.label import Label, LabelActor, Written
+from app.drawings.label import Label, LabelActor, Written, piece_of
 from app.drawings.off_screen import Pixels, pixels_of
+from app.drawings.style import rgb
 from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -122,6 +124,48 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
             middle = shape.place[0] if isinstance(shape, Text) else shape.centre[0]
             if left <= middle <= right:
                 yield shape
+
+
+def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, float, float] | None:
+    """Return left, top, right and bottom of what is not empty; None if all of it is."""
+    corners = list[tuple[float, float]]()
+    empty = rgb(background)
+    for shape in shapes:
+        if isinstance(shape, Area):
+            if shape.colour != empty:
+                corners += (point for ring in shape.rings for point in ring)
+        elif isinstance(shape, Stroke):
+            corners += _padded(shape.points, shape.width / 2.0)
+        elif isinstance(shape, Disc):
+            corners += _padded([shape.centre], shape.radius)
+        elif isinstance(shape, Text):
+            corners += _around(shape)
+        else:
+            left, top, wide, high = shape.place
+            corners += (left, top), (left + wide, top + high)
+    if not corners:
+        return None
+    xs, ys = zip(*corners, strict=True)
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _padded(points: Points, half: float) -> Iterator[tuple[float, float]]:
+    for x, y in points:
+        yield from ((x - half, y - half), (x + half, y + half))
+
+
+def _around(text: Text) -> Iterator[tuple[float, float]]:
+    """Yield the corners of the letters' boxes."""
+    (x, y), turn = text.place, text.written.turn
+    cos, sin = math.cos(turn), math.sin(turn)
+    for piece, is_tex, size, at in text.written.pieces:
+        drawn = piece_of(piece, is_tex)
+        if not len(drawn.vertices):
+            continue
+        left, low, right, high = drawn.box
+        for along, up in ((left, low), (right, low), (left, high), (right, high)):
+            along, up = text.em * (at + size * along), text.em * size * up
+            yield x + cos * along - sin * up, y - sin * along - cos * up
 
 
 def _between(points: Points, left: float, right: float, closed: bool) -> Points:

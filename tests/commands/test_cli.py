@@ -1237,8 +1237,10 @@ def test_the_view_does_not_change_numbers() -> None:
 def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None:
     image = export(tmp_path / "image.png", by_hand, "--panes", "image")
     assert image.shape == (100, 200, 3)  # the image pane alone has the image's own size
-    two = export(tmp_path / "two.png", by_hand, "--panes=world,ndc", "--scale=0.5")
-    assert two.shape == (320, 640, 3)  # two squares of 640 at half the scale
+    two = export(tmp_path / "two.png", by_hand, "--panes=world/ndc", "--scale=0.5")
+    assert two.shape == (640, 320, 3)  # two squares of 640 at half the scale
+    paper = export(tmp_path / "paper.png", by_hand, "--size=24mmx12mm", "--panes=ndc", "--crop")
+    assert 100 < paper.shape[0] <= 142 and 100 < paper.shape[1] < 284
     clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
     assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
     light = export(tmp_path / "light.png", by_hand, "--size=96x32")
@@ -1274,6 +1276,13 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
             ["figure.png", "--size", "10x100", "--panes", "world"],
             "--size width = 10: must be a whole number of pixels from 32 to 16384.",
         ),
+        (["a.png", "--size=0mmx80mm"], "--size width = 0 mm: must be from 8.13 to 1387 mm."),
+        (
+            ["a.png", "--size=10cmx1000cm"],
+            "--size height = 1000 cm: must be from 0.271 to 138.7 cm",
+        ),
+        (["a.svg", "--size=12mx8m"], "--size = '12mx8m': must be WIDTHxHEIGHT in mm, cm, in, px"),
+        (["a.svg", "--panes=world,ndc/image"], "must be a row or a column, not both"),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
         (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),

@@ -11,8 +11,9 @@ import pytest
 from app.document.compare import Written, in_words
 from app.document.document import Document
 from app.document.field_names import FIELDS
+from app.document.lengths import DPI
 from app.document.settings import compared, pictured, set_values
-from app.drawings.figures import DPI, LINE_EM, Pixels, render, usual_text_pt
+from app.drawings.figures import LINE_EM, Pixels, render, usual_text_pt
 from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
 from app.model.refusal import Refusal

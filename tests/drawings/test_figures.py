@@ -118,11 +118,11 @@ def test_the_image_alone_is_exactly_the_picture() -> None:
 
 def test_panes_stand_side_by_side_as_they_would_alone() -> None:
     scene = load("letter-f")
-    three = render(scene, scene.start, PANES, (601, 200))
-    assert three.shape == (200, 601, 3)
-    two = render(scene, scene.start, ("image", "world"), (400, 200))
-    assert (two[:, 200:] == render(scene, scene.start, ("world",), (200, 200))).all()
-    assert (three[:, :200] == two[:, 200:]).all()
+    three = render(scene, scene.start, PANES, (751, 200))
+    assert three.shape == (200, 751, 3)
+    two = render(scene, scene.start, ("image", "world"), (500, 200))
+    assert (two[:, 250:] == render(scene, scene.start, ("world",), (250, 200))).all()
+    assert (three[:, :250] == two[:, 250:]).all()
     # Framed beside others: its margin is white here, its frame is not.
     assert (two[:3] == 255).all()
     assert (two[:, :200] != 255).any()

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app.document.lengths import DPI
 from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
 from app.drawings.figures import (
-    DPI,
     USUAL_TEXT,
     checked_text,
     png_bytes,
@@ -26,7 +26,7 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.scene import load
 
-SIDE = 160
+SIDE, HIGH = 160, 128  # the image is as wide as the others
 ABOVE = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
 ON_THE_LETTER = Probe(1, (0.5, 2.5, 0.5))
 
@@ -34,7 +34,7 @@ ON_THE_LETTER = Probe(1, (0.5, 2.5, 0.5))
 def drawn(view: View, **options: Any) -> dict[str, np.ndarray]:
     """The panes of a figure of the letter F."""
     scene = load("letter-f")
-    pixels = render(scene, scene.start, PANES, (3 * SIDE, SIDE), view=view, **options)
+    pixels = render(scene, scene.start, PANES, (3 * SIDE, HIGH), view=view, **options)
     return {pane: pixels[:, i * SIDE : (i + 1) * SIDE] for i, pane in enumerate(PANES)}
 
 
@@ -141,7 +141,8 @@ def test_usual_letters_are_a_share_of_the_pane_and_6_points_across_a_page() -> N
     assert pytest.approx(162.56) == 3 * 640 / DPI * 25.4  # mm
     assert usual_text_pt(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
     assert usual_text_pt(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
-    once, asked = drawn(View()), drawn(View(), text_pt=usual_text_pt(image, PANES, (480, 160)))
+    text_pt = usual_text_pt(image, PANES, (3 * SIDE, HIGH))
+    once, asked = drawn(View()), drawn(View(), text_pt=text_pt)
     assert all((once[pane] == asked[pane]).all() for pane in PANES)
 
 

@@ -16,6 +16,7 @@ from PySide6.QtGui import QImage, QPainter, QPolygonF
 from PySide6.QtSvg import QSvgRenderer
 
 from app.document.document import Document
+from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings import vectors
 from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor, put_in_front
@@ -23,6 +24,7 @@ from app.drawings.figures import render, shapes
 from app.drawings.label import laid, pieces_of
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
+from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
@@ -78,7 +80,7 @@ def figure(
     }  # fmt: skip
     found = shapes(scene, document.projection, **options)[1]
     pixels = render(scene, document.projection, **options)
-    return svg(found, size, 100.0, scene.name).decode(), found, pixels[..., :3].astype(np.float64)
+    return svg(found, size, scene.name).decode(), found, pixels[..., :3].astype(np.float64)
 
 
 @pytest.mark.parametrize(
@@ -114,7 +116,7 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     labels = [shape.written.text for shape in found if isinstance(shape, Text)]
     assert len(labels) >= 6 and "near n = 4" in labels
     assert [each.replace("\u200b", "") for each in written] == labels
-    assert tree.get("width") == "100mm" and tree.get("viewBox") == "0 0 1920 640"
+    assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
 
 
 @pytest.mark.parametrize(
@@ -131,7 +133,7 @@ def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str |
     written = vectors.Written(
         label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
     )
-    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), 10.0, "a < b").decode()
+    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), "a < b").decode()
     tree = ElementTree.fromstring(text)
     (element,) = tree.iter("{http://www.w3.org/2000/svg}text")
     (title,) = tree.iter("{http://www.w3.org/2000/svg}title")
@@ -150,12 +152,12 @@ def streams_of(content: bytes) -> list[bytes]:
 
 def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
     document = Document("letter-f", load("letter-f").start)
-    _, found, _ = figure(document, ["world", "image"], (1280, 640))
-    content = pdf(found, (1280, 640), 100.0, "A title")
-    assert content == pdf(found, (1280, 640), 100.0, "A title") and len(content) <= 50_000
+    _, found = shapes(scene_of(document), document.projection, ["world", "image"], (1280, 640))
+    content = pdf(found, (1280, 640), "A title")
+    assert content == pdf(found, (1280, 640), "A title") and len(content) <= 50_000
     (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
     sides_mm = [float(side) / 72.0 * 25.4 for side in box]
-    assert sides_mm == pytest.approx([100.0, 50.0], abs=0.01)
+    assert sides_mm == pytest.approx([108.37, 54.19], abs=0.01)
     assert b"/Subtype /Image" not in content and b"(A title)" in content
     fonts = set(re.findall(rb"/BaseFont /[A-Z]+\+(\S+)", content))
     assert {b"DejaVuSans", b"STIXGeneral-Italic"} <= fonts
@@ -165,6 +167,53 @@ def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
     assert len(re.findall(rb" T[jJ]\n", drawn)) >= labels > 2
 
 
+def test_a_page_and_its_letters_are_as_large_as_asked_in_every_pane() -> None:
+    document = set_values(
+        Document("letter-f", load("letter-f").start), ("view.names=eye,near,pixels",)
+    )
+    scene, panes = scene_of(document), ["world", "ndc", "image"]
+    options: dict[str, Any] = {"size": Size(12.0, 4.0, "cm"), "text_pt": 7.3}
+    size, found = shapes(scene, document.projection, panes, view=document.view, **options)
+    content = pdf(found, size, "t")
+    (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
+    assert [float(side) for side in box] == pytest.approx([12 / 2.54 * 72, 4 / 2.54 * 72])
+    assert b'width="120mm" height="40mm"' in svg(found, size, "t")
+    drawn = b"".join(streams_of(content))
+    # Of a word, of letters beside words and alone, and of their subscripts.
+    known = np.multiply(7.3, [1.0, 1.12, 1.3, 0.784, 0.91])
+    sizes = [float(em) for em in re.findall(rb"/F\d+ ([\d.]+) Tf", drawn)]
+    assert all(np.abs(known - em).min() < 0.1 for em in sizes) and min(sizes) < 7.4
+    number = rb"(-?[\d.e-]+) "
+    turns = re.findall(4 * number + 2 * number + rb"(?:cm|Tm)\n", drawn)
+    for turn in turns:  # and no matrix enlarges them
+        a, b, c, d = map(float, turn[:4])
+        assert (a * d - b * c, a * c + b * d) == pytest.approx((1.0, 0.0), abs=1e-6)
+    texts = [shape for shape in found if isinstance(shape, Text)]
+    assert len(turns) >= len(texts)
+    rights = [left + wide for left, _, wide, _ in panes_in((1418, 473), [None, None, 16 / 9])]
+    assert {sum(right < text.place[0] for right in rights) for text in texts} == {0, 1, 2}
+
+
+def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
+    scene, options = load("cube"), {"panes": ["ndc"], "size": (300, 200), "column": True}
+    pixels = render(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    (width, height), found = shapes(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
+    left, top, right, bottom = vectors.box_of(found, LIGHT.background) or (0.0,) * 4
+    assert 300 > width > right - left
+    assert (left, width - right) == pytest.approx((2.0 / 25.4 * 300,) * 2)
+    assert (top, height - bottom) == pytest.approx((2.0 / 25.4 * 300,) * 2, abs=10.0)
+
+
+def test_no_half_of_an_images_pane_is_empty() -> None:
+    assert panes_in((840, 320), [None, 16 / 9]) == [(0, 0, 420, 320), (420, 0, 420, 320)]
+    assert panes_in((1920, 640), [None, None, 16 / 9])[2] == (1124, 0, 796, 640)
+    assert panes_in((900, 600), [0.5, None]) == [(0, 0, 429, 600), (429, 0, 471, 600)]
+    assert panes_in((600, 1200), [None, 2.0], column=True) == [(0, 0, 600, 771), (0, 771, 600, 429)]
+    # The pane beside it keeps three quarters of an equal share.
+    assert panes_in((800, 800), [None, 2.0]) == [(0, 0, 300, 800), (300, 0, 500, 800)]
+
+
 def test_a_pdf_has_each_shape_at_its_place() -> None:
     red = (1.0, 0.0, 0.0)
     found = [
@@ -172,11 +221,11 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
         Stroke([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
         Picture(np.zeros((2, 2, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
     ]
-    content = pdf(found, (100, 100), 25.4, "t")
-    drawn = b"".join(streams_of(content))  # a pixel is 0.72 pt
-    assert b"7.2 57.6 m\n21.6 57.6 l\n21.6 28.8 l\n" in drawn
-    assert b" 3.6 w " in drawn and b"0 0 m\n72 72 l\n\nS\n" in drawn
-    assert re.search(rb"36 0 0 18 18 18 cm", drawn), drawn
+    content = pdf(found, (100, 100), "t")
+    drawn = b"".join(streams_of(content))  # a pixel is 0.24 pt
+    assert b"2.4 19.2 m\n7.2 19.2 l\n7.2 9.6 l\n" in drawn
+    assert b" 1.2 w " in drawn and b"0 0 m\n24 24 l\n\nS\n" in drawn
+    assert re.search(rb"12 0 0 6 6 6 cm", drawn), drawn
     assert content.count(b"/Subtype /Image") == 1
 
 

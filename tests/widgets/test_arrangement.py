@@ -21,8 +21,9 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.files import read, write
+from app.document.lengths import DPI
 from app.document.view import View
-from app.drawings.figures import DPI, render
+from app.drawings.figures import render
 from app.drawings.style import Style
 from app.drawings.world import WorldDrawing
 from app.model.projection import Camera

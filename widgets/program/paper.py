@@ -26,9 +26,9 @@ from PySide6.QtGui import (
 )
 
 from app.document.document import Document
+from app.document.lengths import DPI as DPI_OF_FIGURES
 from app.document.view import PANES
 from app.drawings.drawing import Drawing
-from app.drawings.figures import DPI as DPI_OF_FIGURES
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
 from app.lessons.course import scene_of

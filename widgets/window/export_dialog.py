@@ -15,8 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.lengths import DPI
 from app.document.view import PANES
-from app.drawings.figures import DPI, checked_size, checked_text
+from app.drawings.figures import checked_size, checked_text
 from app.model.refusal import Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel

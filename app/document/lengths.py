@@ -1,0 +1,49 @@
+"""Lengths on paper: how they are typed, and how many pixels of a figure they are."""
+
+from __future__ import annotations
+
+import re
+from typing import NamedTuple
+
+DPI = 300
+"""Pixels an inch of a figure at scale 1, as its file says: three panes of 640 pixels are 163 mm
+wide, the text of a page; a scale makes it no larger, but finer."""
+PX_PER = {"mm": DPI / 25.4, "cm": DPI / 2.54, "in": float(DPI), "px": 1.0}
+"""Pixels of a figure, by unit."""
+_SIZE = re.compile(r"([0-9.]{1,12})([a-z]*) *[xX×] *([0-9.]{1,12})([a-z]*)")
+
+
+class Size(NamedTuple):
+    """Width and height in a unit of `PX_PER`."""
+
+    width: float
+    height: float
+    unit: str = "px"
+
+    @property
+    def px(self) -> tuple[float, float]:
+        return self.width * PX_PER[self.unit], self.height * PX_PER[self.unit]
+
+
+def parse_size(text: str) -> Size:
+    """Parse ``120mmx80mm``, ``12x8cm`` or ``1800x600``.
+
+    Raises
+    ------
+    ValueError
+        If it is no size, or its unit is unknown.
+    """
+    match = _SIZE.fullmatch(text.strip())
+    if match is None:
+        raise ValueError(text)
+    width, first, height, unit = match.groups()
+    unit = unit or "px"
+    if unit not in PX_PER or (first or unit) != unit:
+        raise ValueError(text)
+    return Size(float(width), float(height), unit)
+
+
+def whole_pixels(size: tuple[float, float]) -> tuple[int, int]:
+    """The whole pixels that a size covers, the last of them perhaps in part."""
+    width, height = (-int(-(side - 1e-6) // 1) for side in size)
+    return width, height
