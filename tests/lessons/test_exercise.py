@@ -175,13 +175,16 @@ def test_a_solution_is_typeset_for_a_reader() -> None:
         way = working(parse(text), known)
         assert way is not None
         assert " ".join(way.sides()).replace(r"\mathrm{tiny}", "tiny") == tex
+    assert way.sides("x'", "cm") == ["x' = m_{13} + w", "= 0 + 3", r"= 3\ \mathrm{cm}"]
+    for text, sides in (("w", ["w", "= 3"]), ("4", ["w = 4"])):
+        way = working(parse(text), known)
+        assert way is not None and way.sides("w") == sides
     for text in ("was_near + w", "view_z(2) + w", "reading_sharp_to"):
         assert working(parse(text), known) is None
-    assert way.sides("x'", "cm")[0] == "x'" and way.sides("", "cm")[-1] == r"= 3\ \mathrm{cm}"
     named, here = exercise("vary near: 1..9 step 0.3\nHow far?\nvalue: z' = near/7\n")
     variant = named.variant(here, 1)
     solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
-    assert solution.startswith(r"$z'$ $= \frac{\mathrm{near}}{7}$ $= ")
+    assert solution.startswith(r"$z' = \frac{\mathrm{near}}{7}$ $= ")
 
 
 def test_a_number_has_any_letter_of_a_lecture() -> None:

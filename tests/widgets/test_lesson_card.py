@@ -719,7 +719,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     idea = "n is where I look"
     assert idea not in texts(task)
     task.asked.rest()
-    settle()
+    come_to_rest(window)
     assert idea in texts(task) and "Show it" in buttons(task)
     task.asked.rest()
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
-from app.lessons.blocks.working import has_names, working
+from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Item, Items, number_in, on_line, refused, split
 from app.model.formula import Formula, parse
 from app.model.limits import ONE_OF
@@ -119,24 +119,17 @@ class Click(Marked):
             return super().verdict(here, sample, line)
 
     def solution(self, here: Here) -> str:
-        """Return the way to each coordinate, a line for each side, because the lesson is narrow."""
+        """Return a line for each coordinate; none if no reader knows a name in it."""
         known = self.known(here)
         found = [working(each, known) for each in self.right]
-        if not any(map(has_names, self.right)) or None in found:
+        if not any(map(has_names, self.right)):
             return ""
-        return "\n\n".join(
-            "  \n".join(f"${side}$" for side in _joined(way.sides(name)))
-            for name, way in zip(COORDINATES[self.pane], found, strict=True)
-            if way is not None
-        )
+        names = COORDINATES[self.pane]
+        sides = [way.sides(name) for name, way in zip(names, found, strict=True) if way is not None]
+        return in_list(sides) if len(sides) == len(found) else ""
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return f"({', '.join(map(write, self.answer(here)))})"
-
-
-def _joined(sides: Sequence[str]) -> list[str]:
-    """Put the first equation on one line."""
-    return [" ".join(sides[:2]), *sides[2:]]
 
 
 def _place(item: Item, count: int) -> tuple[Formula, ...]:

@@ -11,7 +11,7 @@ from typing import TypeVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
-from app.lessons.blocks.working import has_names, in_markdown, working, written_value
+from app.lessons.blocks.working import has_names, in_list, working, written_value
 from app.lessons.lines import Body, Item, Items, number_in, on_line, refused, split
 from app.lessons.marking import Typed
 from app.model.formula import Formula, latex, parse
@@ -160,12 +160,12 @@ class Matrix(Marked):
 
     def solution(self, here: Here) -> str:
         """Return a line for each number that has letters; the numbers are in `answer_text`."""
-        known, lines = self.known(here), list[str]()
+        known, lines = self.known(here), list[list[str]]()
         for place, formula in enumerate(self.right):
             found = working(formula, known) if has_names(formula) else None
             if found is not None:
-                lines.append(in_markdown(found.sides(self._name(place))))
-        return "  \n".join(lines)
+                lines.append(found.sides(self._name(place)))
+        return in_list(lines)
 
     def _name(self, place: int) -> str:
         """Return what a cell is called in the worked solution."""

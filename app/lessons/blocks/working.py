@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -49,8 +49,11 @@ class Working(NamedTuple):
         value += _UNITS.get(unit, rf"\ \mathrm{{{unit}}}" if unit else "")
         letters, numbers = latex(self.letters, {}), latex(self.numbers, {})
         about = "=" if self.is_exact else r"\approx"
-        found = [(name, ""), (letters, "="), (numbers, about)]
-        found.append((value, about if is_whole else r"\approx"))
+        if name:
+            letters = f"{name} = {letters}" if letters != name else name
+            numbers = "" if letters.endswith(f"= {numbers}") else numbers
+            value = "" if letters.endswith(f"= {value}") else value
+        found = [(letters, ""), (numbers, about), (value, about if is_whole else r"\approx")]
         signs = {text: sign for text, sign in reversed(found) if text}  # the first of equal ones
         texts = dict.fromkeys(text for text, _ in found if text)
         return [f"{signs[text]} {text}" if place else text for place, text in enumerate(texts)]
@@ -82,6 +85,11 @@ def working(formula: Formula, known: Quantities) -> Working | None:
         numbers[part.text] = found if number >= 0 else Negative(found)
     letters = _in_degrees(formula, cells, False)
     return Working(letters, _in_degrees(formula, numbers, False), known.value(formula), is_exact)
+
+
+def in_list(workings: Iterable[Sequence[str]]) -> str:
+    """Write several equations as a list in Markdown: centred ones would not begin alike."""
+    return "\n".join(f"- {in_markdown(sides)}" for sides in workings)
 
 
 def in_markdown(sides: Iterable[str]) -> str:

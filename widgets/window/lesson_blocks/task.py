@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QApplication
+from PySide6.QtCore import QTimer
 
 from app.document.document import Document
 from app.document.view import View
@@ -117,9 +116,6 @@ class Tries(BlockView):
     def rest(self) -> None:
         """Name the wrong idea behind what was done, once the hand rests."""
         if not self.is_open:
-            return
-        if QApplication.mouseButtons() != Qt.MouseButton.NoButton:
-            self._resting.start()
             return
         try:
             wrong = self.task.mistaken(self.here, self._now, self._now.view)
