@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -1172,6 +1172,7 @@ Bring the near plane to the distance {=w} from the eye.
 until: near = w
 hint: The near plane can be dragged in the world, or typed in the dock.
 done: The plane is where the picture begins.
+why: It is the distance of the plane, {=w}.
 ```
 
 ---
@@ -1201,11 +1202,13 @@ def test_every_response_is_seen_whole_and_announced(
     path = tmp_path / "feedback.md"
     path.write_text(KINDS_OF_ANSWER, encoding="utf-8")
     own = QApplication.font()
-    large = QFont(own)
+    large, application = QFont(own), cast(QApplication, QApplication.instance())
     large.setPointSizeF(size * own.pointSizeF())
     QApplication.setFont(large)
+    application.setProperty("frustumLabFontSize", large.pointSizeF())  # from which it makes its own
     try:
         window = make_window(drawn=False)
+        assert window.font() == large
         window.resize(1366, 768)
         activate(window)
         card, side = window.lesson_card, window.side
@@ -1274,6 +1277,7 @@ def test_every_response_is_seen_whole_and_announced(
             assert side.sizes() == before, "the controls are as high as before where they are used"
     finally:
         QApplication.setFont(own)
+        application.setProperty("frustumLabFontSize", own.pointSizeF())
 
 
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
@@ -1288,7 +1292,16 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
     assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
     assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)
     tabs[0].actionInterface().doAction(tabs[0].actionInterface().actionNames()[0])
     assert window.lessons.place == 0 and tabs[0].state().selected
+    mixed = lesson.with_name("mixed.md")
+    begun = KINDS_OF_ANSWER.replace("# Number", "# Words\nRead them.\n\n---\n# Number", 1)
+    mixed.write_text(begun, encoding="utf-8")
+    card.open(mixed)
+    settle()
+    names = [role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)]
+    assert names[-5:-3] == ["Step 2, practice: Number", "Step 3, practice: Matrix"]
+    assert "Step 1: Words" in names and texts(card).count("Practice") == 1

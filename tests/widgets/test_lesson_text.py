@@ -187,11 +187,11 @@ def test_no_line_begins_with_the_punctuation_behind_a_formula(qapp: Any) -> None
 
 
 def test_formulas_are_copied_and_read_out_as_tex(qtbot: Any) -> None:
-    text = LessonText(r"See $x_p$, *and* $\frac{1}{2}$.")
+    text = LessonText(r"See $x_p$ $y$, *and* $\frac{1}{2}$.")
     qtbot.addWidget(text)
     text.selectAll()
-    assert text.createMimeDataFromSelection().text() == r"See $x_p$, and $\frac{1}{2}$."
-    assert text.accessibleName() == r"See x_p, and \frac{1}{2}."
+    assert text.createMimeDataFromSelection().text() == r"See $x_p$ $y$, and $\frac{1}{2}$."
+    assert text.accessibleName() == r"See x_p y, and \frac{1}{2}."
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
 
 

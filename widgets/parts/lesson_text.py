@@ -103,7 +103,7 @@ def set_text(
         cursor = document.find(_PLACE, cursor)
         is_displayed = cursor.selectedText() == DISPLAYED
         kept, plain = cursor.charFormat(), cursor.charFormat()
-        begin, end = cursor.selectionStart(), cursor.selectionEnd()
+        begin, behind = cursor.selectionStart(), cursor.selectionEnd()
         try:
             outline(tex)
         except ValueError:  # as it was typed
@@ -112,10 +112,10 @@ def set_text(
         kept.setObjectType(_KIND)
         kept.setProperty(_TEX, tex)
         kept.setProperty(_IS_DISPLAYED, is_displayed)
-        tail = _tail(document, end)
+        tail = _tail(document, behind)
         kept.setProperty(_TAIL, tail)
         cursor.setPosition(begin)
-        cursor.setPosition(end + len(tail), QTextCursor.MoveMode.KeepAnchor)
+        cursor.setPosition(behind + len(tail), QTextCursor.MoveMode.KeepAnchor)
         kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
         # A line with only a formula is as high as one of letters; no line ends beside a formula.
         begins = begin == cursor.block().position() or _at(document, begin - 1).isspace()
@@ -247,7 +247,7 @@ class _Formulas(QPyTextObject):
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
         painter.setFont(_font(document, form))
         painter.setPen(QPen(brush, 0))
-        painter.drawText(QPointF((found.width + ROOM_EM) * em, 0.0), str(form.property(_TAIL)))
+        painter.drawText(QPointF((found.width + ROOM_EM) * em, 0.0), form.stringProperty(_TAIL))
         painter.scale(em, em)
         inks = document.property(INKS) or {}
         for name, path in formula_parts(tex):
@@ -260,7 +260,7 @@ def _font(document: QTextDocument, form: QTextFormat) -> QFont:
 
 
 def _tail_width(document: QTextDocument, form: QTextFormat) -> float:
-    return QFontMetricsF(_font(document, form)).horizontalAdvance(str(form.property(_TAIL)))
+    return QFontMetricsF(_font(document, form)).horizontalAdvance(form.stringProperty(_TAIL))
 
 
 @lru_cache(maxsize=1)
@@ -345,7 +345,7 @@ class LessonText(QTextEdit):
         at = QTextCursor(self.document())
         for place in range(cursor.selectionStart(), cursor.selectionEnd()):
             at.setPosition(place + 1)
-            tex, tail = (at.charFormat().property(key) for key in (_TEX, _TAIL))
+            tex, tail = (at.charFormat().stringProperty(key) for key in (_TEX, _TAIL))
             letter = cast(Any, self.document()).characterAt(place)
             words += f"${tex}${tail}" if letter == "\ufffc" and tex else letter
         data.setText(
