@@ -130,6 +130,8 @@ def _export(arguments: Sequence[str]) -> int:
     has_pixels = out.lower().endswith(".png")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
+    if has_pixels and found.hidden:
+        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
     column = "/" in found.panes
     if column and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
@@ -139,7 +141,7 @@ def _export(arguments: Sequence[str]) -> int:
     scene = load_scene(document.scene, document.mesh, shown)
     with importing():
         from app.drawings.figures import TEXT, render, write_png, write_shapes
-        from app.drawings.style import DARK, LIGHT
+        from app.drawings.style import PALETTES
     check_drawing()
     try:
         options = {
@@ -148,14 +150,15 @@ def _export(arguments: Sequence[str]) -> int:
             "crop": found.crop,
             "size": found.size,
             "transparent": found.transparent,
-            "style": DARK if found.theme == "dark" else LIGHT,
+            "style": PALETTES[found.palette],
             "view": document.view,
             "settings": document.settings,
             "quality": document.quality,
             "text_pt": found.text_size,
         }
         if not has_pixels:
-            write_shapes(out, scene, document.projection, **options)
+            hidden = found.hidden or "none"
+            write_shapes(out, scene, document.projection, hidden=hidden, **options)
         else:
             pixels = render(scene, document.projection, scale=found.scale, **options)
             write_png(out, pixels, picture_json(document), found.scale)

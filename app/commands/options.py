@@ -37,6 +37,8 @@ SUMMARIES = {
 """The commands and their summaries."""
 
 THEMES = ("light", "dark")
+HIDDEN = ("none", "dashed", "grey")
+PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
@@ -323,10 +325,17 @@ def _export() -> Parser:
         help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
+    parser.add_choice(
+        "--hidden", HIDDEN, "in .svg and .pdf, lines behind faces: left out, dashed as in "
+        "ISO 128, or thin and grey (default: none)",
+    )  # fmt: skip
     parser.add_argument(
         "--transparent", action="store_true", help="leave the background transparent"
     )
-    parser.add_choice("--theme", THEMES, "colours (default: light)", "light")
+    parser.add_choice(
+        "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
+        "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
+    )  # fmt: skip
     parser.add_set()
     return parser
 

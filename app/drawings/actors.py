@@ -222,12 +222,15 @@ class FlatActor(vtkActor):
         The colour of which `PAPER` is mixed into its own.
     is_shaded : bool
         Whether shaders decide more than that: its picture is known only in pixels.
+    is_drawing : bool
+        Whether it is a drawing on a plane, of which nothing is hidden.
     """
 
     lift = 0.0
     depth: float | None = None
     paper: tuple[float, float, float] | None = None
     is_shaded = False
+    is_drawing = False
 
 
 def identity_camera() -> vtkCamera:

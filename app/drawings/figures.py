@@ -35,11 +35,22 @@ from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, font_file
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.pdf import pdf
+from app.drawings.shades import printed
 from app.drawings.side_by_side import BARE_EM, panes_in, places_of
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, Style, rgb
+from app.drawings.style import LIGHT, Style, mixed, rgb
 from app.drawings.svg import svg
-from app.drawings.vectors import Area, Shape, Stroke, Text, box_of, moved, shapes_of, within
+from app.drawings.vectors import (
+    TOO_MANY,
+    Area,
+    Shape,
+    Stroke,
+    Text,
+    box_of,
+    moved,
+    shapes_of,
+    within,
+)
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
@@ -92,7 +103,12 @@ LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} t
 TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
 )
+TOO_MANY_FOR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
+)
 LINE_EM = 1.5
+_GREY = 0.55  # of the background in the colour of hidden lines
 _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 _SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
 
@@ -161,7 +177,7 @@ def render(
     if words is WORDS:
         words = Words(view.letters)
     illustration = _illustration(scene, projection, settings)
-    scene = reduced(scene, quality.detail)
+    scene = printed(reduced(scene, quality.detail), style)
     parts: list[Pixels] = []
     for pane, (_, _, *sides) in zip(panes, places, strict=True):
         if progress is not None and not progress(len(parts) / len(panes)):
@@ -240,29 +256,36 @@ def shapes(
     size: Size | tuple[int, int] | None = None,
     transparent: bool = False,
     style: Style = LIGHT,
+    words: Mapping[str, str] = WORDS,
     view: View = AS_EVER,
+    progress: Callable[[float], bool] | None = None,
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
     column: bool = False,
     crop: bool = False,
+    hidden: str = "none",
 ) -> tuple[tuple[float, float], list[Shape]]:
     """Return a figure's size in pixels and its shapes, from the back to the front.
 
     The size is exactly the one asked for; what lies beyond is for the writer to cut off.
 
-    The parameters are those of `render`. A `Refusal` also for too many shapes.
+    The parameters are those of `render`, and one of `HIDDEN`. A `Refusal` also for too many shapes.
     """
     places = _places(projection, panes, size, 1.0, column)
-    style, words = _styled(style, projection, panes, size, text_pt, column), Words(view.letters)
+    style = _styled(style, projection, panes, size, text_pt, column)
+    if words is WORDS:
+        words = Words(view.letters)
     illustration = _illustration(scene, projection, settings)
-    scene = reduced(scene, quality.detail)
+    scene = printed(reduced(scene, quality.detail), style)
     draw = partial(
         _shapes_of_pane, scene=scene, transparent=transparent, style=style, words=words, view=view,
-        quality=quality,
+        quality=quality, hidden=hidden,
     )  # fmt: skip
     found: list[Shape] = []
-    for pane, (left, top, *sides) in zip(panes, places, strict=True):
+    for number, (pane, (left, top, *sides)) in enumerate(zip(panes, places, strict=True)):
+        if progress is not None and not progress(number / len(panes)):
+            raise Cancelled
         size_px, framed = (sides[0], sides[1]), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
@@ -277,12 +300,21 @@ def shapes(
         x, y = (max(0.0, side - CROP_PX) for side in box[:2])
         width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
         found = [moved(shape, -x, -y) for shape in found]
+    if not transparent:  # or a seam would show between panes on a page of another colour
+        page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+        found.insert(0, Area([page], rgb(style.background), 1.0))
     return (width, height), found
 
 
 def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
     """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
-    size, found = shapes(scene, projection, **options)
+    try:
+        size, found = shapes(scene, projection, **options)
+    except Refusal as error:
+        if error.bound != TOO_MANY:
+            raise
+        png = os.path.splitext(os.path.basename(path))[0] + ".png"
+        raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
     write = pdf if path.lower().endswith(".pdf") else svg
     write_bytes_atomically(path, write(found, size, scene.name))
 
@@ -631,14 +663,18 @@ def _shapes_of_pane(
     *,
     scene: Scene,
     framed: bool,
+    hidden: str,
+    style: Style,
     **options: Any,
 ) -> tuple[list[Shape], tuple[float, float]]:
     """A pane's shapes, and where its picture begins and ends in them."""
     factor = _oversampling(size)
     with drawn_pane(
-        pane, scene, projection, illustration, size, framed=framed, finer=factor, **options
-    ) as (window, drawing):
-        return shapes_of(window, factor), _ends(drawing, size, factor)
+        pane, scene, projection, illustration, size, style=style, framed=framed, finer=factor,
+        **options,
+    ) as (window, drawing):  # fmt: skip
+        grey = rgb(mixed(style.ink, style.background, _GREY))
+        return shapes_of(window, factor, hidden, grey), _ends(drawing, size, factor)
 
 
 def _ends(drawing: Drawing, size: tuple[int, int], factor: int) -> tuple[float, float]:

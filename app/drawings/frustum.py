@@ -23,7 +23,7 @@ from app.drawings.actors import Canvas, Space, applied
 from app.drawings.camera import Standing
 from app.drawings.names import QUIET, Names
 from app.drawings.pane_view import PaneView
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis, outline
 from app.lecture.highlight import SIDES, WINDOW
 from app.model.projection import Array, Lens, Projection
 
@@ -97,13 +97,11 @@ class FrustumDrawing:
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
-        def outline(face: tuple[int, ...], colour: str) -> vtkActor:
-            return actors.line_actor(CUBE, [(*face, face[0])], colour, 1.5 * width)
-
         far_face = actors.face_actor(CUBE, [FAR_FACE], style.far, _FAR_TINT)
         walls = actors.face_actor(CUBE, [FACES[side] for side in SIDES], style.frustum, 0.05)
         near_face = actors.face_actor(CUBE, [NEAR_FACE], style.near, _NEAR_TINT)
-        near_line, far_line = outline(NEAR_FACE, style.near), outline(FAR_FACE, style.far)
+        near_line = outline(NEAR_FACE, CUBE, style, dashed=False)
+        far_line = outline(FAR_FACE, CUBE, style, dashed=True)
         self._volume = far_face, walls, near_face, near_line, far_line
         self.space.add(*self._volume)
         self.outlines = {"near": near_line, "far": far_line}

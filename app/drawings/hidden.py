@@ -42,6 +42,8 @@ class Cell:
     place: tuple[int, int]
     """The places of its actor and of itself there: what is drawn later covers what is as near."""
     width: float = 0.0
+    is_thin: bool = False
+    """Whether it is a line of a ground or of a drawing on a plane."""
     plane: tuple[float, float, float] = (0.0, 0.0, 0.0)
     low: tuple[float, float, float] = (0.0, 0.0, 0.0)
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)
@@ -484,6 +486,26 @@ class Hiding:
                             colour = (r, g, b)
                     ends = np.stack([begin + low * (end - begin), begin + high * (end - begin)])
                     yield replace(line, points=ends, colour=colour)
+
+    def behind(self, line: Cell) -> Iterator[Cell]:
+        """Yield the parts of a polyline that are hidden, as long as possible."""
+        chain: list[Array] = []
+        for begin, end in zip(line.points[:-1], line.points[1:], strict=True):
+            parts = (
+                _covered(face, begin.tolist(), end.tolist())
+                for face in self._before(np.stack([begin, end]))
+                if face.is_opaque
+            )
+            marks = [0.0, *(t for ends in _rest([p for p in parts if p]) for t in ends), 1.0]
+            for low, high in zip(marks[::2], marks[1::2], strict=True):
+                if (low > 0.0 or high <= low) and len(chain) > 1:
+                    yield replace(line, points=np.stack(chain))
+                    chain = []
+                if high > low:
+                    chain = chain or [begin + low * (end - begin)]
+                    chain.append(end if high == 1.0 else begin + high * (end - begin))
+        if len(chain) > 1:
+            yield replace(line, points=np.stack(chain))
 
 
 def _covered(

@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkTexturedActor2D
 
-from app.drawings.style import Style, rgb, tone
+from app.drawings.style import Style, rgb
 from app.lessons.text import outline
 from app.model.formula import ARROW
 from app.model.projection import Array
@@ -291,7 +291,7 @@ class Label:
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self._text, self._tone = text, tone(colour or style.ink, style.background)
+        self._text, self._tone = text, style.tone(colour)
         self.size_px = size_px(text, self.em, plain)
         """Width and height of the letters, without the halo."""
         self._drawn: tuple[str, str, bool] | None = None
@@ -332,7 +332,7 @@ class Label:
             self._show()
 
     def set_colour(self, colour: str) -> None:
-        self._set("_tone", tone(colour, self._style.background))
+        self._set("_tone", self._style.tone(colour))
 
     def set_opacity(self, opacity: float) -> None:
         self._opacity = opacity

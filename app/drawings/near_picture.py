@@ -38,6 +38,8 @@ class NearPicture:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
         self.actors = actors.SceneActors(scene, canvas.style, self._planes)
+        for actor in self.actors:
+            actors.flat(actor).is_drawing = True
         self.faces = self.actors.surface
         self.space, self._lines_space, self._ground_space = self.actors.spaces
         canvas.add(*self.actors, layer="near-picture")

@@ -64,7 +64,7 @@ class _Writer:
             seam = _SEAM_PX if shape.opacity >= 1.0 else 0.0
             self._patch(shape.rings, shape.colour, shape.opacity, seam)
         elif isinstance(shape, Stroke):
-            self._line(shape.points, shape.colour, shape.opacity, shape.width)
+            self._line(shape.points, shape.colour, shape.opacity, shape.width, shape.dash)
         elif isinstance(shape, Disc):
             turns = np.linspace(0.0, 2.0 * np.pi, 33)[:-1]
             (x, y), r = shape.centre, shape.radius
@@ -91,7 +91,14 @@ class _Writer:
         )  # fmt: skip
         self._figure.add_artist(patch)
 
-    def _line(self, points: Points, colour: Any, opacity: float, width: float) -> None:
+    def _line(
+        self,
+        points: Points,
+        colour: Any,
+        opacity: float,
+        width: float,
+        dash: tuple[float, float] | None = None,
+    ) -> None:
         from matplotlib.lines import Line2D
 
         x, y = zip(*points, strict=True)
@@ -99,6 +106,9 @@ class _Writer:
             x, y, color=(*colour, opacity), linewidth=width * _PT_PER_PX, zorder=self._above(),
             transform=self._place, solid_capstyle="round", solid_joinstyle="round",
         )  # fmt: skip
+        if dash is not None:  # in widths of the line
+            line.set_linestyle((0.0, [part / width for part in dash]))
+            line.set_dash_capstyle("butt")
         self._figure.add_artist(line)
 
     def _image(self, picture: Picture) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Sequence
 from itertools import pairwise
 from typing import Any, TypeAlias
 
+import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
@@ -23,7 +24,7 @@ from app.drawings.actors import (
 )
 from app.drawings.label import Label
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
-from app.drawings.style import rgb
+from app.drawings.style import Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
 
@@ -38,6 +39,7 @@ FACES = {
 _WIDER, _LARGER = 2.4, 1.7
 _CORNER = 4.5  # widths of a line
 _TINT = 0.22
+_DASHES, _DASH = 16, 0.6  # of an edge of the far plane; share of a dash and its gap
 _POINT_EM, _LINE_EM = 0.65, 0.45  # so near is on it
 
 Spot: TypeAlias = tuple[float, float, float]
@@ -98,8 +100,8 @@ class Emphasis:
         for name, face in FACES.items():
             colour = getattr(style, name, style.accent)
             tint = face_actor(corners, [face], colour, _TINT)
-            outline = line_actor(corners, [(*face, face[0])], colour, _WIDER * style.line_width)
-            for actor in (outline, tint):
+            around = line_actor(corners, [(*face, face[0])], colour, _WIDER * style.line_width)
+            for actor in (around, tint):
                 space.add(actor)
                 self._canvas.add(actor)
                 self.hidden(actor, name)
@@ -155,6 +157,19 @@ class _Mark:
         part = QUIET if quiet else 0.0
         pairs = zip(self._colour, self._paper, strict=True)
         self._property.SetColor(*((1.0 - part) * c + part * p for c, p in pairs))
+
+
+def outline(face: Sequence[int], corners: Array, style: Style, dashed: bool) -> vtkActor:
+    """Return the outline of a face of a view volume; on paper far is dashed, not only blue."""
+    colour = style.far if dashed else style.near
+    points, lines = corners, [(*face, face[0])]
+    if dashed and style.on_paper:
+        begins = corners[[*face]]
+        ends = np.roll(begins, -1, axis=0)
+        at = np.array([(i, i + _DASH) for i in range(_DASHES)]).ravel() / (_DASHES - 1 + _DASH)
+        points = (begins[:, None] + at[:, None] * (ends - begins)[:, None]).reshape(-1, 3)
+        lines = [(i, i + 1) for i in range(0, len(points), 2)]
+    return line_actor(points, lines, colour, 1.5 * style.line_width)
 
 
 def volume_edges(spots: Sequence[Spot]) -> list[Segment]:

@@ -103,6 +103,8 @@ class StageDrawing(Drawing):
         self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
         self._moved = MovedVertices(scene, "projected", drawn.surface)
         self._illustration: Illustration | None = None
+        self._is_gliding = False
+        """Whether `glide` will show and place everything, once for each frame."""
         self._take(scene.start)
         self.reset_view()
 
@@ -121,6 +123,8 @@ class StageDrawing(Drawing):
         self._illustration = illustration
         self._take(projection)
         self._rasterise()
+        if self._is_gliding:
+            return
         self._show_marks()
         # Before the cube the display is scaled to the volume, which may be another one now.
         if (reshaped or self._position < CANONICAL_PERSPECTIVE) and not self.own.was_moved:
@@ -129,7 +133,8 @@ class StageDrawing(Drawing):
     def _take(self, projection: Projection) -> None:
         self._projection = projection
         self._made: Morph | None = None
-        self._show_moment()
+        if not self._is_gliding:
+            self._show_moment()
 
     @property
     def _morph(self) -> Morph:
@@ -155,6 +160,8 @@ class StageDrawing(Drawing):
             return
         was_moved = self.own.was_moved
         self._position = position
+        if self._is_gliding:
+            return
         self._show_moment()
         self._show_marks()
         if not was_moved:
@@ -241,7 +248,7 @@ class StageDrawing(Drawing):
 
     def _place_texts(self, *, afresh: bool = False) -> bool:
         """Place the labels; return whether one has changed its place."""
-        if not self._canvas.labels_light:
+        if self._is_gliding or not self._canvas.labels_light:
             return False
         width_px, height_px = self.own.size_px
         rows, em = self.own.pane_from_display, self._style.font_size
@@ -346,8 +353,12 @@ class StageDrawing(Drawing):
 
     def begin_glide(self, start: Pose) -> None:
         self.own.begin_glide(start)
+        self._is_gliding = True
 
     def glide(self, part: float) -> None:
+        self._show_moment()
+        self._show_marks()
+        self._is_gliding = False
         if self.own.is_turned:
             self.own.go_to_goal()
         else:
@@ -358,6 +369,7 @@ class StageDrawing(Drawing):
             self.own.is_turned = False
         self._canvas.fade_labels(light_of_labels(part))
         self.reset_clipping_range()
+        self._is_gliding = part < 1.0
 
     def show_view(self, view: Camera) -> None:
         self.own.show(view)

@@ -32,7 +32,7 @@ from app.drawings.label_placement import Ground, beyond
 from app.drawings.labels import AXIS, NUMBER, PLANE, Board, vector, want_plane
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis, outline
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
 from app.drawings.style import rgb
 from app.lecture.highlight import AXES, SIDES
@@ -88,8 +88,7 @@ class StageBox:
         ends = {"far": FAR_FACE, "near": NEAR_FACE}
         edges = self._edges = line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
-            name: line_actor(CUBE, [(*face, face[0])], getattr(style, name), 1.5 * width)
-            for name, face in ends.items()
+            name: outline(face, CUBE, style, dashed=name == "far") for name, face in ends.items()
         }
         middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
         self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)

@@ -38,10 +38,16 @@ class Style:
     """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
     all are whole pixels: OpenGL would round others differently in each way of drawing."""
     font_size: float = 15.0  # height of an em
+    on_paper: bool = False
+    """Whether faces that meet differ in lightness, and far is dashed: nothing by hue alone."""
 
     def enlarged(self, factor: float) -> Style:
         """Enlarge text and lines: for a projector's back row, or a finer screen."""
         return replace(self, line_width=self.line_width * factor, font_size=self.font_size * factor)
+
+    def tone(self, colour: str) -> str:
+        """The tone in which a concept's colour, or the ink, is written."""
+        return BLACK if self.on_paper else tone(colour or self.ink, self.background)
 
     def text_on(self, colour: str) -> str:
         """Black or white, whichever has more contrast on a plate of that colour."""
@@ -105,6 +111,34 @@ DARK = Style(
     leader="#8b929a",
     shadow="#7c838c",
 )
+PRINT = replace(
+    LIGHT,
+    margin=WHITE,
+    ink=BLACK,
+    muted="#3c3c3c",
+    near="#8a5a00",
+    far="#1173b8",
+    frustum="#3c3c3c",
+    leader="#6e6e6e",
+    on_paper=True,
+)
+CONTRAST = replace(
+    PRINT,
+    muted=BLACK,
+    near="#7a4300",
+    far="#00468c",
+    u="#8c2d00",
+    v="#00523c",
+    n="#003c78",
+    eye=BLACK,
+    target="#4b4600",
+    frustum=BLACK,
+    accent="#7a1450",
+    leader="#3c3c3c",
+    shadow="#3c3c3c",
+)
+PALETTES = {"screen": LIGHT, "print": PRINT, "dark": DARK, "contrast": CONTRAST}
+"""The colours of figures; text of `print` is black, and nothing of `contrast` is below 7:1."""
 
 _TONES = {
     LIGHT.near: "#8a5a00",

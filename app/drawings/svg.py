@@ -74,7 +74,7 @@ def _kind(shape: Shape) -> object:
     if isinstance(shape, Area):
         return "area", shape.colour, shape.opacity, shape.opacity < 1.0 and id(shape)
     if isinstance(shape, Stroke):
-        return "stroke", shape.colour, shape.opacity, shape.width
+        return "stroke", shape.colour, shape.opacity, shape.width, shape.dash
     return id(shape)
 
 
@@ -122,9 +122,12 @@ def _strokes(strokes: Sequence[Stroke]) -> str:
             chains.append([*stroke.points])
     data = "".join(map(_path, chains))
     first = strokes[0]
+    dash = "" if first.dash is None else (
+        f' stroke-linecap="butt" stroke-dasharray="{" ".join(map(_n, first.dash))}"'
+    )  # fmt: skip
     return (
         f'<path fill="none" stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
-        f' stroke-width="{_n(first.width)}" d="{data}"/>'
+        f' stroke-width="{_n(first.width)}"{dash} d="{data}"/>'
     )
 
 

@@ -21,6 +21,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 
+from app.document.lengths import PX_PER
 from app.drawings.actors import PAPER, FlatActor
 from app.drawings.hidden import Cell, Colour, Hiding, Points, cut, in_order, visible
 from app.drawings.label import Label, LabelActor, Written, piece_of
@@ -28,6 +29,7 @@ from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
 from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
 MOST_CELLS = 50_000
 """More cells than this make a file that no program opens gladly."""
@@ -35,6 +37,13 @@ TOO_MANY = QT_TRANSLATE_NOOP(
     "Refusal", "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: "
     "write it as .png"
 )  # fmt: skip
+
+HIDDEN = ("none", "dashed", "grey")
+"""What becomes of lines that faces hide."""
+_WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0)]
+"""The widths of ISO 128 in pixels, each half of the one after the next."""
+_WIDE = _WIDTHS[2]  # beside lines that are hidden, which are half as wide
+_GROUND = [tuple(level / 255.0 for level in rgb) for rgb in (GRID_RGB, GRID_AXIS_RGB)]
 
 _FRAME = np.array(
     [(0, 0, 1, 1), (0, 0, -1, 1), (1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, 1), (0, -1, 0, 1)],
@@ -58,6 +67,8 @@ class Stroke(NamedTuple):
     colour: Colour
     opacity: float
     width: float
+    dash: tuple[float, float] | None = None
+    """Length of a dash and of a gap in pixels."""
 
 
 class Disc(NamedTuple):
@@ -177,8 +188,12 @@ def _between(points: Points, left: float, right: float, closed: bool) -> Points:
     return [(x, y) for x, y in part[:, :2].tolist()]
 
 
-def shapes_of(window: Any, finer: int) -> list[Shape]:
+def shapes_of(
+    window: Any, finer: int, hidden: str = "none", grey: Colour = (0.6, 0.6, 0.6)
+) -> list[Shape]:
     """Return the shapes of a window that has been drawn, `finer` times as large as the figure.
+
+    What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (`HIDDEN`).
 
     Raises
     ------
@@ -189,15 +204,16 @@ def shapes_of(window: Any, finer: int) -> list[Shape]:
     found: list[Shape] = []
     for renderer in sorted(window.GetRenderers(), key=lambda each: each.GetLayer()):
         if renderer.GetDraw():
-            found += _Pane(renderer, height, finer).shapes(window)
+            found += _Pane(renderer, height, finer, hidden, grey).shapes(window)
     return found
 
 
 class _Pane:
     """One renderer: its camera, and its rectangle in the window."""
 
-    def __init__(self, renderer: Any, height: int, finer: int) -> None:
+    def __init__(self, renderer: Any, height: int, finer: int, hidden: str, grey: Colour) -> None:
         self._renderer, self._height, self._finer = renderer, height, finer
+        self._hidden, self._grey = hidden, grey
         self._left, self._low = renderer.GetOrigin()
         self._wide, self._high = renderer.GetSize()
         camera, aspect = renderer.GetActiveCamera(), renderer.GetTiledAspectRatio()
@@ -271,9 +287,10 @@ class _Pane:
         limits = np.array([_plane(planes.GetItem(i)) for i in range(count)]).reshape(-1, 4)
         properties = actor.GetProperty()
         by_cell, rgba = _colours(mapper, mesh)
-        depth, lift, paper = None, 0.0, None
+        depth, lift, paper, is_drawing = None, 0.0, None, False
         if isinstance(actor, FlatActor):
             depth, lift, paper = actor.depth, actor.lift, actor.paper
+            is_drawing = actor.is_drawing
         clip = world @ self._clip.T
         clip[:, 2] -= lift * clip[:, 3]
         if depth is not None:
@@ -298,9 +315,11 @@ class _Pane:
         ):
             for cell in _cells(array):
                 colour, opacity = properties.GetColor(), properties.GetOpacity()
+                is_thin = is_drawing
                 if rgba is not None:
                     own = (rgba[number if by_cell else cell[-1]] / 255.0).tolist()
                     colour, opacity = tuple(own[:3]), opacity * (own[3] if len(own) > 3 else 1.0)
+                    is_thin |= colour in _GROUND
                 number += 1
                 if paper is not None:
                     r, g, b = (c + PAPER * (p - c) for c, p in zip(colour, paper, strict=True))
@@ -320,7 +339,7 @@ class _Pane:
                                 part = cut(part, side, kind is faces)
                         points = self._on_screen(part[part[:, 3] > 0.0, :4])
                     if len(points) >= (3 if kind is faces else 2 if kind is lines else 1):
-                        kind.append(Cell(points, colour, opacity, (place, number), width))
+                        kind.append(Cell(points, colour, opacity, (place, number), width, is_thin))
 
     def _on_screen(self, clip: Array) -> Array:
         """Clip coordinates, (n, 4), as pixels from left and bottom, and depth, (n, 3)."""
@@ -338,7 +357,7 @@ class _Pane:
         points += self._left + x, self._low + y
         properties = actor.GetProperty()
         colour, opacity = properties.GetColor(), properties.GetOpacity()
-        width = properties.GetLineWidth() / self._finer
+        width = self._width(properties.GetLineWidth())
         for cell in _cells(mesh.GetLines()):
             yield Stroke(self._placed(points[cell].tolist()), colour, opacity, width)
         for cell in _cells(mesh.GetPolys()):
@@ -359,16 +378,38 @@ class _Pane:
         for face, rings in visible(faces):
             yield Area([self._placed(ring) for ring in rings], face.colour, face.opacity)
         hiding = Hiding(faces)
+        if self._hidden != "none":
+            yield from self._behind(hiding, lines)
         strokes = [piece for line in lines for piece in hiding.seen(line)]
         # Of lines in the same place, the one that is lifted most is seen.
-        strokes.sort(key=lambda each: -float(each.points[:, 2].sum()))
+        strokes.sort(key=lambda each: (not each.is_thin, -float(each.points[:, 2].sum())))
         for stroke in strokes:
-            width = stroke.width / self._finer
+            width = self._width(stroke.width, 0.0 if stroke.is_thin else _WIDE)
             yield Stroke(self._placed(stroke.points.tolist()), stroke.colour, stroke.opacity, width)
         for point in points:
             if not hiding.hides(point):
                 (centre,) = self._placed(point.points[:1].tolist())
                 yield Disc(centre, point.width / 2.0 / self._finer, point.colour, point.opacity)
+
+    def _behind(self, hiding: Hiding, lines: list[Cell]) -> Iterator[Stroke]:
+        """What is hidden of lines; a ground's would cover what matters."""
+        for line in lines:
+            for part in () if line.is_thin else hiding.behind(line):
+                points = self._placed(part.points.tolist())
+                if self._hidden == "grey":
+                    yield Stroke(points, self._grey, line.opacity, _WIDTHS[0])
+                    continue
+                # ISO 128: a narrow line is half as wide, a dash 12 of its widths and a gap 3.
+                narrow = _WIDTHS[_WIDTHS.index(self._width(line.width, _WIDE)) - 2]
+                dash = 12.0 * narrow, 3.0 * narrow
+                yield Stroke(points, line.colour, line.opacity, narrow, dash)
+
+    def _width(self, width: float, least: float = 0.0) -> float:
+        """A line's width in pixels of the figure; beside dashed lines, the nearest of ISO 128."""
+        width /= self._finer
+        if self._hidden != "dashed":
+            return width
+        return min(_WIDTHS, key=lambda each: abs(each - max(width, least)))
 
 
 def _is_shaded(actor: Any) -> bool:

@@ -30,6 +30,8 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
+from app.drawings.style import PALETTES
+from app.drawings.vectors import HIDDEN
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (
@@ -1052,6 +1054,7 @@ def test_the_help_names_what_exists() -> None:
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
     assert options.SPACES == SPACES
+    assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     for form in options.PROJECT_FORMATS:
@@ -1244,7 +1247,7 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
     clear = export(tmp_path / "clear.png", by_hand, "--size=96x32", "--transparent")
     assert clear.shape == (32, 96, 4) and clear[..., 3].min() == 0
     light = export(tmp_path / "light.png", by_hand, "--size=96x32")
-    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--theme", "dark")
+    dark = export(tmp_path / "dark.png", by_hand, "--size=96x32", "--palette", "dark")
     assert np.median(dark) < 100 < 200 < np.median(light)
 
 
@@ -1253,7 +1256,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     assert (tmp_path / "a.PDF").read_bytes().startswith(b"%PDF-")
     out = tmp_path / "figure.svg"
-    done = run_here("export", out, by_hand, "--panes=world,ndc", "--theme=dark", "--transparent")
+    done = run_here("export", out, by_hand, "--panes=world,ndc", "--palette=dark", "--transparent")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     tree = ElementTree.parse(out).getroot()
     assert tree.get("viewBox") == "0 0 1280 640" and tree.get("width") == "108.37mm"
@@ -1290,7 +1293,8 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
-        (["figure.png", "--theme", "pink"], "--theme = 'pink': must be one of light, dark"),
+        (["figure.png", "--hidden=grey"], "--hidden: is for .svg and .pdf"),
+        (["figure.png", "--palette=pink"], "must be one of screen, print, dark, contrast"),
         ([], "export takes OUT [FILE], and 0 names were given"),
     ],
 )

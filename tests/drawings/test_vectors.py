@@ -235,7 +235,7 @@ SIDE = 200
 """Of a window for actors in clip coordinates, in pixels."""
 
 
-def drawn(*actors: Any, finer: int = 1) -> list[vectors.Shape]:
+def drawn(*actors: Any, finer: int = 1, hidden: str = "none") -> list[vectors.Shape]:
     """The shapes of actors that a pane shows through the identity."""
 
     class Layout:
@@ -248,7 +248,7 @@ def drawn(*actors: Any, finer: int = 1) -> list[vectors.Shape]:
         screen.renderer.SetActiveCamera(identity_camera())
         canvas.add(*actors)
         screen.render_window.Render()
-        found = shapes_of(screen.render_window, finer)
+        found = shapes_of(screen.render_window, finer, hidden)
         canvas.remove()
     return found
 
@@ -286,6 +286,30 @@ def test_a_line_ends_where_a_face_hides_it_and_is_tinted_behind_a_translucent_on
     assert sorted({shape.colour for shape in tinted if isinstance(shape, Stroke)}) == [
         (0.0, 0.0, 0.0), (0.25, 0.0, 0.0)
     ]  # fmt: skip
+
+
+def test_what_is_hidden_of_a_line_is_dashed_or_grey() -> None:
+    face = quad([0.0] * 4, "#ff0000")  # from pixel 50 to pixel 150
+    around = [(-0.8, 0.2, 0.5), (0.1, 0.2, 0.5), (0.1, 0.8, 0.5)]
+    ground = line_actor([(-0.8, 0.0, 0.5), (0.8, 0.0, 0.5)], [(0, 1)], "#9e9e9e", 2.0)
+    ground.is_drawing = True
+    actors = [face, line_actor(around, [(0, 1, 2)], "#0000ff", 4.0), ground]
+    none = [shape for shape in drawn(*actors) if isinstance(shape, Stroke)]
+    assert {(shape.width, shape.dash) for shape in none} == {(4.0, None), (2.0, None)}
+    mm = 300 / 25.4
+    grey = [s for s in drawn(*actors, hidden="grey") if isinstance(s, Stroke)]
+    assert len(grey) == len(none) + 1
+    assert (grey[0].colour, grey[0].width, grey[0].dash) == ((0.6,) * 3, 0.13 * mm, None)
+    first, *others = [s for s in drawn(*actors, hidden="dashed") if isinstance(s, Stroke)]
+    # One chain round the corner, before what is seen, in the narrow line of its group of ISO 128.
+    assert np.allclose(first.points, [(50, 80), (110, 80), (110, 50)], atol=0.01)
+    assert first.width == pytest.approx(0.18 * mm) and first.colour == (0.0, 0.0, 1.0)
+    assert first.dash == pytest.approx((12 * 0.18 * mm, 3 * 0.18 * mm))
+    assert {round(s.width / mm, 2) for s in others} == {0.35, 0.18}
+    assert not any(s.dash for s in others)
+    text = svg([first], (100, 100), "t").decode()
+    assert 'stroke-dasharray="25.51 6.38"' in text
+    assert re.search(rb"\[ ?6.1\d* 1.5\d* ?\] 0 d", b"".join(streams_of(pdf([first], (9, 9), "t"))))
 
 
 def colour_at(found: list[vectors.Shape], x: float, y: float) -> tuple[float, float, float]:

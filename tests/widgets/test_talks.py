@@ -1054,6 +1054,10 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
+    named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 590.0, 680.0, 5.0)]
+    question.show_text("How wide is what the camera sees at this distance?\n\n" * 4, 600.0)
+    place = question.geometry()
+    assert 200 < place.height() <= 300 and place.left() > 680, "rather high than over a name"
 
 
 def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow) -> None:

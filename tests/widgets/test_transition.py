@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -52,6 +53,11 @@ view.slide=image
 view.slide=ndc
 lens.near=2
 ```
+---
+# Seven {#seven}
+```state
+view.compare=near: lens.near=2|nearer: lens.near=1
+```
 ```note
 minutes: 1
 ```
@@ -75,6 +81,11 @@ def camera_of(window: MainWindow) -> np.ndarray:
     """Place and focus of the world pane's own camera."""
     camera = window.panes["world"].canvas.renderer.GetActiveCamera()
     return np.array([*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()])
+
+
+def old_of(window: MainWindow) -> Any:
+    """The picture of the step before, over the slide."""
+    return next(each for each in window.slide.children() if type(each).__name__ == "_Old")
 
 
 def light_of(window: MainWindow) -> float:
@@ -126,11 +137,11 @@ def test_another_scene_fades(window: MainWindow) -> None:
     canvas.drawn.connect(lambda: drawn.append(canvas.height()))
     assert window.lessons.go(3) and window.lessons.is_moving
     assert drawn[-1] == canvas.height() < before.shape[0], "drawn in its place, above the strip"
-    old = next(each for each in window.slide.children() if type(each).__name__ == "_Old")
-    assert old.isVisible() and old.size() == window.slide.size()  # type: ignore[attr-defined]
+    old = old_of(window)
+    assert old.isVisible() and old.size() == window.slide.size()
     arrive(window.lessons)
     settle()
-    assert not old.isVisible()  # type: ignore[attr-defined]
+    assert not old.isVisible()
     assert not np.array_equal(pixels(window), before)
 
 
@@ -143,6 +154,8 @@ def test_the_model_does_not_move_under_a_picture_that_fades(window: MainWindow) 
     drawn = window.panes["ndc"].shown
     tick(window.lessons, TRANSITION_S / 2.0)
     assert window.panes["ndc"].shown is drawn
+    arrive(window.lessons)
+    assert window.lessons.go(6) and old_of(window).isVisible(), "pictures beside each other"
     arrive(window.lessons)
 
 

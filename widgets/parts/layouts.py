@@ -1,10 +1,10 @@
-"""Functions that make rows and columns of widgets."""
+"""Functions that make rows and columns of widgets, and paint them at once."""
 
 from __future__ import annotations
 
 from typing import TypeAlias, TypeVar
 
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -98,3 +98,10 @@ def scrolled(inside: QWidget, name: str) -> QScrollArea:
     area.setAccessibleName(name)
     FocusRing(area)
     return area
+
+
+def paint_now(widget: QWidget) -> None:
+    """Give everything its place, and paint it before the function returns."""
+    for _ in range(2):  # the stage strip has other rows in another width
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+    widget.repaint()

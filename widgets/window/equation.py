@@ -132,7 +132,7 @@ class EquationSlide(QWidget):
         self._screen_px = 1.0
         self._is_asked = False
         self.cells: list[QRectF] = []
-        """Where the cells that are not 0 were painted."""
+        """Where the cells were painted; of a 0 its digit alone."""
         self._readable = Readable(self, self._fill, lambda: self._is_asked)
         self.hide()
 
@@ -325,8 +325,9 @@ class EquationSlide(QWidget):
                 cell = QRectF(x, y, width, height)
                 glyphs = laid.cells[row][column]
                 letters = [name for _, name, _ in glyphs.parts]
-                if laid.term.matrix.values[row][column]:
-                    self.cells.append(cell)
+                digit = QRectF(0.0, 0.0, em * glyphs.width, em)
+                digit.moveCenter(cell.center())
+                self.cells.append(cell if laid.term.matrix.values[row][column] else digit)
                 colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
                 left = cell.center().x() - em * glyphs.width / 2.0
                 base = cell.center().y() + em * (glyphs.ascent - glyphs.descent) / 2.0

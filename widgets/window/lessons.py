@@ -224,6 +224,7 @@ class Lessons(QObject):
         elif self._store.look().panes != self._arrived:
             self._look_from(self._arrived)
         self.stepped.emit()
+        self._set_off()
         return True
 
     def next(self) -> bool:
@@ -267,6 +268,7 @@ class Lessons(QObject):
         )
         fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
+        self._set_off()
 
     def _shown_at(self, place: int) -> Shown:
         """Return what a step shows: its own state, or that of its exercise."""
@@ -305,7 +307,9 @@ class Lessons(QObject):
         panes = self._panes
         moves, fades = panes is None or panes.is_wanted, False
         if moves and panes is not None:
-            slides = ((view.slide, view.large, view.equation) for view in (look, end.view))
+            slides = (
+                (view.slide, view.large, view.equation, view.compare) for view in (look, end.view)
+            )
             fades = panes.begin(cuts=not same or len(set(slides)) > 1)
         # Nobody would see the model move under a picture that fades.
         if moves and not fades and transition.can_move(start, end):
@@ -340,9 +344,15 @@ class Lessons(QObject):
             self._to_stage(self._stages[0])
             if panes is not None:
                 panes.go(0.0)
-                panes.paint()
             self._clock.start()
         return True
+
+    def _set_off(self) -> None:
+        """Paint the beginning of the way, and let the time begin after that."""
+        if self._clock.running:
+            if self._panes is not None:
+                self._panes.paint()
+            self._clock.start()
 
     def _move(self, seconds: float) -> None:
         self._part = min(1.0, self._part + seconds / TRANSITION_S)

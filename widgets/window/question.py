@@ -18,14 +18,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QWidget
 
 from app.lessons.text import plain_of
+from widgets.parts.layouts import paint_now
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
 
 SHARES = 1.0 / 3.0, 0.5
-"""Largest heights of the question, in those of the slide: the second if the text needs it."""
-WIDTHS = 0.45, 0.6, 0.8, 1.0
+"""Largest heights of the question, in those of the slide: the second if the text needs it, or if
+the first hides a name."""
+WIDTHS = 0.3, 0.45, 0.6, 0.8, 1.0
 """Largest widths that are tried, in those of the slide."""
-PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0)
+PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0), (0.5, 0.0)
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)
 """Sizes of the letters, in heights of the screen: the largest are preferred."""
@@ -56,6 +58,8 @@ class Question(QFrame):
         self.setAccessibleName(plain_of(text))
         set_text(self._document, text, palette=self.palette())
         self.setVisible(bool(text))
+        if text:
+            paint_now(self._slide)  # names have their places once they are drawn
         self.place()
         self.raise_()
 
@@ -67,14 +71,15 @@ class Question(QFrame):
         tried = []
         for letters, widest in product(range(len(LETTERS)), WIDTHS):
             size, whole = self._lay_out(letters, widest)
-            level = next((at for at, s in enumerate(SHARES) if whole <= s * room.height()), 2)
+            level = sum(whole > share * room.height() for share in SHARES)
             free = room.width() - size.width(), room.height() - size.height()
             for order, (across, down) in enumerate(PLACES):
                 place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
                 hidden = sum(place.intersects(each.toAlignedRect()) for each in named)
                 area = size.width() * size.height()
-                tried.append(((level, hidden, letters, area, order), place, widest))
-        (_, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
+                cost = level == len(SHARES), hidden, level, letters, area, order
+                tried.append((cost, place, widest))
+        (_, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
         self._lay_out(letters, widest)
         self.setGeometry(place)
         self.update()

@@ -11,10 +11,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QRect, Qt
+from PySide6.QtCore import QObject, QRect, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QWidget
 
+from widgets.parts.layouts import paint_now
 from widgets.parts.motion import system_reduces_motion
 from widgets.window.look import Look
 from widgets.window.settings import Settings
@@ -110,12 +111,8 @@ class Transition(QObject):
         return bool(ways) or moves
 
     def paint(self) -> None:
-        """Paint the beginning now: what takes long is done before the way begins.
-
-        First everything has its place, or the panes would be drawn again in another size.
-        """
-        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
-        self._slide.repaint()
+        """Paint the beginning now: what takes long is done before the way begins."""
+        paint_now(self._slide.window())
 
     def go(self, part: float) -> None:
         """Show a part of the way, 0 to 1."""
