@@ -192,6 +192,9 @@ def test_formulas_are_copied_and_read_out_as_tex(qtbot: Any) -> None:
     text.selectAll()
     assert text.createMimeDataFromSelection().text() == r"See $x_p$ $y$, and $\frac{1}{2}$."
     assert text.accessibleName() == r"See x_p y, and \frac{1}{2}."
+    text.say("| $a$ | $b$, |\n|---|---|\n| $c$ | 2 |")
+    text.selectAll()
+    assert text.createMimeDataFromSelection().text().split() == ["$a$", "$b$,", "$c$", "2"]
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
 
 

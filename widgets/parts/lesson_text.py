@@ -69,6 +69,8 @@ ROOM_EM = 0.06
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
 """Characters without width: a line may break at the first, but not at the second."""
 _PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
+_ENDS = FORMULA, DISPLAYED, "\ufdd0", "\ufdd1", "\0"
+"""What ends the word behind a formula, besides spaces: another one, or a table's cell."""
 LIST_EM = 0.55
 """Half the indent of a list: Qt indents by two units."""
 STYLE = """
@@ -137,7 +139,7 @@ def _tail(document: QTextDocument, place: int) -> str:
     own = after.charFormat()
     while len(tail) < LONGEST_TAIL:
         letter = _at(document, place + len(tail))
-        if letter.isspace() or letter in (FORMULA, DISPLAYED):
+        if letter.isspace() or letter in _ENDS:
             break
         after.setPosition(place + len(tail) + 1)
         if after.charFormat() != own:
@@ -349,6 +351,6 @@ class LessonText(QTextEdit):
             letter = cast(Any, self.document()).characterAt(place)
             words += f"${tex}${tail}" if letter == "\ufffc" and tex else letter
         data.setText(
-            words.replace("\u2029", "\n").translate(dict.fromkeys(map(ord, MAY_BREAK + NO_BREAK)))
+            words.translate(str.maketrans("\u2029\ufdd0\ufdd1", "\n\t\n", MAY_BREAK + NO_BREAK))
         )
         return data
