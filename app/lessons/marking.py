@@ -14,7 +14,7 @@ import unicodedata
 from fractions import Fraction
 from typing import NamedTuple
 
-from app.lessons.quantities import RATIONAL
+from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -132,7 +132,7 @@ def read(text: str, unit: str = "") -> Typed:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
     plain, factor = _without_unit(text, _with_brackets(text, _in_one_line(text)), unit)
     if not plain:
-        raise Refusal("answer", text, EMPTY)
+        raise Refusal.in_document(EMPTY, field="answer", value=text.strip() or ...)
     found = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if found is None:
         value = _value(text, plain)
@@ -220,6 +220,9 @@ def _value(text: str, plain: str) -> Fraction:
         found = parse(plain.removeprefix("+"))
     except Refusal as error:
         at = int(str(error.limits[-1])) - 1
+        for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
+            if word not in FUNCTIONS and word != "pi":
+                raise Refusal("answer", text, NO_LETTER, word) from error
         rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
         raise Refusal("answer", text, *rest) from error
     for letter in found.letters:

@@ -127,14 +127,15 @@ def test_a_converted_number_keeps_its_digits() -> None:
         )),
         *((text, "", f"; {name} is neither a number nor a unit") for text, name in (
             ("abc", "abc"), ("nan", "nan"), ("inf", "inf"), ("0x10", "x10"), ("2n/3", "n"),
-            ("foo(2)", "foo"),
+            ("foo(2)", "foo"), ("about 60", "about"),
         )),
     ],
 )  # fmt: skip
 def test_another_unit_or_no_number_is_refused(text: str, unit: str, said: str) -> None:
     with pytest.raises(Refusal) as caught:
         marking.read(text, unit)
-    assert said in str(caught.value) and str(caught.value).startswith("answer = ")
+    begin = "answer = " if text.strip() else "answer must be a number"
+    assert said in str(caught.value) and str(caught.value).startswith(begin)
 
 
 @pytest.mark.parametrize(

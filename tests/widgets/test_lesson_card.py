@@ -1188,6 +1188,19 @@ Which number is twice the distance of the near plane from the eye?
 hint: The near plane is {=w} away from the eye.
 why: It is twice {=w}.
 ```
+
+---
+# Prediction {#prediction}
+```predict
+The near plane goes to 2. Which number is twice the distance of the near plane from the eye then?
+- [x] 4 := 2*near
+- [ ] 6 := 3*near
+  says: That is three times the distance, and three times is one half more than twice, always.
+- [ ] 8 := 4*near
+  says: That is four times.
+show: lens.near=2
+why: Twice the distance is the distance and the distance again, so it is 4 for a distance of 2.
+```
 """
 
 
@@ -1267,14 +1280,27 @@ def test_every_response_is_seen_whole_and_announced(
             assert "Hint" in response(f"hint {of}")
             press(KEY.Key_A, ALT)
             assert response(f"shown {of}") and view.answer == f"1 {TOLD}"
+            card.room_wanted.emit(30)
             view.go_on()
             come_to_rest(window)
+            assert size > 1.0 or side.sizes() == before, "the numbers are new, and so is the room"
             heard.clear()
             answer(view, right=True)
-            assert response(f"right {of}") and view.answer.startswith("2 ")
+            said_last = response(f"right {of}")
+            assert view.answer.startswith("2 "), of
+            if not isinstance(view.asked, Tries):  # the way, besides its reason
+                way = plain_of(view.asked.question.solution(view.variant.here))
+                assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()
             assert side.sizes() == before, "the controls are as high as before where they are used"
+        go_to(window.lessons, 5)
+        (view,) = card.blocks
+        view.findChildren(QRadioButton)[1].click()
+        side.setSizes([view.height() + 220, 400])  # less than what is said below needs
+        settle()
+        view.commit()
+        assert "Twice the distance is" in response(f"prediction {size}")
     finally:
         QApplication.setFont(own)
         application.setProperty("frustumLabFontSize", own.pointSizeF())

@@ -41,6 +41,7 @@ topic: {0}
 scene=letter-f
 view.panel=matrices
 ```
+Angles go from bottom to top.
 """
 HINTED = f"```exercise wide\n{WIDE}hint: Take the tangent.\nwhy: The tangent grows faster.\n```\n"
 SET = """```exercise set
@@ -110,6 +111,7 @@ def test_a_test_is_taken_by_keyboard_alone(
     given = {}
     for place in range(3):
         (view,) = card.blocks
+        assert "Angles go from bottom to top." in texts(card), "what the step says before it"
         assert window.store.document == view.variant.here.document
         assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
         name, here, question = view.block.name, view.variant.here, view.variant.question

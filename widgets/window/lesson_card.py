@@ -104,7 +104,7 @@ class LessonCard(QFrame):
     test_left = Signal()
     """A test was closed before its end; its answers are kept."""
     room_wanted = Signal(int)
-    """How many pixels of height a response lacks; 0 once the step is left."""
+    """How many pixels of height a response lacks; 0 once the step is left, or has new numbers."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -154,6 +154,11 @@ class LessonCard(QFrame):
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
         parts = head, self._marks, (self._area, 1), self._notice, self._foot()
         in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
+        self._speaker: BlockView | None = None
+        """The block whose response is not shown yet."""
+        # Not `QTimer.singleShot`, which comes before Qt shows the widgets that are added meanwhile.
+        self._speaking = QTimer(self, singleShot=True, interval=0)
+        self._speaking.timeout.connect(self._reveal)
         self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
@@ -404,14 +409,20 @@ class LessonCard(QFrame):
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
             view.posed.connect(self._pose)
-            view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
+            view.spoke.connect(partial(self._hear, view))
             self.blocks.append(view)
             self._column.addWidget(view)
 
-    def _reveal(self, block: BlockView) -> None:
+    def _hear(self, block: BlockView) -> None:
+        """Remember which block responds; the rest of its response may follow."""
+        self._speaker = block
+        self._speaking.start()
+
+    def _reveal(self) -> None:
         """Show a response: with its question if there is room, else all of it, or its beginning."""
         self._show_hint()
-        if block not in self.blocks or not block.said:
+        block, self._speaker = self._speaker, None
+        if block is None or block not in self.blocks or not block.said:
             return
         _settle_layout()
         missing = block.height() + 2 * MARGIN_PX - self._area.viewport().height()
@@ -512,6 +523,7 @@ class LessonCard(QFrame):
 
     def _pose(self, document: Document) -> None:
         self._hide()  # before it is seen
+        self.room_wanted.emit(0)
         self._lessons.pose(document)
 
     # -- navigation
