@@ -132,6 +132,17 @@ def topics() -> Mapping[str, Course]:
     return {lesson.topics[0]: Course(lesson) for lesson in lessons if lesson.topics}
 
 
+def practised(names: Iterable[str]) -> dict[str, Course]:
+    """Return the lessons of all topics, and those of one's own with these names that are there."""
+    found = dict(topics())
+    own = {course.name for course in found.values()}
+    for name in sorted(set(names) - own):
+        course = course_named(name)
+        if course is not None and course.name == name and any(exercises_of(course)):
+            found[Path(name).stem] = course
+    return found
+
+
 def find(key: tuple[str, str]) -> Found | None:
     """Return the exercise of a record's key; None if its lesson no longer has it."""
     course = course_named(key[0])

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -648,6 +648,9 @@ scene=letter-f
 vary near: 0.5..4 step 0.1
 Set near to {=near}.
 until: near = near_wanted
+why: Near is ${=near}$.
+right: lens.near={=near}
+wrong look-n: near = near_wanted + 1
 ```
 """
 )
@@ -711,9 +714,14 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     enter(window.controls.rows["near"].field, str(wanted + 0.5))
     come_to_rest(window)
     assert "Show the answer" in buttons(task), "after a wrong try"
-    assert task.asked.task.solution(task.variant.here) == (
-        f"$\\mathrm{{near}} = \\mathrm{{near}}_{{\\mathrm{{wanted}}}} = {wanted:g}$"
-    )
+    enter(window.controls.rows["near"].field, str(wanted + 1))
+    come_to_rest(window)
+    idea = "n is where I look"
+    assert idea not in texts(task)
+    task.asked.rest()
+    come_to_rest(window)
+    assert idea in texts(task) and "Show it" in buttons(task)
+    task.asked.rest()
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
@@ -727,6 +735,9 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert task.answer == f"1 {DONE}" and not task.is_open
     attempts = window.record.read()
     said, done = [each[1:] for each in attempts], attempts[-1]
+    assert [each.idea for each in attempts if each.exercise == "widths/set"] == ["look-n", ""], (
+        "the idea is named once"
+    )
     assert said[:3] == [
         (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
         (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
@@ -1161,6 +1172,7 @@ Bring the near plane to the distance {=w} from the eye.
 until: near = w
 hint: The near plane can be dragged in the world, or typed in the dock.
 done: The plane is where the picture begins.
+why: It is the distance of the plane, {=w}.
 ```
 
 ---
@@ -1203,11 +1215,13 @@ def test_every_response_is_seen_whole_and_announced(
     path = tmp_path / "feedback.md"
     path.write_text(KINDS_OF_ANSWER, encoding="utf-8")
     own = QApplication.font()
-    large = QFont(own)
+    large, application = QFont(own), cast(QApplication, QApplication.instance())
     large.setPointSizeF(size * own.pointSizeF())
     QApplication.setFont(large)
+    application.setProperty("frustumLabFontSize", large.pointSizeF())  # from which it makes its own
     try:
         window = make_window(drawn=False)
+        assert window.font() == large
         window.resize(1366, 768)
         activate(window)
         card, side = window.lesson_card, window.side
@@ -1289,6 +1303,7 @@ def test_every_response_is_seen_whole_and_announced(
         assert "Twice the distance is" in response(f"prediction {size}")
     finally:
         QApplication.setFont(own)
+        application.setProperty("frustumLabFontSize", own.pointSizeF())
 
 
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
@@ -1303,7 +1318,16 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
     assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
     assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)
     tabs[0].actionInterface().doAction(tabs[0].actionInterface().actionNames()[0])
     assert window.lessons.place == 0 and tabs[0].state().selected
+    mixed = lesson.with_name("mixed.md")
+    begun = KINDS_OF_ANSWER.replace("# Number", "# Words\nRead them.\n\n---\n# Number", 1)
+    mixed.write_text(begun, encoding="utf-8")
+    card.open(mixed)
+    settle()
+    names = [role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)]
+    assert names[-5:-3] == ["Step 2, practice: Number", "Step 3, practice: Matrix"]
+    assert "Step 1: Words" in names and texts(card).count("Practice") == 1
