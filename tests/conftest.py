@@ -94,6 +94,14 @@ def nothing_left() -> Iterator[None]:
         assert left < MOST_WIDGETS, f"{left} widgets outlive their tests"
 
 
+@pytest.fixture
+def few_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Check enough variants to find a fault of every exercise; ``lesson check`` tries more."""
+    from app.lessons.blocks import exercise
+
+    monkeypatch.setattr(exercise, "SEEDS", exercise.LEAST_VARIANTS + 4)
+
+
 @pytest.fixture(scope="session")
 def qapp_cls() -> type:
     """The application class for pytest-qt, after what must precede the first window."""

@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
-from app.lessons.blocks import KINDS, exercise
+from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.task import Task
@@ -760,10 +760,8 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
 
 
-def test_the_card_says_every_kind_of_mistake(
-    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(exercise, "SEEDS", 40)
+@pytest.mark.usefixtures("few_seeds")
+def test_the_card_says_every_kind_of_mistake(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(drawn=False, shown=False)
     path = tmp_path / "mistakes.md"
     path.write_text(RIGHT_LESSON, encoding="utf-8")
