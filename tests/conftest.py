@@ -168,10 +168,10 @@ def make_window(
 
 @pytest.fixture
 def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
-    """A window on the letter F as it opens, at rest."""
+    """A window on the letter F as it opens, at rest; empty panes for a test that is `undrawn`."""
     from tests.support.window import settle
 
-    window = make_window()
+    window = make_window(drawn=request.node.get_closest_marker("undrawn") is None)
     settle()
     yield window
     request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought
