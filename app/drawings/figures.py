@@ -40,7 +40,17 @@ from app.drawings.side_by_side import BARE_EM, panes_in, places_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style, mixed, rgb
 from app.drawings.svg import svg
-from app.drawings.vectors import Area, Shape, Stroke, Text, box_of, moved, shapes_of, within
+from app.drawings.vectors import (
+    TOO_MANY,
+    Area,
+    Shape,
+    Stroke,
+    Text,
+    box_of,
+    moved,
+    shapes_of,
+    within,
+)
 from app.drawings.world import WorldDrawing
 from app.model.projection import LARGEST_IMAGE_PX, Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
@@ -92,6 +102,10 @@ LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to
 LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
 TEXT = QT_TRANSLATE_NOOP(
     "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
+)
+TOO_MANY_FOR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
 )
 LINE_EM = 1.5
 _GREY = 0.55  # of the background in the colour of hidden lines
@@ -242,7 +256,9 @@ def shapes(
     size: Size | tuple[int, int] | None = None,
     transparent: bool = False,
     style: Style = LIGHT,
+    words: Mapping[str, str] = WORDS,
     view: View = AS_EVER,
+    progress: Callable[[float], bool] | None = None,
     settings: Mapping[str, Any] | None = None,
     quality: Quality = AUTOMATIC,
     text_pt: float | None = None,
@@ -257,7 +273,9 @@ def shapes(
     The parameters are those of `render`, and one of `HIDDEN`. A `Refusal` also for too many shapes.
     """
     places = _places(projection, panes, size, 1.0, column)
-    style, words = _styled(style, projection, panes, size, text_pt, column), Words(view.letters)
+    style = _styled(style, projection, panes, size, text_pt, column)
+    if words is WORDS:
+        words = Words(view.letters)
     illustration = _illustration(scene, projection, settings)
     scene = printed(reduced(scene, quality.detail), style)
     draw = partial(
@@ -265,7 +283,9 @@ def shapes(
         quality=quality, hidden=hidden,
     )  # fmt: skip
     found: list[Shape] = []
-    for pane, (left, top, *sides) in zip(panes, places, strict=True):
+    for number, (pane, (left, top, *sides)) in enumerate(zip(panes, places, strict=True)):
+        if progress is not None and not progress(number / len(panes)):
+            raise Cancelled
         size_px, framed = (sides[0], sides[1]), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
@@ -280,12 +300,21 @@ def shapes(
         x, y = (max(0.0, side - CROP_PX) for side in box[:2])
         width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
         found = [moved(shape, -x, -y) for shape in found]
+    if not transparent:  # or a seam would show between panes on a page of another colour
+        page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+        found.insert(0, Area([page], rgb(style.background), 1.0))
     return (width, height), found
 
 
 def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
     """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
-    size, found = shapes(scene, projection, **options)
+    try:
+        size, found = shapes(scene, projection, **options)
+    except Refusal as error:
+        if error.bound != TOO_MANY:
+            raise
+        png = os.path.splitext(os.path.basename(path))[0] + ".png"
+        raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
     write = pdf if path.lower().endswith(".pdf") else svg
     write_bytes_atomically(path, write(found, size, scene.name))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
@@ -21,7 +22,7 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.files import read, write
-from app.document.lengths import DPI
+from app.document.lengths import DPI, Size
 from app.document.view import View
 from app.drawings.figures import render
 from app.drawings.style import Style
@@ -38,6 +39,7 @@ from tests.support.window import (
     settle,
     turn,
 )
+from widgets.parts.combo import Combo
 from widgets.window.export_dialog import ExportChoice, ExportDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import data_folder
@@ -334,6 +336,9 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     assert (np.asarray(Image.open(out)) == again).all()
     window.pictures.copy()
     assert QApplication.clipboard().mimeData().hasImage()
+    drawn = ExportChoice(("ndc",), Size(2, 2, "cm"), 1.0, False, hidden="grey", ending="svg")
+    assert window.pictures.export(tmp_path / "a.svg", drawn)
+    assert 'width="20mm"' in (tmp_path / "a.svg").read_text()
 
 
 def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:
@@ -343,13 +348,25 @@ def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: Make
     letters = names["Height of the letters in points"]
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
     assert letters.text() == "5.6" and dialog.choice().text_pt is None
-    names["Height in pixels"].setText("300")
+    names["Height of the picture"].setText("300")
     assert letters.text() == "2.8", "as usual for the size"
     letters.selectAll()
     QTest.keyClicks(letters, "7,5")
     assert dialog.choice().text_pt == 7.5 and save.isEnabled()
-    names["Height in pixels"].setText("600")
+    names["Height of the picture"].setText("600")
     assert letters.text() == "7,5", "what was typed stays"
+    combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
+    combos["mm"].setCurrentIndex(1)
+    assert dialog.choice().size == Size(152.4, 50.8, "mm") and save.isEnabled()
+    for name in ("SVG", "dashed", "for print", "in a column"):
+        combos[name].setCurrentIndex(1)
+    asked = dialog.choice()
+    assert asked[5:] == (True, "print", "dashed", False, "svg") and asked.text_pt == 7.5
+    again = ExportDialog(
+        {n: pane.name for n, pane in window.panes.items()}, (640, 360), window,
+        kept=json.loads(json.dumps(dialog.kept)),
+    )  # fmt: skip
+    assert again.choice() == asked
     for wrong in ("0", "-1", "1e9", "nan", "big", ""):
         letters.selectAll()
         QTest.keyClick(letters, Qt.Key.Key_Delete)

@@ -49,6 +49,7 @@ from app.bootstrap import ROOT
 from app.document.codec import picture_json
 from app.document.document import Document
 from app.document.files import UNWRITABLE, extract, read, write
+from app.document.lengths import Size
 from app.drawings.figures import png_bytes, render
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
@@ -706,15 +707,16 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow)
     window = make_window(shown=False)
     dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
-    problem, scale = dialog.findChild(WarningLabel), dialog.findChild(Combo)
-    width = named(dialog, QLineEdit, "Width in pixels")
+    problem = dialog.findChild(WarningLabel)
+    (scale,) = (each for each in dialog.findChildren(Combo) if each.itemText(0) == "1 ×")
+    width = named(dialog, QLineEdit, "Width of the picture")
     panes = {box.text(): box for box in dialog.findChildren(QCheckBox)}
     assert save.isEnabled()
     for box in panes.values():
         box.setChecked(False)
     assert not save.isEnabled() and problem.text()
     panes["Image"].setChecked(True)
-    assert dialog.choice() == ExportChoice(("image",), (640, 360), 1.0, False)
+    assert dialog.choice() == ExportChoice(("image",), Size(640, 360), 1.0, False)
     no_number, too_large = "must be whole numbers", "width = 1e400: must be a whole number"
     for text, part in (("1_800", no_number), ("\uff11", no_number), ("1e3", no_number),
                        ("", no_number), ("9" * 5000, no_number), ("9" * 400, too_large),
@@ -727,7 +729,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow)
     width.selectAll()
     QTest.keyClicks(width, "777")
     panes["World"].setChecked(True)
-    assert dialog.choice().size == (777, 360), "a typed size stays"
+    assert dialog.choice().size == Size(777, 360), "a typed size stays"
 
 
 def test_a_number_of_400_digits_is_refused_in_a_sentence() -> None:

@@ -1,11 +1,13 @@
-"""The dialog that asks for a picture's panes, size, scale and background."""
+"""The dialog that asks what a picture shows, how large, in which colours, and as which file."""
 
 from __future__ import annotations
 
 import re
-from typing import NamedTuple
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
 
-from PySide6.QtCore import QSignalBlocker
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtGui import QPixmap, QShowEvent
 from PySide6.QtWidgets import (
     QCheckBox,
     QDialog,
@@ -15,7 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.lengths import DPI
+from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figures import checked_size, checked_text
 from app.model.refusal import Refusal
@@ -26,16 +28,25 @@ from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import Label, set_tip
 
+ENDINGS = ("png", "svg", "pdf")
+_PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
+_PAUSE_MS = 300  # after the last change, before the preview is drawn
+
 
 class ExportChoice(NamedTuple):
-    """The user's choice; the picture has ``size * scale`` pixels."""
+    """The user's choice; the picture has ``size * scale`` pixels, if its format has any."""
 
     panes: tuple[str, ...]
-    size: tuple[int, int]
+    size: Size | tuple[int, int]
     scale: float
     transparent: bool
     text_pt: float | None = None
     """None for letters of the usual size."""
+    column: bool = False
+    palette: str = "screen"
+    hidden: str = "none"
+    crop: bool = False
+    ending: str = "png"
 
 
 class ExportDialog(QDialog):
@@ -47,53 +58,110 @@ class ExportDialog(QDialog):
         Translated pane titles by name.
     image_size : (int, int)
         Size of the model's image, the default size of a picture of the image pane alone.
+    draw : callable, optional
+        Returns the preview of a choice, at most as large as a size in pixels; a `Refusal` if there
+        is none.
+    kept : mapping, optional
+        The last choice, as `kept` returned it.
     """
 
     def __init__(
-        self, titles: dict[str, str], image_size: tuple[int, int], parent: QWidget | None = None
+        self,
+        titles: dict[str, str],
+        image_size: tuple[int, int],
+        parent: QWidget | None = None,
+        draw: Callable[[ExportChoice, QSize], QPixmap] | None = None,
+        kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export a picture"))
-        self._image_size = image_size
+        self._image_size, self._draw, self._unit = image_size, draw, "px"
         self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
-        letters, tip = (
+        self._ending = self._combo(
+            self.tr("The file's format; SVG and PDF have shapes and text instead of pixels"),
+            {ending.upper(): ending for ending in ENDINGS},
+        )
+        self._column = self._combo(
+            self.tr("Whether the panes stand beside or below each other"),
+            {self.tr("in a row"): False, self.tr("in a column"): True},
+        )
+        self._column.currentIndexChanged.connect(self._panes_changed)
+        self._width = self._field("1800", self.tr("Width of the picture"))
+        self._height = self._field("600", self.tr("Height of the picture"))
+        self._units = self._combo(
+            self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI),
+            {unit: unit for unit in ("px", "mm", "cm", "in")},
+        )
+        self._units.currentIndexChanged.connect(self._unit_changed)
+        self._text = self._field(
+            "",
             self.tr("Height of the letters in points"),
             self.tr(
                 "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
-            ),
+            ).format(DPI),
         )
-        self._width = self._field("1800", self.tr("Width in pixels"))
-        self._height = self._field("600", self.tr("Height in pixels"))
-        self._text = self._field("", letters, tip.format(DPI))
-        self._scale = Combo()
-        set_tip(
-            self._scale,
-            self.tr("Draws the same figure with more pixels; text and lines scale with it"),
+        self._palette = self._combo(
+            self.tr("In print, faces and lines that differ in colour differ in grey, too"),
+            {
+                self.tr("as on the screen"): "screen",
+                self.tr("for print"): "print",
+                self.tr("dark"): "dark",
+                self.tr("most contrast"): "contrast",
+            },
         )
-        for factor in (1, 2, 3, 4):
-            self._scale.addItem(f"{factor} ×", float(factor))
-        self._scale.currentIndexChanged.connect(self._check)
-        self._background = Combo()
-        self._background.addItem(self.tr("white"), False)
-        self._background.addItem(self.tr("transparent"), True)
+        self._hidden = self._combo(
+            self.tr("What becomes of lines behind faces, in SVG and PDF"),
+            {
+                self.tr("left out"): "none",
+                self.tr("dashed"): "dashed",
+                self.tr("grey"): "grey",
+            },
+        )
+        self._scale = self._combo(
+            self.tr("Draws the same PNG with more pixels; text and lines scale with it"),
+            {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)},
+        )
+        self._background = self._combo(
+            self.tr("What is behind the picture"),
+            {self.tr("filled"): False, self.tr("transparent"): True},
+        )
+        self._crop = QCheckBox(self.tr("C&rop to the content"))
+        set_tip(self._crop, self.tr("Leaves a margin of 2 mm around what is drawn"))
+        self._crop.toggled.connect(self._check)
         self._problem = WarningLabel()
+        self._preview = Label("")
+        self._preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._preview.setAccessibleName(self.tr("Preview"))
+        self._preview.setWordWrap(True)
+        em = self.fontMetrics().height()
+        self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
+        self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
+        self._timer.timeout.connect(self._show_preview)
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout()
-        size = in_row(self._width, Label("×"), self._height, Label(self.tr("px")))
+        form.addRow(self.tr("&Format"), self._ending)
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
+        form.addRow(self.tr("&Arranged"), self._column)
+        size = in_row(self._width, Label("×"), self._height, self._units)
         form.addRow(self.tr("Size"), size)
-        form.addRow(self.tr("Letters (pt)"), self._text)
-        form.addRow(self.tr("Scale"), self._scale)
-        form.addRow(self.tr("Background"), self._background)
-        in_column(form, self._problem, self._buttons, on=self)
+        form.addRow(self.tr("&Letters (pt)"), self._text)
+        form.addRow(self.tr("C&olours"), self._palette)
+        form.addRow(self.tr("&Hidden lines"), self._hidden)
+        form.addRow(self.tr("Scal&e"), self._scale)
+        form.addRow(self.tr("&Background"), self._background)
+        form.addRow("", self._crop)
+        in_column(in_row(form, (self._preview, 1)), self._problem, self._buttons, on=self)
+        self._take(kept or {})
         self._check()
+        hint, room = self.sizeHint(), self.screen().availableSize()
+        self.resize(min(hint.width() + round(_WIDER_EM * em), room.width() - 2 * em), hint.height())
 
     def _field(self, text: str, name: str, tip: str = "") -> QLineEdit:
         field = QLineEdit(text)
@@ -102,34 +170,114 @@ class ExportDialog(QDialog):
         field.textChanged.connect(self._check)
         return field
 
+    def _combo(self, tip: str, values: Mapping[str, object]) -> Combo:
+        combo = Combo()
+        set_tip(combo, tip)
+        for text, value in values.items():
+            combo.addItem(text, value)
+        combo.currentIndexChanged.connect(self._check)
+        return combo
+
     @property
     def _panes(self) -> tuple[str, ...]:
         return tuple(name for name, box in self._boxes.items() if box.isChecked())
 
+    @property
+    def _combos(self) -> dict[str, Combo]:
+        return {
+            "ending": self._ending, "column": self._column, "unit": self._units,
+            "palette": self._palette, "hidden": self._hidden, "scale": self._scale,
+            "transparent": self._background,
+        }  # fmt: skip
+
+    @property
+    def kept(self) -> dict[str, Any]:
+        """What the next dialog begins with."""
+        typed = {
+            name: field.text() if field.isModified() else ""
+            for name, field in (("width", self._width), ("height", self._height))
+        }
+        text = self._text.text() if self._text.isModified() else ""
+        chosen = {name: combo.currentData() for name, combo in self._combos.items()}
+        return chosen | typed | {"panes": self._panes, "crop": self._crop.isChecked(), "text": text}
+
+    def _take(self, kept: Mapping[str, Any]) -> None:
+        """Show a choice that was kept; nothing of it needs to be possible."""
+        for name, combo in self._combos.items():
+            combo.setCurrentIndex(max(0, combo.findData(kept.get(name))))
+        panes = kept.get("panes")
+        if isinstance(panes, (list, tuple)) and set(panes) & set(PANES):
+            for name, box in self._boxes.items():
+                box.setChecked(name in panes)
+        self._crop.setChecked(kept.get("crop") is True)
+        for name, field in (
+            ("width", self._width), ("height", self._height), ("text", self._text)
+        ):  # fmt: skip
+            text = kept.get(name)
+            if isinstance(text, str) and 0 < len(text) < 20:
+                with QSignalBlocker(field):
+                    field.setText(text)
+                field.setModified(True)
+
     def choice(self) -> ExportChoice:
         """Return the current choice; it is valid once the dialog is accepted."""
-        text = self._text
+        text, ending = self._text, self._ending.currentData()
+        number = _whole if self._unit == "px" else self._length
         return ExportChoice(
             self._panes,
-            (_whole(self._width.text()), _whole(self._height.text())),
-            float(self._scale.currentData()),
+            Size(number(self._width.text()), number(self._height.text()), self._unit),
+            float(self._scale.currentData()) if ending == "png" else 1.0,
             bool(self._background.currentData()),
             parse_number(self.tr("Letters"), text.text()) if text.isModified() else None,
+            bool(self._column.currentData()),
+            str(self._palette.currentData()),
+            "none" if ending == "png" else str(self._hidden.currentData()),
+            self._crop.isChecked(),
+            str(ending),
         )
+
+    def _length(self, text: str) -> float:
+        return parse_number(self.tr("Size"), text)
 
     def _panes_changed(self) -> None:
         width, height = 600 * max(1, len(self._panes)), 600
+        if self._column.currentData():
+            width, height = height, width
         if self._panes == ("image",):
             width, height = self._image_size
         if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
-            self._width.setText(str(width))
-            self._height.setText(str(height))
+            self._show_size(float(width), float(height))
         self._check()
 
+    def _unit_changed(self) -> None:
+        """Write the same size in another unit."""
+        former, self._unit = self._unit, str(self._units.currentData())
+        try:
+            sides = [float(each.text().replace(",", ".")) for each in (self._width, self._height)]
+        except ValueError:
+            sides = []
+        if sides:
+            self._show_size(*(side * PX_PER[former] for side in sides))
+        self._check()
+
+    def _show_size(self, width_px: float, height_px: float) -> None:
+        for field, side in ((self._width, width_px), (self._height, height_px)):
+            was_modified = field.isModified()
+            with QSignalBlocker(field):
+                field.setText(
+                    f"{round(side / PX_PER[self._unit], 0 if self._unit == 'px' else 2):g}"
+                )
+            field.setModified(was_modified)
+
     def _check(self) -> None:
+        has_pixels = self._ending.currentData() == "png"
+        self._scale.setEnabled(has_pixels)
+        self._hidden.setEnabled(not has_pixels)
         problem = self._find_problem()
         self._problem.setText(problem)
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
+        if self.isVisible():
+            self._timer.start()
 
     def _find_problem(self) -> str:
         """Say why this figure is impossible; otherwise show its default text size."""
@@ -138,8 +286,8 @@ class ExportDialog(QDialog):
         try:
             choice = self.choice()
             figure = self._image_size, choice.panes, choice.size
-            checked_size(*figure, choice.scale)
-            text_pt = checked_text(*figure, choice.text_pt)
+            checked_size(*figure, choice.scale, choice.column)
+            text_pt = checked_text(*figure, choice.text_pt, choice.column)
         except Refusal as error:
             return sentence(error)
         except ValueError:
@@ -148,6 +296,23 @@ class ExportDialog(QDialog):
             with QSignalBlocker(self._text):
                 self._text.setText(f"{text_pt:.2g}")
         return ""
+
+    # -- preview
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._timer.start()
+
+    def _show_preview(self) -> None:
+        if self._draw is None or self._find_problem():
+            return
+        try:
+            picture = self._draw(self.choice(), self._preview.size() * self.devicePixelRatioF())
+        except Refusal as error:
+            self._preview.setText(sentence(error))
+            return
+        picture.setDevicePixelRatio(self.devicePixelRatioF())
+        self._preview.setPixmap(picture)
 
 
 def _whole(text: str) -> int:

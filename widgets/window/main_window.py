@@ -202,8 +202,9 @@ class MainWindow(QMainWindow):
             name: Cursor(name, pane, self.manipulation) for name, pane in self.panes.items()
         }
         self.pictures = Pictures(
-            self, self.messages, lambda: self.store.seen, self.files.scene, titles, self.look.words
-        )
+            self, self.messages, lambda: self.store.seen, self.files.scene, titles,
+            self.look.words, settings,
+        )  # fmt: skip
         self.menus = Actions(
             self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
             panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,

@@ -4,26 +4,31 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from PySide6.QtCore import QByteArray, QMimeData, QObject, Signal
-from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext
+from PySide6.QtCore import QByteArray, QMimeData, QObject, QSize, QSizeF, Qt, Signal
+from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext, QPainter, QPixmap
 from PySide6.QtWidgets import QMainWindow
 
 from app.document.codec import picture_json
 from app.document.document import Document
-from app.model.refusal import Cancelled, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
-from widgets.parts import palette
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
+from widgets.window.settings import Settings
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import Pixels
     from widgets.window.export_dialog import ExportChoice
+
+
+MOST_IN_PREVIEW = 200_000
+"""Triangles of a scene that is drawn anew for each change of the dialog."""
+NO_PREVIEW = QT_TRANSLATE_NOOP("Refusal", "There is no preview of {0} triangles.")
 
 
 def image_of(pixels: Pixels) -> QImage:
@@ -48,6 +53,8 @@ class Pictures(QObject):
         The panes' translated titles by name.
     words : mapping
         The drawings' words in the window's language.
+    settings : Settings
+        Keeps the last choice.
     """
 
     told = Signal(str)
@@ -61,8 +68,10 @@ class Pictures(QObject):
         scene: Callable[[str, str], Scene],
         titles: dict[str, str],
         words: Mapping[str, str],
+        settings: Settings,
     ) -> None:
         super().__init__(window)
+        self._settings = settings
         self._window, self._messages = window, messages
         self._seen, self._scene = seen, scene
         self._titles, self._words = titles, words
@@ -72,22 +81,70 @@ class Pictures(QObject):
         from widgets.window.export_dialog import ExportDialog
 
         size = self._seen().projection.image_size
-        dialog = ExportDialog(self._titles, size, self._window)
+        kept = self._settings.export
+        dialog = ExportDialog(self._titles, size, self._window, self._preview, kept)
         if dialog.exec() != ExportDialog.DialogCode.Accepted:
             return
-        path = self._where(self.tr("Export a picture"))
+        self._settings.export = dialog.kept
+        choice = dialog.choice()
+        path = self._where(self.tr("Export a picture"), choice.ending)
         if path is not None:
-            self.export(path, dialog.choice())
+            self.export(path, choice)
 
-    def _where(self, title: str) -> Path | None:
+    def _where(self, title: str, ending: str = "png") -> Path | None:
         """Ask for a file; None if the user cancels."""
-        kinds = self.tr("PNG pictures (*.png)")
-        path = ask_where(self._window, title, "frustum-lab.png", kinds, ".png")
+        kinds = self.tr("{0} pictures (*.{1})").format(ending.upper(), ending)
+        path = ask_where(self._window, title, f"frustum-lab.{ending}", kinds, f".{ending}")
         return Path(path) if path else None
 
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; return False if that fails or the user cancels it."""
-        return self._write(path, lambda document: self._draw(document, choice), choice.scale)
+        if choice.ending == "png":
+            return self._write(path, lambda document: self._draw(document, choice), choice.scale)
+        from app.drawings.figures import write_shapes
+
+        document = self._seen()
+
+        def write() -> None:
+            options = self._options(document, choice)
+            scene = self._scene(document.scene, document.mesh)
+            with progress(self._window, self.tr("Drawing the picture")) as tell:
+                write_shapes(
+                    str(path), scene, document.projection, hidden=choice.hidden, progress=tell,
+                    **options,
+                )  # fmt: skip
+
+        return self._try(write, self.tr("Exported {0}").format(path))
+
+    def _preview(self, choice: ExportChoice, room: QSize) -> QPixmap:
+        """Draw a choice with as few pixels as a preview has."""
+        from PySide6.QtSvg import QSvgRenderer
+
+        from app.document.lengths import Size
+        from app.drawings.figures import render, shapes
+        from app.drawings.svg import svg
+
+        document = self._seen()
+        scene = self._scene(document.scene, document.mesh)
+        if scene.triangles > MOST_IN_PREVIEW:
+            raise Refusal.saying(NO_PREVIEW, scene.triangles)
+        options = self._options(document, choice) | {"transparent": False}
+        if choice.hidden != "none":
+            size, found = shapes(scene, document.projection, hidden=choice.hidden, **options)
+            picture = QImage(room, QImage.Format.Format_RGB32)
+            picture = picture.scaled(
+                QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
+            )
+            picture.fill(Qt.GlobalColor.white)
+            painter = QPainter(picture)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            QSvgRenderer(QByteArray(svg(found, size, scene.name))).render(painter)
+            painter.end()
+            return QPixmap.fromImage(picture)
+        width, height = Size(*choice.size).px
+        scale = min(1.0, room.width() / width, room.height() / height)
+        pixels = render(scene, document.projection, scale=scale, **options)
+        return QPixmap.fromImage(image_of(pixels))
 
     def _write(self, path: Path, draw: Callable[[Document], Pixels], scale: float = 1.0) -> bool:
         from app.drawings.figures import write_png
@@ -142,25 +199,24 @@ class Pictures(QObject):
     def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
         from app.drawings.figures import render
 
+        options = self._options(document, choice)
+        scene = self._scene(document.scene, document.mesh)
+        with progress(self._window, self.tr("Drawing the picture")) as tell:
+            return render(scene, document.projection, scale=choice.scale, progress=tell, **options)
+
+    def _options(self, document: Document, choice: ExportChoice) -> dict[str, Any]:
+        """What all formats are drawn with; call it just before drawing."""
+        from app.drawings.style import PALETTES
+
         current = QOpenGLContext.currentContext()
         if current is not None:  # otherwise VTK may use Qt's context as its own
             current.doneCurrent()
-        with progress(self._window, self.tr("Drawing the picture")) as tell:
-            return render(
-                self._scene(document.scene, document.mesh),
-                document.projection,
-                view=document.view,
-                settings=document.settings,
-                quality=document.quality,
-                panes=choice.panes,
-                size=choice.size,
-                scale=choice.scale,
-                transparent=choice.transparent,
-                text_pt=choice.text_pt,
-                style=palette.drawing_style(dark=False, screen_px=0.0, device_pixel_ratio=1.0),
-                words=self._words,
-                progress=tell,
-            )
+        return {
+            "view": document.view, "settings": document.settings, "quality": document.quality,
+            "panes": choice.panes, "size": choice.size, "transparent": choice.transparent,
+            "text_pt": choice.text_pt, "column": choice.column, "crop": choice.crop,
+            "style": PALETTES[choice.palette], "words": self._words,
+        }  # fmt: skip
 
 
 def _pixels(image: QImage) -> Pixels:

@@ -238,6 +238,8 @@ class Settings:
     """Pairs of screens whose primary one the class sees."""
     notes_px = _Kept("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
+    export = _Kept[dict[str, Any]]("export", lambda text: _json(text, dict), {}, json.dumps)
+    """The last choice in the dialog for pictures."""
     geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
     """The window's geometry in Qt's format; None before the first time."""
     recent = _Kept[list[str]]("recent", _paths, [], json.dumps, shared=True)
