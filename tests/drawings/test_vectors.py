@@ -146,6 +146,12 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
 
 
+def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None:
+    ring = [(1.0, 1.0), (9.0, 1.0), (9.0, 9.0), (1.0, 9.0)]
+    areas = [Area([ring], (0.0, 0.0, 0.0), 1.0), Area([ring[::-1]], (0.0, 0.0, 0.0), 1.0)]
+    assert (raster(svg(areas, (10, 10), "t").decode(), (10, 10))[2:8, 2:8] < 1.0).all()
+
+
 @pytest.mark.parametrize(
     ("label", "said"),
     [
@@ -239,6 +245,21 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
     assert panes_in((600, 1200), [None, 2.0], column=True) == [(0, 0, 600, 771), (0, 771, 600, 429)]
     # The pane beside it keeps three quarters of an equal share.
     assert panes_in((800, 800), [None, 2.0]) == [(0, 0, 300, 800), (300, 0, 500, 800)]
+
+
+def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
+    text = "near n ="
+    pieces = laid(text).pieces
+    written = vectors.Written(
+        text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
+    )
+    drawn = b"".join(streams_of(pdf([Text(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
+    number = rb"(-?[\d.]+)"
+    lines = re.findall(number + rb" cm\nBT\n(.*?)ET", drawn, re.DOTALL)
+    ups = [re.findall(number + b" " + number + rb" Td", part)[0][1] for _, part in lines]
+    assert len(lines) >= 3 and any(float(up) > 0.1 for up in ups), "as matplotlib raises them"
+    heights = [float(line) + float(up) for (line, _), up in zip(lines, ups, strict=True)]
+    assert heights == pytest.approx([40.0 * 0.24] * len(heights), abs=0.01)
 
 
 def test_a_pdf_has_each_shape_at_its_place() -> None:
