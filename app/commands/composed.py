@@ -10,6 +10,8 @@ from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
+from app.lessons.blocks.block import of_kind
+from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal
@@ -148,10 +150,12 @@ def measure() -> Measure:
 
 
 def states_of(course: Course, place: int) -> list[Document]:
-    """What a step shows, and then the states that its predictions show."""
+    """What a step shows, then its predictions, and an exercise with its first numbers."""
     here = course.at(place)
     states = [part.show for part in here.step.parts if part.show is not None]
-    return [here.document, *map(here.shown_by, states)]
+    exercises = of_kind(here.step.blocks, Exercise)
+    drawn = [exercise.variant(here, 1).here.document for exercise in exercises]
+    return [here.document, *map(here.shown_by, states), *drawn]
 
 
 def taken(

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, NamedTuple
 from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.options import CliError, write_out
 from app.document.files import write_bytes_atomically
-from app.lessons.blocks.exercise import LARGEST_SEED, Exercise
-from app.lessons.course import AtStep, Course, contained, file_of
+from app.lessons.blocks.exercise import LARGEST_SEED
+from app.lessons.course import Course, contained, file_of
 from app.lessons.lesson import read
+from app.lessons.practice import Found, exercises_of
 
 if TYPE_CHECKING:
     from widgets.program.exam import Numbered
@@ -25,11 +26,10 @@ MOST_TESTS = 500
 
 
 class Posed(NamedTuple):
-    """An exercise of a test, in its step."""
+    """An exercise of a test, and the title of its lesson."""
 
     title: str
-    here: AtStep
-    exercise: Exercise
+    found: Found
 
 
 def print_tests(found: argparse.Namespace) -> int:
@@ -42,11 +42,11 @@ def print_tests(found: argparse.Namespace) -> int:
     posed, left_out = list[Posed](), list[str]()
     for topic, path in topics.items():
         exercises = list(_exercises(topic, path))
-        on_paper = [each for each in exercises if each.exercise.is_on_paper]
+        on_paper = [each for each in exercises if each.found.exercise.is_on_paper]
         if not on_paper:
             raise CliError(f"--topics = {topic!r}: has no exercise that can be solved on paper.")
         posed += on_paper
-        left_out += (f"{e.title}, {e.exercise.name}" for e in exercises if e not in on_paper)
+        left_out += (f"{topic}, {e.found.here.step.title}" for e in exercises if e not in on_paper)
     name = "-".join(topics)
     folder = _folder(found.out)
     outs = [os.path.join(folder, f"test-{name}-{seed:0{digits}}.pdf") for seed in seeds]
@@ -120,11 +120,8 @@ def _folder(out: str) -> str:
 
 def _exercises(topic: str, path: os.PathLike[str]) -> Iterator[Posed]:
     course = Course(read(path))
-    title = f"{topic}: {course.lesson.title}"
-    for place, step in enumerate(course.lesson.steps):
-        for part in step.asked:
-            if isinstance(part, Exercise):
-                yield Posed(title, course.at(place), part)
+    for found in exercises_of(course):
+        yield Posed(f"{topic}: {course.lesson.title}", found)
 
 
 def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
@@ -132,8 +129,13 @@ def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
     from widgets.program.exam import Numbered
 
     return [
-        Numbered(title, exercise.variant(here, seed), exercise.hides)
-        for title, here, exercise in posed
+        Numbered(
+            title,
+            [part.text for part in found.words],
+            found.exercise.variant(found.here, seed),
+            found.exercise.hides,
+        )
+        for title, found in posed
     ]
 
 

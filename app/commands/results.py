@@ -21,6 +21,8 @@ from app.strangers import printable
 
 MOST_LISTED = 40
 """Most answers without an idea that are listed."""
+LONGEST_SAID = 70
+"""Most characters of what a lesson says to an idea of its own."""
 COLUMNS = (
     "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
     "right", "note",
@@ -53,7 +55,7 @@ def results(found: argparse.Namespace, files: Sequence[str]) -> int:
 def _rows(
     file: str, student: Results, answers: Iterable[Marked], marker: Marker
 ) -> Iterator[Sequence[object]]:
-    for attempt, word, right in answers:
+    for attempt, word, right, _ in answers:
         mark = word if word in (RIGHT, SHOWN, "") else WRONG
         notes = []
         if not word:
@@ -81,12 +83,19 @@ def _csv(rows: Iterable[Sequence[object]]) -> bytes:
     return text.getvalue().encode("utf-8-sig")
 
 
+def _idea(answer: Marked) -> tuple[str, str] | None:
+    """Return what names a wrong idea: its lesson, if only that knows it, and its name."""
+    if answer.word in (RIGHT, SHOWN, WRONG, ""):
+        return None
+    return answer.attempt.lesson if answer.says else "", answer.word
+
+
 def _summary(students: Sequence[Sequence[Marked]]) -> Iterator[str]:
     """Yield the counts of a class, its wrong ideas, and what no idea explained."""
     answers = [each for student in students for each in student]
     words = Counter(each.word for each in answers)
-    ideas = {each for each in words if each not in (RIGHT, SHOWN, WRONG, "")}
-    wrong = words[WRONG] + sum(words[idea] for idea in ideas)
+    ideas = Counter(key for key in map(_idea, answers) if key is not None)
+    wrong = words[WRONG] + ideas.total()
     yield (
         f"{len(students)} files, {len(answers)} answers: {words[RIGHT]} right, {wrong} wrong, "
         f"{words[SHOWN]} shown, {words['']} not marked"
@@ -99,14 +108,18 @@ def _summary(students: Sequence[Sequence[Marked]]) -> Iterator[str]:
         yield f"{changed} marks differ from those in the files"
     if ideas:
         yield "Wrong ideas (answers, students):"
-    for idea in sorted(ideas, key=lambda name: (-words[name], name)):
-        count = sum(any(each.word == idea for each in student) for student in students)
+    for key in sorted(ideas, key=lambda each: (-ideas[each], each)):
+        count = sum(any(_idea(each) == key for each in student) for student in students)
+        lesson, idea = key
         known = idea_named(idea)
         title = f"  {known.title}" if known is not None else ""
-        yield f"{words[idea]:>5} {count:>4}  {idea}{title}"
+        if lesson:
+            says = next(each.says for each in answers if _idea(each) == key)
+            idea, title = f"{lesson}: {idea}", f"  {says[:LONGEST_SAID]}"
+        yield f"{ideas[key]:>5} {count:>4}  {idea}{title}"
     unexplained = Counter(
         (a.lesson, a.exercise, a.seed, a.typed, right)
-        for a, word, right in answers
+        for a, word, right, _ in answers
         if word == WRONG and a.typed
     )
     if unexplained:

@@ -62,6 +62,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     },
     "003": {  # e is its focal length
         **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
+        "fov": "β", "fov_x": "\u03b1",
     },
     "004": {
         **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",

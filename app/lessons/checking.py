@@ -13,11 +13,14 @@ from pathlib import Path
 
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
-from app.lessons.blocks.block import Trial, of_kind
+from app.lessons.blocks.block import Asked, Here, Trial, of_kind
 from app.lessons.blocks.exercise import Exercise
+from app.lessons.blocks.question import Question
+from app.lessons.blocks.task import Task
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
+from app.lessons.record import WRONG
 from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -34,6 +37,8 @@ TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
     "Refusal", "is step {0} with an exercise; the limit of a lesson is {1}"
 )
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
+
+NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
 
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
 NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
@@ -97,9 +102,13 @@ def _check(course: Course, trial: Trial) -> None:
         _check_texts(step, trial)
         if is_possible:  # nothing can be computed from an impossible state
             _check_view(course, place, trial)
+            before = len(trial.wrong)
             for block in step.blocks:
                 with trial.kept():
                     block.check(course.at(place), trial)
+            for part in step.asked if len(trial.wrong) == before else ():
+                with trial.kept():
+                    _check_asked(part, step, course.at(place), trial)
 
 
 def _count(steps: Sequence[Step], trial: Trial) -> None:
@@ -156,6 +165,24 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
             trial.complain(refused(number, NO_LINKS, value=link[0][:60]))
         elif html is not None:
             trial.complain(refused(number, NO_HTML, value=html[0][:60]))
+
+
+def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
+    """Report a solution that cannot be typeset, and a wrong idea that no sample acts on."""
+    question: Asked = part
+    if isinstance(part, Exercise):
+        variant = part.variant(here, 1)
+        question, here = variant.question, variant.here
+    if isinstance(question, Question):
+        for tex in formulas_in(question.solution(here)):
+            problem = _problem_of_tex(tex)
+            if problem:
+                trial.complain(refused(question.key[1], NOT_TEX, problem, value=tex))
+    elif isinstance(question, Task):
+        words = {sample.verdict for sample in step.samples if sample.block == part.name}
+        for wrong in question.wrong:
+            if (wrong.idea or WRONG) not in words:
+                trial.complain(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
 
 
 def _problem_of_tex(tex: str) -> str:

@@ -14,7 +14,7 @@ import unicodedata
 from fractions import Fraction
 from typing import NamedTuple
 
-from app.lessons.quantities import RATIONAL
+from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -38,6 +38,9 @@ TOO_LARGE = QT_TRANSLATE_NOOP(
 )
 OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
 NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
+AMBIGUOUS = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a number; {0} may be {1} or {2}: write the brackets"
+)
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
 
 SIGN = QT_TRANSLATE_NOOP("Refusal", "The size is right, but the sign is wrong.")
@@ -61,7 +64,7 @@ _SAME = str.maketrans({"−": "-", "·": "*", "∙": "*", "\u22c5": "*", "\u2044
 _DEGREE = str.maketrans("º˚", "°°")
 """Signs on keyboards that look like the one of degrees."""
 _REWRITTEN = (
-    (re.compile(r"\barc(?=sin|cos|tan)"), "a"),
+    (re.compile(r"(?<![a-z])arc(?=sin|cos|tan)"), "a"),
     (re.compile(rf"(?:√|sqrt) *({_DECIMAL})"), r"sqrt(\1)"),
     (re.compile("√"), "sqrt"),
     (re.compile("π"), "pi"),
@@ -75,6 +78,17 @@ _REWRITTEN = (
     (re.compile(r"(?<=[0-9)]) *(?=[a-z(])"), "*"),
 )
 """What people write, and the same in the language of formulas."""
+
+_OF_ANGLES = r"(?<![a-z])(?:sin|cos|tan|cot)"
+_BARE = re.compile(
+    rf"({_OF_ANGLES}|(?<![a-z])a(?:rc)?(?:sin|cos|tan)) *([-+]? *{_DECIMAL}(?:e[-+]?[0-9]+)?)"
+)
+"""A function without brackets and its number; what may follow it and belong to it or not."""
+_DEGREES = re.compile(r" *(?:°|deg(?:rees?)?(?![a-z]))")
+_MAY_BELONG = re.compile(
+    rf" *(?!(?:[*/] *)?-? *(?:a|arc)?(?:sin|cos|tan|cot))"
+    rf"([*/^] *-? *|)({_DECIMAL}(?:/{_DECIMAL})?|pi|π|\([^()]*\)|sqrt|√)"
+)
 
 _NUMBER, _ANGLE, _LENGTH, _UNIT, _PIXEL = "number", "angle", "length", "units", "px"
 _UNITS: dict[str, tuple[str, Fraction]] = {
@@ -116,9 +130,9 @@ def read(text: str, unit: str = "") -> Typed:
     """
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
-    plain, factor = _without_unit(text, _in_one_line(text), unit)
+    plain, factor = _without_unit(text, _with_brackets(text, _in_one_line(text)), unit)
     if not plain:
-        raise Refusal("answer", text, EMPTY)
+        raise Refusal.in_document(EMPTY, field="answer", value=text.strip() or ...)
     found = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if found is None:
         value = _value(text, plain)
@@ -148,6 +162,37 @@ def _in_one_line(text: str) -> str:
     return re.sub(r"^([-+]?)10 *\^", r"\g<1>1*10^", text)
 
 
+def _with_brackets(text: str, plain: str) -> str:
+    """Write the brackets of functions of one number, and drop the degrees of their angles."""
+    parts, at = list[str](), 0
+    while found := _BARE.search(plain, at):
+        name, number = found.groups()
+        degrees = _DEGREES.match(plain, found.end()) if not name.startswith("a") else None
+        end = degrees.end() if degrees else found.end()
+        more = _MAY_BELONG.match(plain, end)
+        if more is not None:
+            inside, rest = f"{number}{plain[found.end() : end].strip()}", more[0]
+            ways = f"{name}({inside}){rest}", f"{name}({inside}{rest})"
+            raise Refusal("answer", text, AMBIGUOUS, plain[found.start() : more.end()], *ways)
+        parts.append(f"{plain[at : found.start()]}{name}({number})")
+        at = end
+    plain = "".join(parts) + plain[at:]
+    for found in reversed([*re.finditer(rf"{_OF_ANGLES} *\(", plain)]):
+        end = _closing(plain, found.end())
+        plain = plain[: found.end()] + _DEGREES.sub("", plain[found.end() : end]) + plain[end:]
+    return plain
+
+
+def _closing(text: str, at: int) -> int:
+    """Return where the bracket closes that is open at a place, or the text's end."""
+    depth = 1
+    for place in range(at, len(text)):
+        depth += (text[place] == "(") - (text[place] == ")")
+        if not depth:
+            return place
+    return len(text)
+
+
 def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
     """Take the unit off the end; return the rest, and by what it is to be multiplied."""
     kind, size = _UNITS[unit.lower()] if unit else (_NUMBER, Fraction(1))
@@ -175,6 +220,9 @@ def _value(text: str, plain: str) -> Fraction:
         found = parse(plain.removeprefix("+"))
     except Refusal as error:
         at = int(str(error.limits[-1])) - 1
+        for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
+            if word not in FUNCTIONS and word != "pi":
+                raise Refusal("answer", text, NO_LETTER, word) from error
         rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
         raise Refusal("answer", text, *rest) from error
     for letter in found.letters:

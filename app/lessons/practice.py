@@ -15,7 +15,7 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.block import Asked, Here, Words, of_kind
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
 from app.lessons.course import AtStep, Course, Shown, contained, file_of
 from app.lessons.lesson import Lesson, Step, read
@@ -38,6 +38,12 @@ class Found(NamedTuple):
     @property
     def here(self) -> AtStep:
         return self.course.at(self.place)
+
+    @property
+    def words(self) -> tuple[Words, ...]:
+        """Return what the step says before the exercise, whose letters it may define."""
+        blocks = self.here.step.blocks
+        return of_kind(blocks[: blocks.index(self.exercise)], Words)
 
     @property
     def key(self) -> tuple[str, str]:
@@ -72,8 +78,8 @@ class Sheet(Course):
 
     def __init__(self, name: str, title: str, items: Sequence[Item], *, is_test: bool) -> None:
         steps = (
-            Step(str(number), item.found.course.lesson.title, 1, (item.found.exercise,))
-            for number, item in enumerate(items, 1)
+            Step(str(number), found.course.lesson.title, 1, (*found.words, found.exercise))
+            for number, (found, _) in enumerate(items, 1)
         )
         super().__init__(Lesson(Path(title), title, tuple(steps)))
         self._name, self.items, self.is_test = name, tuple(items), is_test
@@ -124,6 +130,17 @@ def topics() -> Mapping[str, Course]:
     """Return the lessons that come with the program by their topics, ``L1`` to ``L24``."""
     lessons = [read(path) for path in contained() if path.stem.startswith("l")]
     return {lesson.topics[0]: Course(lesson) for lesson in lessons if lesson.topics}
+
+
+def practised(names: Iterable[str]) -> dict[str, Course]:
+    """Return the lessons of all topics, and those of one's own with these names that are there."""
+    found = dict(topics())
+    own = {course.name for course in found.values()}
+    for name in sorted(set(names) - own):
+        course = course_named(name)
+        if course is not None and course.name == name and any(exercises_of(course)):
+            found[Path(name).stem] = course
+    return found
 
 
 def find(key: tuple[str, str]) -> Found | None:

@@ -18,11 +18,12 @@ from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import Question
+from app.lessons.blocks.question import Question, Reply
 from app.lessons.blocks.task import Task
-from app.lessons.course import Course
+from app.lessons.course import Course, idea_named
 from app.lessons.practice import Mark, course_named, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, one_line
+from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 FORMAT, VERSION = "frustum-lab-results", 1
@@ -65,11 +66,14 @@ class Marked(NamedTuple):
         `RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there.
     right : str
         The right answer, as in a sample.
+    says : str
+        Of a wrong idea that only its lesson names: what the lesson says to it.
     """
 
     attempt: Attempt
     word: str
     right: str
+    says: str = ""
 
 
 # --------------------------------------------------------------------------- the file
@@ -159,7 +163,7 @@ class Marker:
         question, here = found
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        return Marked(attempt, word, _right(question, here))
+        return Marked(attempt, word, _right(question, here), _says(question, word))
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
         """Whether the student had another version of a lesson."""
@@ -191,6 +195,17 @@ def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | Non
         if part is not None:
             return part, course.at(place)
     return None
+
+
+def _says(question: Asked, word: str) -> str:
+    if idea_named(word) is not None:
+        return ""
+    replies: Sequence[Reply] = ()
+    if isinstance(question, Task):
+        replies = question.wrong
+    elif isinstance(question, Question):
+        replies = question.replies
+    return next((plain_of(each.says) for each in replies if each.idea == word), "")
 
 
 def _right(question: Asked, here: Here) -> str:

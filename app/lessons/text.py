@@ -102,7 +102,7 @@ def outline(tex: str) -> Outline:
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
     # A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
-    text = "$" + re.sub(r"([,;]\s*)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
+    text = "$" + re.sub(r"([,;]\s*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
     if not 0.0 <= width <= WIDEST * _EM:
         raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")

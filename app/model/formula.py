@@ -116,9 +116,9 @@ class Formula:
     def where(self, terms: Mapping[str, Formula]) -> Formula:
         """Replace letters or terms, given by their text, with other formulas."""
         found = terms.get(self.text)
-        return self._of(part.where(terms) for part in self.parts) if found is None else found
+        return self.with_parts(part.where(terms) for part in self.parts) if found is None else found
 
-    def _of(self, parts: Iterable[Formula]) -> Formula:
+    def with_parts(self, parts: Iterable[Formula]) -> Formula:
         """The same kind of formula with other parts."""
         return type(self)(*parts) if self.parts else self
 
@@ -139,6 +139,11 @@ class Number(Formula):
             return made[arithmetic]
 
         return number
+
+
+@dataclass(frozen=True)
+class Degrees(Number):
+    """An angle in a worked solution: a number that is written with its degree sign."""
 
 
 @dataclass(frozen=True)
@@ -176,7 +181,7 @@ class Call(Formula):
 
         return call
 
-    def _of(self, parts: Iterable[Formula]) -> Formula:
+    def with_parts(self, parts: Iterable[Formula]) -> Formula:
         return Call(self.name, tuple(parts))
 
 
@@ -212,7 +217,7 @@ class Power(Formula):
         base, exponent = self.base.evaluate, self.exponent
         return lambda known, arithmetic: base(known, arithmetic) ** exponent
 
-    def _of(self, parts: Iterable[Formula]) -> Formula:
+    def with_parts(self, parts: Iterable[Formula]) -> Formula:
         (base,) = parts
         return Power(base, self.exponent)
 
@@ -438,7 +443,7 @@ def stacked_fraction(above: str, below: str) -> str:
 class _Source:
     """Writes formulas in their own language; the other writers override the differences."""
 
-    minus, minus_between, plus, space = "-", " - ", " + ", "*"
+    minus, minus_between, plus, space, degree = "-", " - ", " + ", "*", ""
 
     def __init__(self, symbols: Mapping[str, str]) -> None:
         self._symbols = symbols
@@ -446,7 +451,8 @@ class _Source:
     def write(self, formula: Formula, outer: int = 0) -> str:
         """Write a formula that is part of one that binds as tightly as `outer`."""
         if isinstance(formula, Number):
-            return _decimal(formula.number)
+            sign = self.degree if isinstance(formula, Degrees) else ""
+            return f"{_decimal(formula.number)}{sign}"
         if isinstance(formula, Letter):
             return self.symbol(self._symbols.get(formula.name, formula.name))
         if isinstance(formula, Call):
@@ -454,21 +460,28 @@ class _Source:
         if isinstance(formula, Power):
             return self.power(self.write(formula.base, _BASE), formula.exponent, outer)
         if isinstance(formula, Negative):
-            return _bracketed(f"{self.minus}{self.write(formula.operand, _IN_PRODUCT)}", outer > 1)
+            text = f"{self.minus}{self.write(formula.operand, _IN_PRODUCT)}"
+            return self.bracketed(text, outer > _IN_SUM)
         if isinstance(formula, Product):
             left, right = self.first(formula.left, outer), self.write(formula.right, _FACTOR)
-            return _bracketed(self.product(left, right), outer > _IN_PRODUCT)
+            return self.bracketed(self.product(left, right), outer > _IN_PRODUCT)
         if isinstance(formula, Quotient):
             return self.quotient(formula.left, formula.right, outer)
         assert isinstance(formula, Sum | Difference)
         sign = self.plus if isinstance(formula, Sum) else self.minus_between
         left, right = self.write(formula.left, _IN_SUM), self.write(formula.right, _IN_PRODUCT)
-        return _bracketed(f"{left}{sign}{right}", outer > _IN_SUM)
+        return self.bracketed(f"{left}{sign}{right}", outer > _IN_SUM)
 
     def first(self, formula: Formula, outer: int) -> str:
         """The first factor, whose sign needs no brackets unless another sign precedes it."""
         is_bare = isinstance(formula, Negative | Product | Quotient) and outer < _IN_PRODUCT
         return self.write(formula, _IN_SUM if is_bare else _IN_PRODUCT)
+
+    def bracketed(self, text: str, needed: bool) -> str:
+        return self.brackets(text) if needed else text
+
+    def brackets(self, text: str) -> str:
+        return f"({text})"
 
     def symbol(self, name: str) -> str:
         return name
@@ -477,25 +490,25 @@ class _Source:
         return f"{name}({', '.join(inside)})"
 
     def power(self, base: str, exponent: int, outer: int) -> str:
-        return _bracketed(f"{base}^{exponent}", outer > _FACTOR)
+        return self.bracketed(f"{base}^{exponent}", outer > _FACTOR)
 
     def product(self, left: str, right: str) -> str:
         return f"{left}{self.space}{right}"
 
     def quotient(self, above: Formula, below: Formula, outer: int) -> str:
         text = f"{self.first(above, outer)}/{self.write(below, _FACTOR)}"
-        return _bracketed(text, outer > _IN_PRODUCT)
+        return self.bracketed(text, outer > _IN_PRODUCT)
 
 
 class _Plain(_Source):
     """Writes one line for a reader."""
 
-    minus, minus_between, plus, space = "−", " − ", " + ", "\u2009"
+    minus, minus_between, plus, space, degree = "−", " − ", " + ", "\u2009", "°"
     times = "·"
 
     def call(self, name: str, inside: list[str], outer: int) -> str:
         if name == "dot":
-            return _bracketed(self.times.join(inside), outer > _IN_PRODUCT)
+            return self.bracketed(self.times.join(inside), outer > _IN_PRODUCT)
         return super().call(name, inside, outer)
 
     def product(self, left: str, right: str) -> str:
@@ -520,18 +533,16 @@ class _Stacked(_Plain):
         if isinstance(above, Negative):
             above, minus = above.operand, self.minus
         text = f"{minus}{self.fraction(above, below)}"
-        needed = outer == _BASE or (minus and outer > _IN_SUM)
-        return self.brackets(text) if needed else text
+        return self.bracketed(text, outer == _BASE or (bool(minus) and outer > _IN_SUM))
 
     def fraction(self, above: Formula, below: Formula) -> str:
         return stacked_fraction(self._in_line.write(above), self._in_line.write(below))
 
-    def brackets(self, text: str) -> str:
-        return f"({text})"
-
 
 _IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "operatorname{abs}"}
 _LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
+_LATEX_NUMBER = re.compile(r"(\\left)?\(-?[0-9]|\\frac")
+"""After a number it needs a sign of multiplication: 2(-3) and 2 1/3 are something else."""
 _GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
 _GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
 
@@ -540,6 +551,7 @@ class _Latex(_Stacked):
     """Writes LaTeX mathematics."""
 
     minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
+    degree = r"^{\circ}"
     times = r" \cdot "
 
     def symbol(self, name: str) -> str:
@@ -561,11 +573,13 @@ class _Latex(_Stacked):
         return rf"\{_IN_LATEX.get(name, name)}\left({', '.join(inside)}\right)"
 
     def product(self, left: str, right: str) -> str:
+        if left[-1].isdigit() and _LATEX_NUMBER.match(right):
+            return f"{left}{self.times}{right}"
         is_word = _LATEX_WORD.match(right) is not None
         return f"{left}{self.space}{right}" if is_word else super().product(left, right)
 
     def power(self, base: str, exponent: int, outer: int) -> str:
-        return _bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)
+        return self.bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)
 
     def write(self, formula: Formula, outer: int = 0) -> str:
         return _Plain.write(self, formula, outer)
@@ -574,11 +588,7 @@ class _Latex(_Stacked):
         return rf"\frac{{{self.write(above)}}}{{{self.write(below)}}}"
 
     def brackets(self, text: str) -> str:
-        return rf"\left({text}\right)"
-
-
-def _bracketed(text: str, needed: bool) -> str:
-    return f"({text})" if needed else text
+        return rf"\left({text}\right)" if "\\frac" in text else f"({text})"
 
 
 def _decimal(number: Fraction) -> str:

@@ -17,6 +17,7 @@ from app.commands import exam as command
 from app.commands.exam import Posed
 from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson
+from app.lessons.practice import exercises_of
 from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run_here
 from tests.support.exercises import WIDE
@@ -32,6 +33,7 @@ title: Angles and places
 ```state
 scene=letter-f
 ```
+Angles go from bottom to top.
 ```exercise wide
 """
     + WIDE
@@ -80,9 +82,9 @@ def lesson(tmp_path: Path) -> Path:
 
 def exercises(seed: int, text: str = LESSON) -> list[Numbered]:
     """The exercises of a variant that can be solved on paper."""
-    here = Course(parse_lesson(text, Path("l.md"))).at(0)
-    posed = [Posed(f"About {e.name}", here, e) for e in here.asked.values()]  # type: ignore[arg-type]
-    return command.with_numbers([each for each in posed if each.exercise.is_on_paper], seed)
+    every = exercises_of(Course(parse_lesson(text, Path("l.md"))))
+    posed = [Posed("About it", found) for found in every if found.exercise.is_on_paper]
+    return command.with_numbers(posed, seed)
 
 
 def said_in(pdf: Path) -> str:
@@ -98,9 +100,7 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
     assert (done.returncode, done.stderr) == (0, "")
     names = ["test-small-07.pdf", "test-small-08.pdf", "key-small.pdf"]
     left_out, *written = done.stdout.splitlines()
-    assert left_out == (
-        "Left out, because it is done in the window: small: Angles and places, set."
-    )
+    assert left_out == ("Left out, because it is done in the window: small, One.")
     counts = ["1 of 2", "2 of 2", "key"]
     assert written == [
         f"{count}: {out / name} written" for count, name in zip(counts, names, strict=True)
@@ -115,7 +115,10 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
         assert said.count(f"small, variant {seed}") == count, "on every page"
         assert all(f"{number} / {count}" in said for number in range(1, count + 1))
         assert "Name" in said and "Date" in said
-        wide, _cells, place, pick = exercises(seed)
+        assert "Angles go from bottom to top." in said and "go from bottom" not in key
+        wide, cells, place, pick = exercises(seed)
+        s, t = (f"{float(value):g}" for value in cells.variant.numbers.values())
+        assert f"{s} 0 0 {t}" in key, "a matrix, its numbers as text within the page"
         fov, a = (float(value) for value in wide.variant.numbers.values())
         x, y, d = (
             float(each.variant.numbers[name])
@@ -186,6 +189,13 @@ def test_pages_are_about_equally_full_and_no_exercise_is_split(qapp: Any, count:
     # A page that is emptier by more than an exercise would take one of its neighbour's.
     assert max(used) - min(used) <= highest + head.height + paper.BETWEEN_STEPS_PT
     assert len(pages) == 1 or sum(used) > 0.6 * height * (len(pages) - 1)
+
+
+def test_fractions_on_paper_have_letters_of_full_size(qapp: Any) -> None:
+    small, large = (
+        paper.text(rf"As $\{name}{{d}}{{n}}$", 400.0, 10.0) for name in ("frac", "dfrac")
+    )
+    assert small.height == large.height > paper.text("As", 400.0, 10.0).height
 
 
 def test_an_exercise_that_fills_more_than_a_page_is_refused(qapp: Any) -> None:

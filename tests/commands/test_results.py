@@ -40,6 +40,8 @@ matrix: s, 0; 0, s+1
 vary wanted: 0.5..4 step 0.1
 Set near to {=wanted}.
 until: near = wanted
+wrong far: far = wanted
+  says: That is far.
 ```
 ```predict say
 Which?
@@ -82,13 +84,15 @@ def test_every_mark_comes_from_what_was_typed(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # By hand: seed 1 draws 30° and 2 (tests/lessons/test_exercise.py): 2 atan(2 tan 15°) = 56.374°.
+    here = Course(read(folder / "own.md")).at(0)
+    wanted = float(here.asked["set"].variant(here, 1).numbers["wanted"])  # type: ignore[attr-defined]
     tree = exported(
         answer("wide", 1, "56.4", "right"),
         answer("wide", 1, "60", "right"),  # edited: it is the idea that angles grow like widths
         answer("wide", 1, "77", "right", idea="angle-linear"),  # edited
         answer("wide", 1, "@SUM(A1)", "wrong"),
         answer("wide", 1, "", "shown"),
-        answer("set", 1, "lens.near=99"),
+        answer("set", 1, f"lens.near=0.1 lens.far={wanted}"),
         answer("say", 0, "1", "wrong"),  # edited downwards
         answer("gone", 1, "1", "right"),
         student="=cmd|' /C calc'!A0",
@@ -102,12 +106,15 @@ def test_every_mark_comes_from_what_was_typed(
     said = capsys.readouterr().out
     assert "2 files, 9 answers: 2 right, 5 wrong, 1 shown, 1 not marked\n" in said
     assert "3 marks differ" in said and "    2    2  angle-linear  " in said
+    assert "    1    1  own.md: far  That is far.\n" in said
     assert "    1  own.md one/wide 1: 77 (56.374)" in said
     found = rows(folder / "out.csv")
     assert [row["mark"] for row in found] == [
         "right", "wrong", "wrong", "wrong", "shown", "wrong", "right", "", "wrong",
     ]  # fmt: skip
-    assert [row["idea"] for row in found if row["idea"]] == ["angle-linear"] * 2
+    assert [row["idea"] for row in found if row["idea"]] == [
+        "angle-linear", "far", "angle-linear",
+    ]  # fmt: skip
     assert found[0]["right"] == "56.374" and found[0]["time"] == "2023-11-14T22:13:20+00:00"
     assert {row["student"] for row in found} == {"'=cmd|' /C calc'!A0"}
     assert found[3]["typed"] == "'@SUM(A1)" and found[1]["note"] == "the file says right"

@@ -55,8 +55,8 @@ def test_a_click_counts_up_to_its_distance_in_pixels() -> None:
         assert asked.mark(here, place).word == word, place
     assert asked.mark(here, "400 200").says == "Half of both."
     assert asked.solution(here) == (
-        "$\\frac{\\mathrm{width}}{2}$  \n$=$ $\\frac{800}{2}$  \n$=$ $400$\n\n"
-        "$\\frac{\\mathrm{height}}{2}$  \n$=$ $\\frac{400}{2}$  \n$=$ $200$"
+        "- $x_{\\mathrm{win}} = \\frac{\\mathrm{width}}{2}$ $= \\frac{800}{2}$ $= 400$\n"
+        "- $y_{\\mathrm{win}} = \\frac{\\mathrm{height}}{2}$ $= \\frac{400}{2}$ $= 200$"
     )
     assert asked.answer_text(here, "{:g}".format) == "(400, 200)"
 

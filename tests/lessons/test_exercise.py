@@ -10,9 +10,11 @@ import pytest
 
 from app.lessons.blocks.exercise import Exercise, written_number
 from app.lessons.blocks.task import Task
+from app.lessons.blocks.working import working
 from app.lessons.checking import Report
 from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson
+from app.model.formula import parse
 from app.model.refusal import Refusal
 from tests.support.exercises import WIDE
 
@@ -21,6 +23,14 @@ SET = """vary q: 30..120 step 2
 state: lens.fov_y_deg=20
 Make the picture {=q}° wide.
 until: fov_x = q
+"""
+
+
+BY_IDEA = """right: lens.fov_y_deg={=2*atan(9/16*tan(q/2))}
+wrong fov-xy: fov = q
+wrong mine: fov_x < 10
+  says: That is narrow.
+why: It is ${~q/7}$ or ${~q}$.
 """
 
 
@@ -94,6 +104,25 @@ def test_a_task_of_an_exercise_is_done_in_the_window() -> None:
     assert asked.verdict(here, f"6 lens.fov_y_deg={fov}", 1) == "open"
 
 
+def test_a_task_names_the_wrong_idea_behind_what_was_done() -> None:
+    asked, here = exercise(SET + BY_IDEA)
+    variant = asked.variant(here, 5)
+    q, task = float(variant.numbers["q"]), variant.question
+    assert isinstance(task, Task) and task.why == rf"It is $\approx {q / 7:.4g}$ or $= {q:g}$."
+    for fov, word in ((q, "fov-xy"), (q - 5, "open"), (2, "mine")):
+        assert asked.verdict(here, f"5 lens.fov_y_deg={fov}", 1) == word
+    assert task.right is not None
+    assert task.is_done(variant.here, variant.here.shown_by(task.right))
+    samples = f"mine: 5 lens.fov_y_deg={q} -> fov-xy"
+    assert faults(SET + BY_IDEA, samples) == (
+        "l.md: line 12 = 'fov_x < 10': is the verdict of no sample in a “test”."
+    )
+    assert faults(SET + BY_IDEA, f"{samples}\nmine: 5 lens.fov_y_deg=2 -> mine") == ""
+    assert "does not fulfil the task" in faults(SET + BY_IDEA.replace("9/16", "9/15"), samples)
+    assert "finds no numbers that suit" in faults(SET + BY_IDEA.replace("fov_x < 10", "fov_x > 10"))
+    assert "has no “says:” of its own" in faults(SET + BY_IDEA.replace("  says", "hint"), samples)
+
+
 def test_numbers_do_not_suit_where_a_wrong_idea_is_right() -> None:
     # With a = 1 the wrong value is the right one, for every angle.
     asked, here = exercise(HALVED.replace("vary a: 4/3,", "vary a: 1, 4/3,"))
@@ -114,8 +143,9 @@ def test_the_solution_has_letters_then_numbers_then_the_value() -> None:
     asked, here = exercise(HALVED)
     variant = asked.variant(here, 3)
     assert variant.question.solution(variant.here) == (  # type: ignore[union-attr]
-        r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right) = "
-        r"2 \, \arctan\left(1.333 \, \tan\left(\frac{70}{2}\right)\right) = 86.07$"
+        r"$2 \, \arctan\left(a \, \tan\left(\frac{\mathrm{fov}}{2}\right)\right)$ "
+        r"$\approx 2 \, \arctan\left(1.333 \, \tan\left(\frac{70^{\circ}}{2}\right)\right)$ "
+        r"$\approx 86.07^{\circ}$"
     )
 
 
@@ -127,13 +157,43 @@ def test_the_solution_has_whole_numbers_with_all_their_digits() -> None:
     assert rf"\frac{{{m}}}{{3}}" in solution
 
 
+def test_a_solution_is_typeset_for_a_reader() -> None:
+    _, here = exercise(HALVED)
+    known = here.varied(None, {"x": -3.0, "a": 30.0, "w": 3.0, "tiny": 2.5e-7}).quantities()
+    for text, tex in (
+        ("sin(90 - a)", r"\sin\left(90^{\circ} - a\right)"
+                        r" = \sin\left(90^{\circ} - 30^{\circ}\right) \approx 0.866"),
+        ("tan(2*a)*w", r"\tan\left(2a\right) \, w = \tan\left(2 \cdot 30^{\circ}\right) \cdot 3"
+                       r" \approx 5.196"),
+        ("2 + cos(-60)*x", r"2 + \cos\left(-60^{\circ}\right) \, x"
+                           r" = 2 + \cos\left(-60^{\circ}\right) \, (-3) = 0.5"),
+        ("w/4*(x - 1/w)", r"\frac{w}{4} \, \left(x - \frac{1}{w}\right)"
+                          r" = \frac{3}{4} \, \left(-3 - \frac{1}{3}\right) = -2.5"),
+        ("w*x", r"w \, x = 3 \cdot (-3) = -9"), ("tiny", r"tiny = 0.00000025 = 2.5 \cdot 10^{-7}"),
+        ("world_from_object(0, 2) + w", "m_{13} + w = 0 + 3 = 3"),
+    ):  # fmt: skip
+        way = working(parse(text), known)
+        assert way is not None
+        assert " ".join(way.sides()).replace(r"\mathrm{tiny}", "tiny") == tex
+    assert way.sides("x'", "cm") == ["x' = m_{13} + w", "= 0 + 3", r"= 3\ \mathrm{cm}"]
+    for text, sides in (("w", ["w", "= 3"]), ("4", ["w = 4"])):
+        way = working(parse(text), known)
+        assert way is not None and way.sides("w") == sides
+    for text in ("was_near + w", "view_z(2) + w", "reading_sharp_to"):
+        assert working(parse(text), known) is None
+    named, here = exercise("vary near: 1..9 step 0.3\nHow far?\nvalue: z' = near/7\n")
+    variant = named.variant(here, 1)
+    solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
+    assert solution.startswith(r"$z' = \frac{\mathrm{near}}{7}$ $= ")
+
+
 def test_a_number_has_any_letter_of_a_lecture() -> None:
     asked, here = exercise(
         "vary D: 3..12\nvary θ_v: 20..100 step 5\nHalf of {=θ_v}°, at {=D}?\nvalue: D*tan(θ_v/2)\n"
     )
     variant = asked.variant(here, 1)
     solution = variant.question.solution(variant.here)  # type: ignore[union-attr]
-    assert solution.startswith(r"$D \, \tan\left(\frac{\theta_{v}}{2}\right) = ")
+    assert solution.startswith(r"$D \, \tan\left(\frac{\theta_{v}}{2}\right)$ ")
 
 
 @pytest.mark.parametrize(

@@ -63,7 +63,11 @@ WAYS = (
     ("1e3", 1000.0), (".5", 0.5), ("5.", 5.0), ("√½", math.sqrt(0.5)), ("16:9", 16 / 9),
     ("= 0.5", 0.5), ("≈0.5", 0.5), ("arctan(1)", 45.0), ("⅔", 2 / 3), ("1e−3", 1e-3),
     ("1\u2009280", 1280.0), ("1\u202f280", 1280.0), ("33 1/3", 100 / 3),
-    ("1/(2√3)", 0.5 / math.sqrt(3)),
+    ("1/(2√3)", 0.5 / math.sqrt(3)), ("tan 45", 1.0), ("tan45°", 1.0), ("sqrt 3", math.sqrt(3)),
+    ("2 tan 30°", 2 / math.sqrt(3)), ("2tan 30", 2 / math.sqrt(3)), ("-cos 60 °", -0.5),
+    ("tan -45", -1.0), ("tan 45 + 1", 2.0), ("1/tan 45", 1.0), ("2 sin 30 cos 60", 0.5),
+    ("sin 30/cos 60", 1.0), ("sqrt 3 tan 30", 1.0), ("arctan 1", 45.0), ("2arctan 1", 90.0),
+    ("atan(2 sin 30°)", 45.0), ("tan(90°/2)", 1.0), ("cos(180° - 2*60°)", 0.5), ("tan 4,5e1", 1.0),
     *((f"{minus}7", -7.0) for minus in "-\u2212\u2010\u2011\u2012\u2013\u2014\u2015\ufe63\uff0d"),
 )  # fmt: skip
 
@@ -82,6 +86,7 @@ def test_every_way_to_write_a_right_number_is_right(text: str, value: float) -> 
         ("45 %", "", 0.45),
         ("0.45×", "%", 45), ("30º", "°", 30), ("30 ˚", "°", 30), ("30\u2009deg", "°", 30),
         ("60°", "rad", math.pi / 3), ("1.5 mm", "cm", 0.15), ("12px", "px", 12),
+        ("2 atan 0.5°", "°", 2 * math.degrees(math.atan(0.5))),
         ("√3/2 m", "cm", 50 * math.sqrt(3)), ("1 1/2 m", "cm", 150),
     ],
 )  # fmt: skip
@@ -115,16 +120,22 @@ def test_a_converted_number_keeps_its_digits() -> None:
         ("2^0.5", "", "; 0.5 cannot be read"), ("√-1", "", "sqrt is neither"),
         ("sqrt(-1)", "", "no value"),
         ("asin(2)", "", "no value"), ("sqrt(1, 2)", "", "no value"), ("√", "", "sqrt is neither"),
+        ("tan 45/2", "", "; tan 45/2 may be tan(45)/2 or tan(45/2): write the brackets"),
+        ("3 tan 60°/2", "", "; tan 60°/2 may be tan(60°)/2 or tan(60°/2): write the brackets"),
+        *((text, "", "write the brackets") for text in (
+            "sin 30*2", "cos 60^2", "tan 1 1/2", "tan 45(2)", "sin 2 pi", "2 atan 1/2",
+        )),
         *((text, "", f"; {name} is neither a number nor a unit") for text, name in (
             ("abc", "abc"), ("nan", "nan"), ("inf", "inf"), ("0x10", "x10"), ("2n/3", "n"),
-            ("foo(2)", "foo"),
+            ("foo(2)", "foo"), ("about 60", "about"),
         )),
     ],
 )  # fmt: skip
 def test_another_unit_or_no_number_is_refused(text: str, unit: str, said: str) -> None:
     with pytest.raises(Refusal) as caught:
         marking.read(text, unit)
-    assert said in str(caught.value) and str(caught.value).startswith("answer = ")
+    begin = "answer = " if text.strip() else "answer must be a number"
+    assert said in str(caught.value) and str(caught.value).startswith(begin)
 
 
 @pytest.mark.parametrize(

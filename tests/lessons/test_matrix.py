@@ -111,10 +111,14 @@ def test_the_solution_has_letters_then_numbers_then_values() -> None:
     asked, here = question("Where?\nmatrix: 2*near, atan(far/2); -1, max(1, 2)\n")
     solution = asked.solution(here)
     assert solution == (
-        "$m_{11} = 2 \\, \\mathrm{near} = 2 \\cdot 2 = 4$  \n"
-        "$m_{12} = \\arctan\\left(\\frac{\\mathrm{far}}{2}\\right)"
-        " = \\arctan\\left(\\frac{10}{2}\\right) = 78.69$"
+        "- $m_{11} = 2 \\, \\mathrm{near}$ $= 2 \\cdot 2$ $= 4$\n"
+        "- $m_{12} = \\arctan\\left(\\frac{\\mathrm{far}}{2}\\right)$"
+        " $= \\arctan\\left(\\frac{10}{2}\\right)$ $\\approx 78.69^{\\circ}$"
     )
+    part, here = question("Where?\nmatrix: near, 1\nfirst: 3, 4\n")
+    assert part.solution(here) == "- $m_{34} = \\mathrm{near}$ $= 2$"
+    with pytest.raises(Refusal, match="must be a row and a column"):
+        question("Where?\nmatrix: near, 1\nfirst: 3\n")
     assert question(VECTOR)[0].solution(here) == ""
     assert "| 30.25 |" in asked.told(question(VECTOR)[0].answer_text(here, "{:g}".format))
 

@@ -168,7 +168,9 @@ def test_a_term_may_be_known_as_a_whole() -> None:
         ("-dot(axis_u, eye)", "−axis_u·eye", r"-\mathrm{axis}_{u} \cdot \mathrm{eye}"),
         ("a - (-b)*c", "a − (−b)\u2009c", r"a - (-b) \, c"),
         ("a + (-b)/c*d", "a + (−b)/c\u2009d", r"a + \left(-\frac{b}{c}\right) \, d"),
-        ("a - (b - 1/c)", "a − (b − 1/c)", r"a - (b - \frac{1}{c})"),
+        ("a - (b - 1/c)", "a − (b − 1/c)", r"a - \left(b - \frac{1}{c}\right)"),
+        ("60*(53 - n)", "60(53 − n)", r"60 \cdot (53 - n)"),
+        ("2*(-3)", "2(−3)", r"2 \cdot (-3)"),
     ],
 )
 def test_it_is_written_for_readers(text: str, plain: str, latex: str) -> None:

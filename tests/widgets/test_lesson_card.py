@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -648,6 +648,9 @@ scene=letter-f
 vary near: 0.5..4 step 0.1
 Set near to {=near}.
 until: near = near_wanted
+why: Near is ${=near}$.
+right: lens.near={=near}
+wrong look-n: near = near_wanted + 1
 ```
 """
 )
@@ -711,9 +714,14 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     enter(window.controls.rows["near"].field, str(wanted + 0.5))
     come_to_rest(window)
     assert "Show the answer" in buttons(task), "after a wrong try"
-    assert task.asked.task.solution(task.variant.here) == (
-        f"$\\mathrm{{near}} = \\mathrm{{near}}_{{\\mathrm{{wanted}}}} = {wanted:g}$"
-    )
+    enter(window.controls.rows["near"].field, str(wanted + 1))
+    come_to_rest(window)
+    idea = "n is where I look"
+    assert idea not in texts(task)
+    task.asked.rest()
+    come_to_rest(window)
+    assert idea in texts(task) and "Show it" in buttons(task)
+    task.asked.rest()
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
@@ -727,6 +735,9 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert task.answer == f"1 {DONE}" and not task.is_open
     attempts = window.record.read()
     said, done = [each[1:] for each in attempts], attempts[-1]
+    assert [each.idea for each in attempts if each.exercise == "widths/set"] == ["look-n", ""], (
+        "the idea is named once"
+    )
     assert said[:3] == [
         (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
         (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
@@ -1161,6 +1172,7 @@ Bring the near plane to the distance {=w} from the eye.
 until: near = w
 hint: The near plane can be dragged in the world, or typed in the dock.
 done: The plane is where the picture begins.
+why: It is the distance of the plane, {=w}.
 ```
 
 ---
@@ -1176,6 +1188,19 @@ Which number is twice the distance of the near plane from the eye?
 hint: The near plane is {=w} away from the eye.
 why: It is twice {=w}.
 ```
+
+---
+# Prediction {#prediction}
+```predict
+The near plane goes to 2. Which number is twice the distance of the near plane from the eye then?
+- [x] 4 := 2*near
+- [ ] 6 := 3*near
+  says: That is three times the distance, and three times is one half more than twice, always.
+- [ ] 8 := 4*near
+  says: That is four times.
+show: lens.near=2
+why: Twice the distance is the distance and the distance again, so it is 4 for a distance of 2.
+```
 """
 
 
@@ -1190,11 +1215,13 @@ def test_every_response_is_seen_whole_and_announced(
     path = tmp_path / "feedback.md"
     path.write_text(KINDS_OF_ANSWER, encoding="utf-8")
     own = QApplication.font()
-    large = QFont(own)
+    large, application = QFont(own), cast(QApplication, QApplication.instance())
     large.setPointSizeF(size * own.pointSizeF())
     QApplication.setFont(large)
+    application.setProperty("frustumLabFontSize", large.pointSizeF())  # from which it makes its own
     try:
         window = make_window(drawn=False)
+        assert window.font() == large
         window.resize(1366, 768)
         activate(window)
         card, side = window.lesson_card, window.side
@@ -1253,16 +1280,30 @@ def test_every_response_is_seen_whole_and_announced(
             assert "Hint" in response(f"hint {of}")
             press(KEY.Key_A, ALT)
             assert response(f"shown {of}") and view.answer == f"1 {TOLD}"
+            card.room_wanted.emit(30)
             view.go_on()
             come_to_rest(window)
+            assert size > 1.0 or side.sizes() == before, "the numbers are new, and so is the room"
             heard.clear()
             answer(view, right=True)
-            assert response(f"right {of}") and view.answer.startswith("2 ")
+            said_last = response(f"right {of}")
+            assert view.answer.startswith("2 "), of
+            if not isinstance(view.asked, Tries):  # the way, besides its reason
+                way = plain_of(view.asked.question.solution(view.variant.here))
+                assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()
             assert side.sizes() == before, "the controls are as high as before where they are used"
+        go_to(window.lessons, 5)
+        (view,) = card.blocks
+        view.findChildren(QRadioButton)[1].click()
+        side.setSizes([view.height() + 220, 400])  # less than what is said below needs
+        settle()
+        view.commit()
+        assert "Twice the distance is" in response(f"prediction {size}")
     finally:
         QApplication.setFont(own)
+        application.setProperty("frustumLabFontSize", own.pointSizeF())
 
 
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
@@ -1277,7 +1318,16 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
     assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
     assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)
     tabs[0].actionInterface().doAction(tabs[0].actionInterface().actionNames()[0])
     assert window.lessons.place == 0 and tabs[0].state().selected
+    mixed = lesson.with_name("mixed.md")
+    begun = KINDS_OF_ANSWER.replace("# Number", "# Words\nRead them.\n\n---\n# Number", 1)
+    mixed.write_text(begun, encoding="utf-8")
+    card.open(mixed)
+    settle()
+    names = [role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)]
+    assert names[-5:-3] == ["Step 2, practice: Number", "Step 3, practice: Matrix"]
+    assert "Step 1: Words" in names and texts(card).count("Practice") == 1

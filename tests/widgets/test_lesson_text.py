@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, outline, plain_of, readable
 from tests.support.window import rgb_of
-from widgets.parts.lesson_text import SPACIOUS, LessonText, set_text
+from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 
 
 def drawn(text: str, width: int = 900, *, is_spacious: bool = False) -> np.ndarray:
@@ -173,12 +173,28 @@ def test_it_is_as_high_as_what_it_holds(qtbot: Any) -> None:
     assert text.heightForWidth(160) < low
 
 
+def test_no_line_begins_with_the_punctuation_behind_a_formula(qapp: Any) -> None:
+    document = QTextDocument()
+    set_text(document, "Seen ($x_p = 1.5$), from $y_p$: the $n$-axis, and $z$/$w$'s sum $s$.")
+    begins = set()
+    for wide in range(60, 300, 3):
+        document.setTextWidth(wide)
+        layout = document.begin().layout()
+        lines = [layout.lineAt(at) for at in range(layout.lineCount())]
+        text = document.begin().text()
+        begins |= {text[line.textStart() :].lstrip(f"{MAY_BREAK}{NO_BREAK}")[0] for line in lines}
+    assert begins >= {"S", "f", "t"} and not begins & set("),:-'./")
+
+
 def test_formulas_are_copied_and_read_out_as_tex(qtbot: Any) -> None:
-    text = LessonText(r"See $x_p$, *and* $\frac{1}{2}$.")
+    text = LessonText(r"See $x_p$ $y$, *and* $\frac{1}{2}$.")
     qtbot.addWidget(text)
     text.selectAll()
-    assert text.createMimeDataFromSelection().text() == r"See $x_p$, and $\frac{1}{2}$."
-    assert text.accessibleName() == r"See x_p, and \frac{1}{2}."
+    assert text.createMimeDataFromSelection().text() == r"See $x_p$ $y$, and $\frac{1}{2}$."
+    assert text.accessibleName() == r"See x_p y, and \frac{1}{2}."
+    text.say("| $a$ | $b$, |\n|---|---|\n| $c$ | 2 |")
+    text.selectAll()
+    assert text.createMimeDataFromSelection().text().split() == ["$a$", "$b$,", "$c$", "2"]
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
 
 

@@ -115,6 +115,7 @@ def test_the_blackboards_lengths_have_the_views_letters() -> None:
     for letters, far, angles in (
         ("own", "f", ("fov", "fov_x")), ("000", "z_max", ("fov", "fov_x")),
         ("001", "f", ("θ_v", "θ_h")), ("002", "−z_f", ("fov", "fov_x")),
+        ("003", "f", ("β", "\u03b1")),
     ):  # fmt: skip
         words = Words(letters)
         assert words.get("{far_distance}") == far

@@ -41,6 +41,7 @@ topic: {0}
 scene=letter-f
 view.panel=matrices
 ```
+Angles go from bottom to top.
 """
 HINTED = f"```exercise wide\n{WIDE}hint: Take the tangent.\nwhy: The tangent grows faster.\n```\n"
 SET = """```exercise set
@@ -110,6 +111,7 @@ def test_a_test_is_taken_by_keyboard_alone(
     given = {}
     for place in range(3):
         (view,) = card.blocks
+        assert "Angles go from bottom to top." in texts(card), "what the step says before it"
         assert window.store.document == view.variant.here.document
         assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
         name, here, question = view.block.name, view.variant.here, view.variant.question
@@ -211,7 +213,7 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     assert not any("Review" in name for name in window.settings.progress)
 
 
-def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow) -> None:
+def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_path: Path) -> None:
     activate(window)
     for exercise, verdict, idea in (
         ("set", "shown", ""), ("wide", "wrong", "angle-linear"), ("wide", "right", ""),
@@ -220,6 +222,11 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow) -> N
         window.record.add(
             Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict, idea)
         )
+    own = tmp_path / "own.md"
+    own.write_text(
+        practice.topics()["L3"].lesson.path.read_text(encoding="utf-8"), encoding="utf-8"
+    )
+    window.record.add(Attempt(1_700_000_000, str(own), "practise/wide", 1, "1", "wrong", "my-idea"))
     with (data_folder() / RECORD).open("a") as file:
         file.write("\n{")
     window.menus.lesson_menu.overview.trigger()
@@ -227,15 +234,16 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow) -> N
     overview = window.practice.overview
     said = texts(overview)
     assert "unreadable lines (1)" in said and "once; then: solved with help" in said
+    assert "“my idea” once; then: not yet" in said, "of a lesson of one's own"
     names = [each.accessibleName() for each in overview.findChildren(QToolButton)]
     assert [name.partition(". ")[0] for name in names if name] == [
         "L3, exercise 1: solved with help", "L3, exercise 2: answer shown",
-        "L5, exercise 1: not yet",
+        "L5, exercise 1: not yet", "own, exercise 1: not yet", "own, exercise 2: not yet",
     ]  # fmt: skip
     activate(overview)
     overview.first.setFocus()  # no window manager does it here
     settle()
-    assert overview.review.text() == "&Review: 2 exercises" and keyboard() is overview.review
+    assert overview.review.text() == "&Review: 3 exercises" and keyboard() is overview.review
     for _ in range(30):
         press(KEY.Key_Tab)
         if "exercise 2" in keyboard().accessibleName():

@@ -14,6 +14,7 @@ from typing import Any, cast
 from PySide6.QtCore import (
     QEvent,
     QMimeData,
+    QPointF,
     QRect,
     QRectF,
     QRegularExpression,
@@ -26,11 +27,14 @@ from PySide6.QtGui import (
     QAccessible,
     QBrush,
     QColor,
+    QFont,
     QFontMetrics,
+    QFontMetricsF,
     QGuiApplication,
     QPainter,
     QPainterPath,
     QPalette,
+    QPen,
     QPyTextObject,
     QResizeEvent,
     QTextCharFormat,
@@ -53,7 +57,9 @@ SPACIOUS = "spacious"
 """The property of a document that has room for large fractions and displayed formulas."""
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
-_IS_DISPLAYED = QTextFormat.Property.UserProperty + 2
+_IS_DISPLAYED, _TAIL = QTextFormat.Property.UserProperty + 2, QTextFormat.Property.UserProperty + 3
+LONGEST_TAIL = 24
+"""Most characters behind a formula that are drawn with it: Qt breaks a line behind any object."""
 LARGER = 1.12
 """Size of a formula's letters relative to the text's, whose small letters are taller."""
 DISPLAYED_LARGER = 1.25
@@ -63,6 +69,8 @@ ROOM_EM = 0.06
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
 """Characters without width: a line may break at the first, but not at the second."""
 _PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
+_ENDS = FORMULA, DISPLAYED, "\ufdd0", "\ufdd1", "\0"
+"""What ends the word behind a formula, besides spaces: another one, or a table's cell."""
 LIST_EM = 0.55
 """Half the indent of a list: Qt indents by two units."""
 STYLE = """
@@ -97,6 +105,7 @@ def set_text(
         cursor = document.find(_PLACE, cursor)
         is_displayed = cursor.selectedText() == DISPLAYED
         kept, plain = cursor.charFormat(), cursor.charFormat()
+        begin, behind = cursor.selectionStart(), cursor.selectionEnd()
         try:
             outline(tex)
         except ValueError:  # as it was typed
@@ -105,12 +114,16 @@ def set_text(
         kept.setObjectType(_KIND)
         kept.setProperty(_TEX, tex)
         kept.setProperty(_IS_DISPLAYED, is_displayed)
+        tail = _tail(document, behind)
+        kept.setProperty(_TAIL, tail)
+        cursor.setPosition(begin)
+        cursor.setPosition(behind + len(tail), QTextCursor.MoveMode.KeepAnchor)
         kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
         # A line with only a formula is as high as one of letters; no line ends beside a formula.
-        begins = cursor.positionInBlock() == 0 or _before(document, cursor).isspace()
+        begins = begin == cursor.block().position() or _at(document, begin - 1).isspace()
         cursor.insertText(MAY_BREAK if begins else NO_BREAK, plain)
         cursor.insertText("\ufffc", kept)
-        if not document.characterAt(cursor.position()).isspace():
+        if not _at(document, cursor.position()).isspace():
             cursor.insertText(NO_BREAK, plain)
     last = QTextCursor(document)
     last.movePosition(QTextCursor.MoveOperation.End)
@@ -119,8 +132,24 @@ def set_text(
     last.setBlockFormat(end)
 
 
-def _before(document: QTextDocument, cursor: QTextCursor) -> str:
-    return str(cast(Any, document).characterAt(cursor.position() - 1))
+def _tail(document: QTextDocument, place: int) -> str:
+    """Return the punctuation or the ending behind a formula, up to a space or another formula."""
+    tail, after = "", QTextCursor(document)
+    after.setPosition(place)
+    own = after.charFormat()
+    while len(tail) < LONGEST_TAIL:
+        letter = _at(document, place + len(tail))
+        if letter.isspace() or letter in _ENDS:
+            break
+        after.setPosition(place + len(tail) + 1)
+        if after.charFormat() != own:
+            break
+        tail += letter
+    return tail
+
+
+def _at(document: QTextDocument, place: int) -> str:
+    return str(cast(Any, document).characterAt(place))
 
 
 def _em(document: QTextDocument, character: QTextCharFormat) -> float:
@@ -180,6 +209,7 @@ class _Formulas(QPyTextObject):
 
     def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
         """Return TeX, outline, em in pixels, and the height with which Qt centres the formula."""
+        tail = _tail_width(document, form)
         character = form.toCharFormat()
         tex = str(form.property(_TEX))
         em = LARGER * _em(document, character)
@@ -187,7 +217,7 @@ class _Formulas(QPyTextObject):
             tex = readable(tex)
             em *= DISPLAYED_LARGER if form.property(_IS_DISPLAYED) else 1.0
         found = outline(tex)
-        widest = document.textWidth() - 2.0 * ROOM_EM * em
+        widest = document.textWidth() - 2.0 * ROOM_EM * em - tail
         if 0.0 < widest < found.width * em:
             em = widest / found.width
         # Qt centres an object a quarter of the letters' x-height above the line.
@@ -197,7 +227,8 @@ class _Formulas(QPyTextObject):
 
     def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
         _, found, em, height = self._set(document, form)
-        return QSizeF((found.width + 2.0 * ROOM_EM) * em, height)
+        tail = _tail_width(document, form)
+        return QSizeF((found.width + 2.0 * ROOM_EM) * em + tail, height)
 
     def drawObject(
         self,
@@ -207,20 +238,31 @@ class _Formulas(QPyTextObject):
         at: int,
         form: QTextFormat,
     ) -> None:
-        tex, _, em, _ = self._set(document, form)
+        tex, found, em, _ = self._set(document, form)
         block = document.findBlock(at)
         line = block.layout().lineForTextPosition(at - block.position())
         top = document.documentLayout().blockBoundingRect(block).top()
         painter.save()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.translate(rect.left() + ROOM_EM * em, top + line.y() + line.ascent())
-        painter.scale(em, em)
         own = form.toCharFormat().foreground()
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
+        painter.setFont(_font(document, form))
+        painter.setPen(QPen(brush, 0))
+        painter.drawText(QPointF((found.width + ROOM_EM) * em, 0.0), form.stringProperty(_TAIL))
+        painter.scale(em, em)
         inks = document.property(INKS) or {}
         for name, path in formula_parts(tex):
             painter.fillPath(path, QBrush(QColor(inks[name])) if name in inks else brush)
         painter.restore()
+
+
+def _font(document: QTextDocument, form: QTextFormat) -> QFont:
+    return form.toCharFormat().font().resolve(document.defaultFont())
+
+
+def _tail_width(document: QTextDocument, form: QTextFormat) -> float:
+    return QFontMetricsF(_font(document, form)).horizontalAdvance(form.stringProperty(_TAIL))
 
 
 @lru_cache(maxsize=1)
@@ -305,10 +347,10 @@ class LessonText(QTextEdit):
         at = QTextCursor(self.document())
         for place in range(cursor.selectionStart(), cursor.selectionEnd()):
             at.setPosition(place + 1)
-            tex = at.charFormat().property(_TEX)
+            tex, tail = (at.charFormat().stringProperty(key) for key in (_TEX, _TAIL))
             letter = cast(Any, self.document()).characterAt(place)
-            words += f"${tex}$" if letter == "\ufffc" and tex else letter
+            words += f"${tex}${tail}" if letter == "\ufffc" and tex else letter
         data.setText(
-            words.replace("\u2029", "\n").translate(dict.fromkeys(map(ord, MAY_BREAK + NO_BREAK)))
+            words.translate(str.maketrans("\u2029\ufdd0\ufdd1", "\n\t\n", MAY_BREAK + NO_BREAK))
         )
         return data

@@ -55,9 +55,11 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
 
 
 class Numbered(NamedTuple):
-    """An exercise of a test: the title of its lesson, its numbers, and what is hidden."""
+    """An exercise of a test: the title of its lesson, what its step says, its numbers, and what is
+    hidden."""
 
     title: str
+    words: Sequence[str]
     variant: Variant
     hides: frozenset[str]
 
@@ -165,14 +167,6 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
     """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
     question, here = exercise.question, exercise.variant.here
     answer = answer_of(question, here)
-    if isinstance(question, Matrix):
-        sides = question.sides(here) or [answer]
-        yield paper.text(f"**{number}.** {question.text}", width, TEXT_PT, kept=True)
-        row = [side for each in sides for side in ("=", each)][1:]
-        yield paper.in_row([paper.text(side, width, TEXT_PT) for side in row])
-        if question.why:
-            yield paper.text(question.why, width, TEXT_PT)
-        return
     parts = [f"**{number}.** {question.told(answer, others=False)}"]
     if isinstance(question, Click):
         parts.append(f"**{answer}**")
@@ -260,10 +254,12 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
         figure = paper.figure(
             document, width, (CLICKED if is_click else share) * width, exercise.panes
         )
-    asked = question.posed()
+    told = [*exercise.words, question.posed()]
     if is_click:
-        mark = QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
-        asked = f"{asked}\n\n{mark}"
+        told.append(
+            QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
+        )
+    asked = "\n\n".join(told)
     room = width - (figure.wide + NOTE_INDENT_PT if figure is not None else 0.0)
     body = paper.text(asked, max(room, COLUMN * width), TEXT_PT)
     is_beside = room >= COLUMN * width and body.wide <= room + 0.5

@@ -33,7 +33,7 @@ from app.drawings.figures import render
 from app.drawings.style import LIGHT
 from app.lessons.course import scene_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from widgets.parts.lesson_text import set_text
+from widgets.parts.lesson_text import SPACIOUS, set_text
 from widgets.parts.plain import TextDocument
 from widgets.window.pictures import image_of
 
@@ -120,6 +120,7 @@ def text(
     font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
     document.setDefaultFont(font)
     document.setUseDesignMetrics(True)
+    document.setProperty(SPACIOUS, True)
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
     wide = document.idealWidth() + left

@@ -38,7 +38,8 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import View
-from app.lessons.blocks.block import Part
+from app.lessons.blocks.block import Part, of_kind
+from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
 from app.lessons.practice import Sheet, marked
@@ -103,7 +104,7 @@ class LessonCard(QFrame):
     test_left = Signal()
     """A test was closed before its end; its answers are kept."""
     room_wanted = Signal(int)
-    """How many pixels of height a response lacks; 0 once the step is left."""
+    """How many pixels of height a response lacks; 0 once the step is left, or has new numbers."""
     went_on = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -138,6 +139,8 @@ class LessonCard(QFrame):
         self._marks.setAccessibleName(self.tr("Steps"))
         give_role(self._marks, QAccessible.Role.PageTabList)
         self._numbers: list[QToolButton] = []
+        self._heads: list[QWidget] = []
+        """The words before the marks of steps with an exercise."""
         self._counted = Label()
         self._counted.setObjectName("paneNote")
         self._marks_row = in_row(FREE, self._counted, on=self._marks, margins=(0, 0, 0, 0), gap=2)
@@ -151,6 +154,11 @@ class LessonCard(QFrame):
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
         parts = head, self._marks, (self._area, 1), self._notice, self._foot()
         in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
+        self._speaker: BlockView | None = None
+        """The block whose response is not shown yet."""
+        # Not `QTimer.singleShot`, which comes before Qt shows the widgets that are added meanwhile.
+        self._speaking = QTimer(self, singleShot=True, interval=0)
+        self._speaking.timeout.connect(self._reveal)
         self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
@@ -302,20 +310,31 @@ class LessonCard(QFrame):
 
     def _make_marks(self, lesson: Lesson) -> None:
         row = self._marks_row
-        for old in self._numbers:
+        for old in (*self._numbers, *self._heads):
             row.removeWidget(old)
             old.hide()
             old.deleteLater()
         self._numbers.clear()
+        self._heads.clear()
         if len(lesson.steps) <= MOST_MARKS:
+            before = False
             for place, step in enumerate(lesson.steps):
+                practises = _practises(lesson, step)
+                if practises and not before:
+                    head = Label(self.tr("Practice"))
+                    head.setObjectName("paneNote")
+                    head.setContentsMargins(5, 0, 2, 0)
+                    self._heads.append(head)
+                    row.insertWidget(place + len(self._heads) - 1, head)
+                before = practises
                 act = partial(self.go_to, place)
                 mark = tool_button(
                     str(place + 1), in_line(step.title), act, flat=True, checkable=True
                 )
+                mark.setProperty("practice", practises)
                 give_role(mark, QAccessible.Role.PageTab)
                 self._numbers.append(mark)
-                row.insertWidget(place, mark)
+                row.insertWidget(place + len(self._heads), mark)
         self._counted.setVisible(len(self._numbers) <= MOST_COUNTED)
 
     def _show_marks(self) -> None:
@@ -327,8 +346,10 @@ class LessonCard(QFrame):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
             mark.setText("✓" if is_done and number != place else str(number + 1))
-            name = self.tr("Step {0}: {1}").format(number + 1, in_line(step.title))
-            mark.setAccessibleName(name)
+            said = self.tr("Step {0}: {1}")
+            if _practises(lesson, step):
+                said = self.tr("Step {0}, practice: {1}")
+            mark.setAccessibleName(said.format(number + 1, in_line(step.title)))
             mark.setAccessibleDescription(self.tr("done") if is_done else "")
         self.back.setEnabled(place > 0)
         self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
@@ -388,14 +409,20 @@ class LessonCard(QFrame):
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
             view.posed.connect(self._pose)
-            view.spoke.connect(partial(QTimer.singleShot, 0, self, partial(self._reveal, view)))
+            view.spoke.connect(partial(self._hear, view))
             self.blocks.append(view)
             self._column.addWidget(view)
 
-    def _reveal(self, block: BlockView) -> None:
+    def _hear(self, block: BlockView) -> None:
+        """Remember which block responds; the rest of its response may follow."""
+        self._speaker = block
+        self._speaking.start()
+
+    def _reveal(self) -> None:
         """Show a response: with its question if there is room, else all of it, or its beginning."""
         self._show_hint()
-        if block not in self.blocks or not block.said:
+        block, self._speaker = self._speaker, None
+        if block is None or block not in self.blocks or not block.said:
             return
         _settle_layout()
         missing = block.height() + 2 * MARGIN_PX - self._area.viewport().height()
@@ -496,6 +523,7 @@ class LessonCard(QFrame):
 
     def _pose(self, document: Document) -> None:
         self._hide()  # before it is seen
+        self.room_wanted.emit(0)
         self._lessons.pose(document)
 
     # -- navigation
@@ -685,6 +713,12 @@ class LessonCard(QFrame):
             self._aside = None
         for view in [*self.blocks]:
             view.look(document, look)
+
+
+def _practises(lesson: Lesson, step: Step) -> bool:
+    """Whether a step has an exercise, in a lesson that has other steps, too."""
+    practice = [bool(of_kind(each.blocks, Exercise)) for each in lesson.steps]
+    return practice[lesson.steps.index(step)] and not all(practice)
 
 
 def _settle_layout() -> None:

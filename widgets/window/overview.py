@@ -37,7 +37,7 @@ class Overview(QDialog):
     Parameters
     ----------
     topics : mapping
-        The lesson of each topic.
+        The lesson of each topic, and lessons of one's own by the names of their files.
     known : mapping
         By lesson and ``step/block``.
     ideas : mapping
@@ -146,7 +146,7 @@ class Overview(QDialog):
         for (lesson, name), met in self._ideas.items():
             idea = idea_named(name)
             if lesson == course.name:
-                title = idea.title.rstrip(".") if idea is not None else name
+                title = idea.title.rstrip(".") if idea is not None else name.replace("-", " ")
                 times = self.tr("once") if met.times == 1 else self.tr("{0} times")
                 text = self.tr("“{0}” {1}; then: {2}")
                 said.append(text.format(title, times.format(met.times), self._words[met.outcome]))

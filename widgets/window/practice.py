@@ -21,6 +21,7 @@ from app.lessons.practice import (
     find,
     name_of_test,
     named_test,
+    practised,
     to_review,
     topics,
 )
@@ -135,8 +136,9 @@ class Practice(QObject):
         known, problem = standings(attempts), self._record.problem
         count = len(self.due)
         said = "" if problem is None else sentence(problem)
+        lessons = practised(lesson for lesson, _ in known)
         self.overview = overview = Overview(
-            topics(), known, met(attempts, known), review_text(count), said, self._window
+            lessons, known, met(attempts, known), review_text(count), said, self._window
         )
         overview.review.setEnabled(count > 0)
         overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))

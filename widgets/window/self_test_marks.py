@@ -38,8 +38,7 @@ class SelfTestMarks(QWidget):
                 texts.append(question.solution(here))
             texts.append(question.why)
         else:
-            conditions = ", ".join(f"`{condition.text}`" for _, condition in question.until)
-            texts += [self.tr("Wanted:") + f" {conditions}", question.done]
+            texts += [question.done, question.why]
         is_right = mark.word == RIGHT
         sign = Sign("check", self.tr("Right")) if is_right else Sign("close", self.tr("Wrong"))
         words = LessonText("\n\n".join(filter(None, texts)))

@@ -21,7 +21,7 @@ class Side(QSplitter):
     """The card above the controls, in a splitter.
 
     The card takes the controls' height when a response does not fit in its own. The controls get
-    it back when the mouse or the focus comes to them, or another step is shown.
+    it back when the mouse or the focus comes to them, or another step or other numbers are shown.
     """
 
     def __init__(self, around: QSplitter) -> None:

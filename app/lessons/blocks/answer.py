@@ -27,7 +27,7 @@ class Answer(Marked):
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        keys = ("value", "matrix", "click", "at", "within", "unit", "wrong", *CHECKS)
+        keys = ("value", "matrix", "click", "at", "within", "first", "unit", "wrong", *CHECKS)
         text, items = body.items(*keys, choices=True)
         ways = [item for item in items if item.key in WAYS]
         if not ways:
@@ -46,13 +46,15 @@ class Answer(Marked):
         value = items.single("value")
         assert value is not None
         wrong = (item for item in items if item.key == "wrong")
+        symbol, _, formula = value.text.rpartition("=")
         return cls(
             **cls.fields(body, text, items),
+            symbol=symbol.strip(),
             replies=tuple(
                 Reply(line=w.line, formulas=(w.formula(),), idea=w.about, **said_below(w))
                 for w in wrong
             ),
-            right=(value.formula(),),
+            right=(value._replace(text=formula.strip()).formula(),),
             right_line=value.line,
         )
 

@@ -10,8 +10,9 @@ from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
+from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Item, Items, number_in, on_line, refused, split
-from app.model.formula import Formula, latex, parse
+from app.model.formula import Formula, parse
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -21,7 +22,13 @@ PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
 """Width of a small image pane; a unit of the cube, and the way from the eye to its target, in small
 panes. A check uses them to compare places without a window."""
 
-COORDINATES = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
+COORDINATES = {
+    "image": (r"x_{\mathrm{win}}", r"y_{\mathrm{win}}"),
+    "ndc": ("x'", "y'", "z'"),
+    "world": ("x", "y", "z"),
+}
+"""What the coordinates of a place are called in a worked solution."""
+NOT_SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
 OUTSIDE = QT_TRANSLATE_NOOP("Refusal", "has the place ({0}), which is not in the picture")
 A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by spaces")
 
@@ -112,15 +119,14 @@ class Click(Marked):
             return super().verdict(here, sample, line)
 
     def solution(self, here: Here) -> str:
-        numbered = self.numbered(here)
-        if not numbered:
+        """Return a line for each coordinate; none if no reader knows a name in it."""
+        known = self.known(here)
+        found = [working(each, known) for each in self.right]
+        if not any(map(has_names, self.right)):
             return ""
-        sides = ([latex(each, {}) for each in side] for side in (self.right, numbered))
-        values = (f"{value:.4g}" for value in self.answer(here))
-        return "\n\n".join(  # a line for each side, because the lesson is narrow
-            "  \n$=$ ".join(f"${each}$" for each in dict.fromkeys(line))
-            for line in zip(*sides, values, strict=True)
-        )
+        names = COORDINATES[self.pane]
+        sides = [way.sides(name) for name, way in zip(names, found, strict=True) if way is not None]
+        return in_list(sides) if len(sides) == len(found) else ""
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return f"({', '.join(map(write, self.answer(here)))})"
@@ -129,6 +135,6 @@ class Click(Marked):
 def _place(item: Item, count: int) -> tuple[Formula, ...]:
     parts = split(item.text)
     if len(parts) != count:
-        raise refused(item.line, COORDINATES, count, value=item.text[:60])
+        raise refused(item.line, NOT_SO_MANY, count, value=item.text[:60])
     with on_line(item.line, item.key):
         return tuple(parse(part.strip()) for part in parts)

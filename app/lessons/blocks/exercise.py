@@ -57,7 +57,8 @@ HIDDEN = ("numbers", "lens", *PANES)
 """What an exercise may hide."""
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
-_DRAWN = re.compile(r"\{=([^{}]*)\}")
+_DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
+"""A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
 
 
 class Varied(NamedTuple):
@@ -133,7 +134,10 @@ class Exercise(Asked):
 
     def question(self, numbers: Mapping[str, Fraction]) -> Question | Task:
         """Return the question or the task with these numbers in its text."""
-        lines = [(line, _written(text, line, numbers)) for line, text in self.recipe]
+        lines = [
+            (line, _written(text, line, numbers, exact=text.startswith("right:")))
+            for line, text in self.recipe
+        ]
         body = Body("task", self.name, self.line, lines)
         if any(text.startswith("until:") for _, text in lines):
             return Task.read(body)
@@ -174,6 +178,8 @@ class Exercise(Asked):
             question.check_values(here)
         elif question.is_done(here, here.document):
             raise refused(self.line, UNSUITED, value=question.text[:60])
+        else:
+            question.check_wrong(here)
         return Variant(seed, numbers, question, here)
 
     def _state(self, numbers: Mapping[str, Fraction]) -> State | None:
@@ -187,7 +193,12 @@ class Exercise(Asked):
         count = 1
         for each in self.varied:
             count *= len(each.values)
-        found = {tuple(self.variant(here, seed).numbers.values()) for seed in range(1, SEEDS + 1)}
+        found = set[tuple[Fraction, ...]]()
+        for seed in range(1, SEEDS + 1):
+            variant = self.variant(here, seed)
+            found.add(tuple(variant.numbers.values()))
+            if isinstance(variant.question, Task):
+                variant.question.check_right(variant.here)
         if min(count, len(found)) < LEAST_VARIANTS:
             raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
         shown: set[str] | None = None
@@ -282,8 +293,11 @@ def _written(text: str, line: int, numbers: Mapping[str, Fraction], *, exact: bo
     """Write the numbers into a text, for a reader or with all their digits."""
 
     def written(found: re.Match[str]) -> str:
-        value = _number(found[1], line, numbers)
-        return repr(float(value)) if exact else written_number(value)
+        value = _number(found[2], line, numbers)
+        text = repr(float(value)) if exact else written_number(value)
+        if found[1] == "=":
+            return text
+        return f"= {text}" if Fraction(text) == value else rf"\approx {text}"
 
     return _DRAWN.sub(written, text)
 

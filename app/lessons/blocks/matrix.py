@@ -11,7 +11,8 @@ from typing import TypeVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
-from app.lessons.lines import Body, Item, Items, on_line, refused, split
+from app.lessons.blocks.working import has_names, in_list, working, written_value
+from app.lessons.lines import Body, Item, Items, number_in, on_line, refused, split
 from app.lessons.marking import Typed
 from app.model.formula import Formula, latex, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -26,6 +27,7 @@ A_MATRIX = QT_TRANSLATE_NOOP(
     "must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, "
     "separated by “,”; and at least two cells",
 )
+A_CELL = QT_TRANSLATE_NOOP("Refusal", "must be a row and a column, separated by “,”")
 OTHER_SHAPE = QT_TRANSLATE_NOOP("Refusal", "has {0} × {1} cells; the answer has {2} × {3}")
 CELLS = QT_TRANSLATE_NOOP(
     "Refusal", "must have {0} rows, separated by “;”, each with {1} cells, separated by “|”"
@@ -52,11 +54,17 @@ class Matrix(Marked):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
 
     A typed answer is one text: its cells are separated by ``|``, its rows by ``;``.
+
+    Attributes
+    ----------
+    first : tuple of int
+        Row and column of the first cell in the matrix that these are a part of, from 1.
     """
 
     kind = "answer"
     rows: int
     columns: int
+    first: tuple[int, ...] = ()
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> Matrix:
@@ -73,7 +81,7 @@ class Matrix(Marked):
                 replies.append(Reply(line=item.line, formulas=wrong, idea=item.about, **said))
         return cls(
             **cls.fields(body, text, items), replies=tuple(replies), right=formulas,
-            right_line=right.line, rows=rows, columns=columns,
+            right_line=right.line, rows=rows, columns=columns, first=_first(items),
         )  # fmt: skip
 
     def answer(self, here: Here) -> Value:
@@ -152,25 +160,32 @@ class Matrix(Marked):
 
     def solution(self, here: Here) -> str:
         """Return a line for each number that has letters; the numbers are in `answer_text`."""
-        lines = list[str]()
-        for place, numbered in enumerate(self.numbered(here)):
-            sides = latex(self.right[place], {}), latex(numbered, {})
-            if sides[0] != sides[1]:
-                row, column = place // self.columns + 1, place % self.columns + 1
-                is_vector = min(self.rows, self.columns) == 1
-                name = f"v_{place + 1}" if is_vector else f"m_{{{row}{column}}}"
-                value = f"{self.answer(here)[place]:.4g}"
-                lines.append(f"${' = '.join((name, *dict.fromkeys((*sides, value))))}$")
-        return "  \n".join(lines)
+        known, lines = self.known(here), list[list[str]]()
+        for place, formula in enumerate(self.right):
+            found = working(formula, known) if has_names(formula) else None
+            if found is not None:
+                lines.append(found.sides(self._name(place)))
+        return in_list(lines)
+
+    def _name(self, place: int) -> str:
+        """Return what a cell is called in the worked solution."""
+        row, column = divmod(place, self.columns)
+        if self.first:
+            return f"m_{{{row + self.first[0]}{column + self.first[1]}}}"
+        is_vector = min(self.rows, self.columns) == 1
+        return f"v_{place + 1}" if is_vector else f"m_{{{row + 1}{column + 1}}}"
 
     def sides(self, here: Here) -> list[str]:
         """Return the sides of an equation of matrices, each a table; none without letters."""
-        numbered = self.numbered(here)
-        if not numbered:
+        known = self.known(here)
+        found = [working(each, known) for each in self.right]
+        ways = [each for each in found if each is not None]
+        if not any(map(has_names, self.right)) or len(ways) < len(found):
             return []
-        sides = [[f"${latex(each, {})}$" for each in side] for side in (self.right, numbered)]
-        values = [f"${value:.4g}$" for value in self.answer(here)]
-        return [self.table(side) for side in (*sides, values)]
+        texts = ([f"${latex(each, {})}$" for each in side] for side in zip(*(
+            (way.letters, way.numbers) for way in ways), strict=True))  # fmt: skip
+        values = [f"${written_value(way.value)[0]}$" for way in ways]
+        return [self.table(side) for side in (*texts, values)]
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""
@@ -184,6 +199,16 @@ class Matrix(Marked):
         rows = [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
         lines = [[""] * self.columns, ["---"] * self.columns, *rows]
         return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _first(items: Items) -> tuple[int, ...]:
+    item = items.single("first")
+    if item is None:
+        return ()
+    parts = item.text.split(",")
+    if len(parts) != 2:
+        raise refused(item.line, A_CELL, value=item.text[:60])
+    return tuple(int(number_in(part.strip(), item.line, 1, MOST)) for part in parts)
 
 
 def _flat(rows: Iterable[Sequence[int]]) -> list[int]:

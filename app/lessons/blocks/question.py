@@ -8,17 +8,17 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from fractions import Fraction
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from app.document.document import Document
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Item, Items, on_line, refused
 from app.lessons.marking import UNITS
-from app.lessons.quantities import FUNCTIONS, Condition, NotThere, Quantities
+from app.lessons.quantities import Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
-from app.model.formula import Call, Formula, Letter, Negative, Number, latex
+from app.model.formula import Formula
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -130,11 +130,17 @@ class Question(Asked):
         Choices, or the wrong values that have an idea.
     checks : tuple of (int, Condition)
         Conditions that hold if the right reply is correct.
+    symbol : str
+        TeX of what the value is called in its worked solution.
+    unit : str
+        The unit of the value, one of `UNITS`.
     """
 
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]
     checks: tuple[tuple[int, Condition], ...] = ()
+    symbol: str = ""
+    unit: str = ""
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
@@ -212,21 +218,15 @@ class Question(Asked):
             if not wrong.right and wrong.formulas:
                 yield wrong, wrong.formulas, wrong.line
 
-    def numbered(self, here: Here) -> tuple[Formula, ...]:
-        """Return the formulas of the right value with numbers for letters; none without letters."""
-        return with_numbers(self.key[0], self.known(here))
-
     def solution(self, here: Here) -> str:
         """Return the way to the answer as Markdown: in letters, with the step's numbers, its value.
 
-        Empty if the formulas have no letters: the question itself says the numbers.
+        Empty if there is none: the formula is a number or a name, or no reader knows a name in it.
         """
-        numbered = self.numbered(here)
-        if not numbered:
-            return ""
-        (value,) = self.values(here, *self.key)
-        sides = *(latex(each, {}) for each in (*self.key[0], *numbered)), f"{value:.4g}"
-        return f"${' = '.join(dict.fromkeys(sides))}$"
+        formulas, _ = self.key
+        is_way = any(has_way(each) for each in formulas)
+        found = working(formulas[0], self.known(here)) if is_way else None
+        return in_markdown(found.sides(self.symbol, self.unit)) if found is not None else ""
 
     def _clashes(
         self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]
@@ -246,7 +246,6 @@ class Marked(Question):
 
     right: tuple[Formula, ...]
     right_line: int
-    unit: str = ""
 
     @property
     def key(self) -> tuple[tuple[Formula, ...], int]:
@@ -270,20 +269,6 @@ class Marked(Question):
             if error.field != "answer":
                 raise
             return "no number"
-
-
-def with_numbers(formulas: Sequence[Formula], known: Quantities) -> tuple[Formula, ...]:
-    """Return formulas with numbers for their letters; none if they have no letters."""
-    terms = dict[str, Formula]()
-    for formula in formulas:
-        for part in formula:
-            is_name = isinstance(part, Letter) and part.name not in ("pi", "infinity")
-            if is_name or (isinstance(part, Call) and part.name not in FUNCTIONS):
-                value = known.value(part)
-                digits = 10 if value.is_integer() else 4  # a count is no rounded number
-                number = Number(abs(Fraction(f"{value:.{digits}g}")))
-                terms[part.text] = number if value >= 0.0 else Negative(number)
-    return tuple(formula.where(terms) for formula in formulas) if terms else ()
 
 
 def _figures(value: Value) -> str:

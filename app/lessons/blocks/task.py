@@ -9,13 +9,15 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import with_numbers
+from app.lessons.blocks.question import Reply, said_below
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
-from app.model.formula import latex
+from app.lessons.state import State, state_in
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
+ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right state")
+NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 _PANES = "view.panes="
 _MOVED_BY = {
@@ -26,20 +28,46 @@ _MOVED_BY = {
 
 
 @dataclass(frozen=True, kw_only=True)
+class Wrong(Reply):
+    """What a student does who has a wrong idea: the condition holds then, and the task is open."""
+
+    condition: Condition
+
+
+@dataclass(frozen=True, kw_only=True)
 class Task(Asked):
-    """A task: done when all of `until` hold; then the student reads `done`."""
+    """A task: done when all of `until` hold; then the student reads `done`.
+
+    Attributes
+    ----------
+    wrong : tuple of Wrong
+    right : State, optional
+        A state that fulfils the task, for the check; `why` says how it is found.
+    """
 
     kind = "task"
     until: tuple[tuple[int, Condition], ...]
     done: str
+    wrong: tuple[Wrong, ...] = ()
+    right: State | None = None
 
     @classmethod
     def read(cls, body: Body) -> Task:
-        text, items = body.items("until", "done", "hint")
+        text, items = body.items("until", "done", "hint", "why", "wrong", "right")
         until = items.conditions("until")
         if not until:
             raise refused(body.line, LACKS, "“until: CONDITION”")
-        return cls(**cls.fields(body, text, items), until=until, done=items.text("done"))
+        wrong = []
+        for item in items:
+            if item.key == "wrong":
+                with on_line(item.line, "wrong"):
+                    condition = Condition.read(item.text)
+                given = {"idea": item.about, "condition": condition, **said_below(item)}
+                wrong.append(Wrong(line=item.line, **given))
+        return cls(
+            **cls.fields(body, text, items), until=until, done=items.text("done"),
+            why=items.text("why"), wrong=tuple(wrong), right=state_in(items.single("right")),
+        )  # fmt: skip
 
     @property
     def handles(self) -> frozenset[str]:
@@ -60,32 +88,44 @@ class Task(Asked):
                     return False
         return True
 
-    def solution(self, here: Here) -> str:
-        """Return the values that numbers of an exercise ask for, as Markdown; else an empty text.
+    def mistaken(self, here: Here, now: Document, view: View | None = None) -> Wrong | None:
+        """Return the wrong idea on which the window's current state was made, if it is known."""
+        known = here.quantities(now, view)
+        for wrong in self.wrong:
+            with on_line(wrong.line, "wrong"):
+                if wrong.condition.holds(known):
+                    return wrong
+        return None
 
-        Each is a condition in letters, with the numbers put in, and its value.
-        """
-        known, lines = here.quantities(), list[str]()
-        for line, condition in self.until:
-            left, right = condition.left, condition.right
-            if left is not None and right is not None and {*right.letters} & {*here.given}:
-                with on_line(line, "until"):
-                    sides = right, *with_numbers([right], known)
-                    value = f"{known.value(right):.4g}"
-                texts = dict.fromkeys((*(latex(side, {}) for side in sides), value))
-                lines.append(f"${latex(left, {})} {condition.sign} {' = '.join(texts)}$")
-        return "  \n".join(lines)
+    def check_wrong(self, here: Here) -> None:
+        """Refuse a wrong idea that leads to the right state."""
+        if self.right is not None and self.wrong:
+            wrong = self.mistaken(here, here.shown_by(self.right))
+            if wrong is not None:
+                raise refused(wrong.line, ALSO_RIGHT, value=wrong.condition.text)
+
+    def check_right(self, here: Here) -> None:
+        """Refuse a right state that does not fulfil the task."""
+        if self.right is not None and not self.is_done(here, here.shown_by(self.right)):
+            raise refused(self.right.line, NOT_DONE)
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
+        for wrong in self.wrong:
+            wrong.check(here, trial)
         if self.is_done(here, here.document):
             raise refused(self.line, NOTHING_TO_DO)
+        self.check_right(here)
+        self.check_wrong(here)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         own = here.document
         with on_line(line):
             now = _after(own, sample.split())
-        return "done" if self.is_done(here, now) else "open"
+        if self.is_done(here, now):
+            return "done"
+        wrong = self.mistaken(here, now)
+        return "open" if wrong is None else wrong.verdict(here).word
 
 
 def _after(document: Document, assignments: Sequence[str]) -> Document:

@@ -190,6 +190,8 @@ class Chooses(BlockView):
             self._close()
         if verdict.right:
             self._praise(verdict)
+            if self.here.given:  # the numbers of an exercise
+                self._say("", "", question.solution(self.here))
             show = show or verdict.state
         elif question.retries:
             self._offer_answer(self.give_away)

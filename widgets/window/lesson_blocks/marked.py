@@ -96,7 +96,7 @@ class Attempts(BlockView):
         self._show_verdict(verdict)
         self._close()
         self._praise(verdict)
-        if not verdict.says:
+        if not verdict.says or self.here.given:  # an exercise's reason need not have its numbers
             self._say("", "", self.question.solution(self.here))
 
     def give_hint(self) -> None:

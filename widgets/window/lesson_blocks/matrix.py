@@ -11,20 +11,19 @@ from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
 from app.model.refusal import Refusal
-from widgets.parts.icons import icon
 from widgets.parts.layouts import FREE
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label, set_tip
 from widgets.window.lesson_blocks.marked import Attempts
-from widgets.window.lesson_blocks.view import button, on_holder
+from widgets.window.lesson_blocks.view import Sign, button, on_holder
 
-CELL_EM = 5.5
+CELL_EM = 6.0
 """Largest width of a cell, in line heights."""
 _BRACKET_PX = 6
 
 
 class _Cell(QLineEdit):
-    """A cell with a sign after it is marked; the sign goes when the cell is edited."""
+    """A cell with a sign below it is marked; the sign goes when the cell is edited."""
 
     def __init__(self, row: int, column: int) -> None:
         super().__init__()
@@ -38,18 +37,18 @@ class _Cell(QLineEdit):
         self.setMinimumWidth(3 * em)
         self.setMaximumWidth(round(CELL_EM * em))
         self.textEdited.connect(self.unmark)
+        self.sign = Sign("", "")
+        """Below the cell, where it takes no room from the number."""
+        self.sign.hide()
 
     def mark(self, is_right: bool) -> None:
-        self.unmark()
         said = self.tr("Right") if is_right else self.tr("Wrong")
-        sign = icon("check" if is_right else "close")
-        self.addAction(sign, QLineEdit.ActionPosition.TrailingPosition)
+        self.sign.show_icon("check" if is_right else "close", said)
+        self.sign.show()
         self.setAccessibleDescription(said)
 
     def unmark(self) -> None:
-        for sign in self.actions():
-            self.removeAction(sign)
-            sign.deleteLater()
+        self.sign.hide()
         self.setAccessibleDescription("")
 
 
@@ -86,7 +85,9 @@ class Fills(Attempts):
             set_tip(cell, tip)
             cell.returnPressed.connect(self.check)
             cell.installEventFilter(self)
-            grid.addWidget(cell, cell.row, cell.column)
+            grid.addWidget(cell, 2 * cell.row, cell.column)
+            middle = Qt.AlignmentFlag.AlignHCenter
+            grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, middle)
         self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
         unit = [Label(question.unit)] if question.unit else []
         self._insert(on_holder(holder, *unit, FREE, gap=5))

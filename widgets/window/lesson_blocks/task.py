@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+from PySide6.QtCore import QTimer
+
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.blocks.task import Task
@@ -14,6 +16,8 @@ from app.lessons.writing import changes
 from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
 
+REST_MS = 900
+"""How long nothing has changed when a wrong idea is named."""
 DONE = "done"
 """Stored as the answer of a finished task."""
 
@@ -28,6 +32,10 @@ class Tries(BlockView):
         sign = Sign("", "")
         super().__init__(here, task, sign)
         self.task, self._sign, self._now = task, sign, here.document
+        self._told: set[int] = set()
+        """The lines of the wrong ideas that were named: each is named once."""
+        self._resting = QTimer(self, singleShot=True, interval=REST_MS)
+        self._resting.timeout.connect(self.rest)
         sign.show_icon("", self.tr("To do"))
 
     def begin_test(self) -> None:
@@ -67,18 +75,21 @@ class Tries(BlockView):
         self._offer_answer(self.give_away)
 
     def give_away(self) -> None:
-        """Show what the numbers of an exercise ask for."""
+        """Show how the task is done."""
         self._hush()
         self._tell()
-        self._announce(self.task.solution(self.here))
+        self._announce(self.task.why)
         self.tried.emit("", SHOWN)
         self._settle(TOLD)
 
     def _tell(self) -> None:
-        self._say("help", "", self.task.solution(self.here))
+        self._say("help", "", self.task.why)
+        if self.task.right is not None:
+            tip = self.tr("Show a state that makes it visible (Alt+W)")
+            self._offer_state(self.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
 
     def _offer_answer(self, act: Callable[[], object]) -> None:
-        if self.task.solution(self.here):
+        if self.task.why:
             super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
@@ -91,14 +102,34 @@ class Tries(BlockView):
             self._refuse(error)
             return
         if is_done:
+            self._resting.stop()
             self._hush()
             self._tick()
             self.tried.emit(self._given, RIGHT)
-            self._announce(self.tr("Done."), self.task.done)
+            self._announce(self.tr("Done."), self.task.done, self.task.why)
             self._settle(DONE)
         elif document != self.here.document:  # tried
             self._offer_answer(self.give_away)
+            if self.task.wrong:
+                self._resting.start()
+
+    def rest(self) -> None:
+        """Name the wrong idea behind what was done, once the hand rests."""
+        if not self.is_open:
+            return
+        try:
+            wrong = self.task.mistaken(self.here, self._now, self._now.view)
+            verdict = wrong.verdict(self.here) if wrong is not None else None
+        except Refusal as error:
+            self._refuse(error)
+            return
+        if wrong is not None and verdict is not None and wrong.line not in self._told:
+            self._told.add(wrong.line)
+            self._hush()
+            self.tried.emit(self._given, verdict.word)
+            self._refute(verdict)
 
     def _tick(self) -> None:
         self._sign.show_icon("check", self.tr("Done"))
         self._say("", "", self.task.done or self.tr("Done."))
+        self._say("", "", self.task.why)
