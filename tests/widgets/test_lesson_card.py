@@ -1335,6 +1335,6 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     mixed.write_text(begun, encoding="utf-8")
     card.open(mixed)
     settle()
-    names = [role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)]
-    assert names[-5:-3] == ["Step 2, practice: Number", "Step 3, practice: Matrix"]
-    assert "Step 1: Words" in names and texts(card).count("Practice") == 1
+    names = {role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)}
+    assert names >= {"Step 1: Words", "Step 2, practice: Number", "Step 6, practice: Choice"}
+    assert texts(card).count("Practice") == 1
