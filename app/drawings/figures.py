@@ -172,7 +172,7 @@ def render(
     Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise VTK
     may use Qt's context for its own.
     """
-    places = _places(projection, panes, size, scale, column)
+    places = _places(projection, panes, size, scale, column, view)
     style = _styled(style, projection, panes, size, text_pt, column).enlarged(scale)
     if words is WORDS:
         words = Words(view.letters)
@@ -210,9 +210,12 @@ def _places(
     size: Size | tuple[int, int] | None,
     scale: float,
     column: bool,
+    view: View,
 ) -> list[tuple[int, int, int, int]]:
     size_px = checked_size(projection.image_size, panes, size, scale, column)
-    return panes_in(size_px, [projection.aspect if p == "image" else None for p in panes], column)
+    # Beside an image several worlds that are compared would be small.
+    aspect = None if view.compare else projection.aspect
+    return panes_in(size_px, [aspect if p == "image" else None for p in panes], column)
 
 
 def _cropped(whole: Pixels, style: Style, margin: int) -> Pixels:
@@ -272,7 +275,7 @@ def shapes(
 
     The parameters are those of `render`, and one of `HIDDEN`. A `Refusal` also for too many shapes.
     """
-    places = _places(projection, panes, size, 1.0, column)
+    places = _places(projection, panes, size, 1.0, column, view)
     style = _styled(style, projection, panes, size, text_pt, column)
     if words is WORDS:
         words = Words(view.letters)
