@@ -96,7 +96,7 @@ from tests.support.layout import cut, overlapping
 from tests.support.opened import close, opened
 from widgets.window.settings import Settings
 window = opened(Document("vanishing-points", load("vanishing-points").start),
-                settings=Settings(None))
+                settings=Settings(None), drawn=False)
 window.resize(1280, 720)
 for panel in (None, window.matrices):
     window.panels.open(panel)
