@@ -162,6 +162,7 @@ def test_a_test_is_taken_by_keyboard_alone(
         come_to_rest(window)
     said = texts(card)
     assert "2 of 3 right" in said and window.lessons.lesson is None
+    assert keyboard().visibleRegion().boundingRect() == keyboard().rect(), "what to do is above the fold"
     assert f"Your answer: {given['wide']}" in said and "The tangent grows faster." in said
     assert "Your answer: no" in said and given["set"] in said
     assert "The idea behind it" in said
