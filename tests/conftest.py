@@ -94,6 +94,14 @@ def nothing_left() -> Iterator[None]:
         assert left < MOST_WIDGETS, f"{left} widgets outlive their tests"
 
 
+@pytest.fixture
+def few_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Check enough variants to find a fault of every exercise; ``lesson check`` tries more."""
+    from app.lessons.blocks import exercise
+
+    monkeypatch.setattr(exercise, "SEEDS", exercise.LEAST_VARIANTS + 4)
+
+
 @pytest.fixture(scope="session")
 def qapp_cls() -> type:
     """The application class for pytest-qt, after what must precede the first window."""
@@ -160,10 +168,10 @@ def make_window(
 
 @pytest.fixture
 def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
-    """A window on the letter F as it opens, at rest."""
+    """A window on the letter F as it opens, at rest; empty panes for a test that is `undrawn`."""
     from tests.support.window import settle
 
-    window = make_window()
+    window = make_window(drawn=request.node.get_closest_marker("undrawn") is None)
     settle()
     yield window
     request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought

@@ -82,7 +82,7 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         found |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):
-        found |= {"d", "height", "angle", *(name for name, _ in shown.measured)}
+        found |= {"d", "e", "height", "angle", *(name for name, _ in shown.measured)}
         found |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
         found |= {"height", "width", *(("interval",) if planes else ())}

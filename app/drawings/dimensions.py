@@ -167,6 +167,8 @@ class Dimensions:
                     ends = seen(np.array([start, end]))
                     self._length(name, *ends)
                     lowest = min(lowest, ends[0][1], ends[1][1])
+            if "e" in dict(self._ways(measured)):
+                lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots, measured)))
             if measured.view == "axis":
                 if corners is not None:
                     self._across(ground, spots, measured)
@@ -220,8 +222,16 @@ class Dimensions:
         projection, ways = measured.projection, dict[str, float]()
         if projection.has_camera:
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
+            half = half_of(projection, 1 if measured.view == "side" else 0)
+            is_asked = measured.names.wants("e") and not measured.names.all
+            if is_asked and half is not None and half.angle_deg is not None:
+                ways["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
         named = [way for way in ways.items() if way[0] in measured.names]
         return sorted(named, key=lambda way: abs(way[1]))
+
+    def _unit(self, spots: Array, measured: Measured) -> float:
+        """A unit along the axis, in pixels."""
+        return float(spots[1, 0] - spots[0, 0]) / measured.projection.camera.distance
 
     def _length(self, name: str, start: Spot, end: Spot) -> None:
         self._lines.add(start[:2], end[:2])
@@ -230,7 +240,7 @@ class Dimensions:
         self._board.want_beside((_KEY, name), (*half, 1.0), LENGTH, (1.0, 0.0))
 
     def _beside(self, ground: Ground, spots: Array, measured: Measured) -> None:
-        """Half the angle at the eye, and half the window on the far plane."""
+        """Half the angle at the eye, half the window on the far plane, and where that half is 1."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)
         if half is None or not half.has_eye:
@@ -242,6 +252,11 @@ class Dimensions:
                 "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
                 side=-1.0,
             )  # fmt: skip
+        e = dict(self._ways(measured)).get("e")
+        if e is not None:
+            unit = self._unit(spots, measured)
+            x, y = float(eye[0]) + e * unit, float(eye[1])
+            self._rule("one", (x, y), (x, y + math.copysign(unit, far_edge[1] - y)), "1")
         if half.angle_deg is not None and "angle" in measured.names:
             # The angle is true on the screen: both axes have one scale.
             reached = far_edge - eye

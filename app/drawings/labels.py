@@ -320,17 +320,20 @@ class Labels:
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
     def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
-        """Ask for places outside the window, each beside the middle of its side."""
-        middle, *spots = pane.seen(
-            np.vstack([near.mean(axis=0), (near + np.roll(near, -1, axis=0)) / 2.0])
-        )
-        beside = dict(zip(SIDES, spots, strict=True))
+        """Ask for places outside the window, beside each side, at its middle if that is free."""
+        board, em = self._board, self._board.em
+        middle = pane.seen(near.mean(axis=0)[None])[0]
+        ways = np.roll(near, -1, axis=0) - near
+        spots = pane.seen(np.concatenate([near + part * ways for part in (0.5, 0.3, 0.7)]))
         for (letter, side), value in zip(WINDOW.items(), named.window, strict=True):
             if letter not in named.without:
                 self.named[side].set_text(self.side(letter, value))
-                x, y, _ = beside[side]
-                way = x - middle[0], y - middle[1]
-                self._board.want_beside(letter, beside[side], SIDE, way if any(way) else None)
+                beside = spots[SIDES.index(side) :: len(SIDES)]
+                marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
+                way = beside[0][0] - middle[0], beside[0][1] - middle[1]
+                size, rim = board.label(letter).size_px, DOT_EM * em
+                places = partial(around, marks, size, em, rim, way if any(way) else None)
+                board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
 
     def side(self, letter: str, value: float) -> str:
         """The text at a side of the window."""

@@ -24,6 +24,7 @@ from app.lessons.text import FONT
 
 _SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI
+_LARGE = 1e3
 
 
 def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes:
@@ -146,11 +147,13 @@ class _Writer:
                     )  # fmt: skip
                     self._figure.add_artist(halo)
                     continue
-                x, y = place[0] / self._size[0], 1.0 - place[1] / self._size[1]
                 name = "DejaVuSans" if is_set_in_words(piece) else "STIXGeneral"
                 font: Any = FontProperties(
                     fname=font_file(name), size=size * em * _PT_PER_PX, math_fontfamily=FONT
                 )
+                down = _raised(piece, font) / _PT_PER_PX if is_tex else 0.0
+                x = (place[0] + sin * down) / self._size[0]
+                y = 1.0 - (place[1] + cos * down) / self._size[1]
                 self._figure.text(
                     x, y, f"${piece}$" if is_tex else piece.replace("$", r"\$"),
                     fontproperties=font, color=written.colour, alpha=written.opacity,
@@ -172,3 +175,16 @@ def _along(text: Text) -> Iterator[tuple[float, float]]:
     (x, y), turn = text.place, text.written.turn
     for _, _, _, at in text.written.pieces:
         yield x + np.cos(turn) * at * text.em, y - np.sin(turn) * at * text.em
+
+
+def _raised(tex: str, font: Any) -> float:
+    """How many points matplotlib raises a formula: it rounds the formula's height up to a whole."""
+    from matplotlib.mathtext import MathTextParser
+
+    parser: Any = MathTextParser("path")
+    heights = []
+    for larger in (1.0, _LARGE):
+        size = font.copy()
+        size.set_size(larger * font.get_size_in_points())
+        heights.append(parser.parse(f"${tex}$", 72, size).glyphs[0][-1] / larger)
+    return float(heights[0] - heights[1])

@@ -68,7 +68,7 @@ def printed(scene: Scene, style: Style) -> Scene:
     surface, lines = scene.surface, scene.lines
     if surface is not None and "rgb" in surface.cell_data:
         colours, kinds = distinct_rows(np.asarray(surface.cell_data["rgb"]))
-        if len(colours) <= _MOST_COLOURS and surface.n_cells <= _MOST_FACES:
+        if 1 < len(colours) <= _MOST_COLOURS and surface.n_cells <= _MOST_FACES:
             surface = surface.copy(deep=False)
             chosen = with_lightness(colours, _levels(colours, meeting(scene)))
             surface.cell_data["rgb"] = chosen[kinds]

@@ -74,11 +74,7 @@ class StageDrawing(Drawing):
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
         self._canvas = Canvas(screen, style, self._layout)
-        self.own = StageView(
-            self._canvas,
-            scene.start.camera,
-            None if scene.phenomenon is None else scene.phenomenon.cube_side,
-        )
+        self.own = StageView(self._canvas, scene.start.camera, scene.cube_side)
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
         """The position of the box on the strip, and the projection or depth range it depends on."""

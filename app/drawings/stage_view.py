@@ -49,7 +49,7 @@ _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both 
 class StageView(PaneCamera):
     """The place of the camera; `start` is the scene's own, from beside which the world is seen.
 
-    `cube_side` is that of a `Phenomenon`.
+    `cube_side` is that of a `Scene`.
     """
 
     def __init__(

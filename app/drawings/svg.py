@@ -13,7 +13,7 @@ from xml.sax.saxutils import escape, quoteattr
 from PIL import Image
 
 from app.document.lengths import PX_PER
-from app.drawings.hidden import Colour
+from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
 from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.lessons.text import outline
@@ -109,8 +109,14 @@ def _tenth(tenths: int) -> str:
 def _areas(areas: Sequence[Area]) -> str:
     colour, opacity = _hex(areas[0].colour), areas[0].opacity
     seam = f' stroke="{colour}" stroke-width="{_SEAM_PX}"' if opacity >= 1.0 else ""
-    data = "".join(f"{_path(ring)}Z" for area in areas for ring in area.rings)
+    data = "".join(f"{_path(_turned(ring))}Z" for area in areas for ring in area.rings)
     return f'<path fill="{colour}"{_faint("fill", opacity)}{seam} d="{data}"/>'
+
+
+def _turned(ring: Points) -> Points:
+    """A polygon with its corners in the one order: overlaps of two orders would be holes."""
+    ends = zip(ring, [*ring[1:], ring[0]], strict=True)
+    return ring if sum(x * t - y * s for (x, y), (s, t) in ends) < 0.0 else ring[::-1]
 
 
 def _strokes(strokes: Sequence[Stroke]) -> str:

@@ -37,6 +37,8 @@ NAMES = ("eye", "near", "far", "x", "y", "z")
 """The things that the pictures of these scenes, and of the user's meshes, name."""
 SIDE = (20.0, 14.0)
 """From where the world of these scenes is seen: beside the camera, which sets the planes apart."""
+CUBE_SIDE = (75.0, 10.0)
+"""From where the cube of the posts is seen: nearly from the side, along which they crowd."""
 TRIES = {
     "letter-f": (
         QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),

@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, NAMES, SIDE, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -206,6 +206,16 @@ class Scene:
         if self.phenomenon is not None:
             return self.phenomenon.side
         return None if self.name == "posts" else SIDE
+
+    @property
+    def cube_side(self) -> tuple[float, float] | None:
+        """From where the cube is seen: degrees to the right of its near face, and upwards.
+
+        None for the ordinary place.
+        """
+        if self.phenomenon is not None:
+            return self.phenomenon.cube_side
+        return CUBE_SIDE if self.name == "posts" else None
 
     @property
     def tries(self) -> tuple[str, ...]:

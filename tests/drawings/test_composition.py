@@ -169,6 +169,7 @@ def test_compared_pictures_are_each_measured_as_they_are_drawn() -> None:
     assert len(measured(alone, found, "image", SIZE, 14.0)) == 1
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize(
     ("scene", "window", "style"),
     [

@@ -491,7 +491,7 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
     typed = START
     for row, column, value in ((3, 2, -0.5), (3, 3, 1.0), (0, 0, 0.01)):
         typed = with_cell(typed, "clip_from_view", row, column, value)
-    for projection in (
+    extremes = (
         with_lens(far=math.inf),
         with_lens(near=1e-6, far=1.0),
         with_lens(near=1e-205, far=math.inf),
@@ -506,7 +506,8 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
         with_cell(START, "clip_from_view", 3, 2, 0.0),
         replace(START, camera=Camera((0.0, 30.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))),
         replace(START, camera=Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0))),
-    ):
+    )
+    for projection in extremes[[*FIXED].index(view) % 2 :: 2]:
         drawing = made(screen, projection)
         drawing.show_fixed(view)
         image = screen.pixels()
@@ -707,3 +708,23 @@ def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScr
     drawing.show_names(frozenset({"l", "r"}))
     screen.pixels()
     assert {"l = −1", "r = 3"} <= boxes_of(screen).keys() and "−0.5" not in boxes_of(screen)
+
+
+def test_the_distance_at_which_half_the_picture_is_one(off_screen: MakeScreen) -> None:
+    """Lecture 003: e = cot(β/2), here cot 30°; the other way of the triangle is 1."""
+    screen = off_screen(960, 600)
+    projection = with_lens(fov_y_deg=60.0)
+    drawing = made(screen, projection)
+    drawing.show_names(frozenset({"e", "eye"}))
+    drawing.show_fixed("side")
+    screen.pixels()
+    boxes = boxes_of(screen)
+    points = [at(projection, 0.0, v, 3.0**0.5 * part) for v, part in ((0.0, 0.0), (0.0, 1.0))]
+    points.append(at(projection, 0.0, 0.5, 3.0**0.5))
+    eye, foot, half = pixel_of(drawing, np.array(points))
+    assert sum(boxes["e"][::2]) / 2.0 == pytest.approx((eye[0] + foot[0]) / 2.0, abs=2.0)
+    assert sum(boxes["1"][1::2]) / 2.0 == pytest.approx(600.0 - half[1], abs=2.0)
+    assert boxes["1"][0] - half[0] < 20.0
+    drawing.show_names(None)
+    screen.pixels()
+    assert "1" not in boxes_of(screen)

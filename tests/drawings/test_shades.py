@@ -65,7 +65,7 @@ def test_on_paper_labels_are_black_and_far_is_dashed() -> None:
     strokes = {}
     for name in ("screen", "print"):
         style = PALETTES[name]
-        _, found = shapes(scene, scene.start, ("world", "ndc"), (600, 300), style=style)
+        _, found = shapes(scene, scene.start, ("ndc",), (250, 250), style=style)
         inks = {shape.written.colour for shape in found if isinstance(shape, Text)}
         assert (inks == {"#000000"}) == (name == "print") and len(inks) >= 1
         far = [s for s in found if isinstance(s, Stroke) and s.colour == rgb(style.far)]

@@ -20,7 +20,7 @@ from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings import vectors
 from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor, put_in_front
-from app.drawings.figures import render, shapes
+from app.drawings.figures import render, shapes, write_shapes
 from app.drawings.label import laid, pieces_of
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
@@ -29,7 +29,7 @@ from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
 from app.lessons.course import scene_of
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
 
 Pixels = NDArray[np.float64]
@@ -70,6 +70,29 @@ def agreeing(one: Pixels, other: Pixels) -> float:
     return float(same[inner].mean())
 
 
+def dark_lines(pixels: Pixels, depth: float) -> NDArray[np.bool_]:
+    """The pixels that are darker than those on both sides, by so much of 255."""
+    light = pixels @ [0.2126, 0.7152, 0.0722]
+    deepest = np.zeros_like(light)
+    for x, y in ((1, 0), (0, 1), (1, 1), (1, -1)):
+        for away in (2, 3):
+            one = np.roll(light, (away * y, away * x), axis=(0, 1))
+            other = np.roll(light, (-away * y, -away * x), axis=(0, 1))
+            deepest = np.maximum(deepest, np.minimum(one, other) - light)
+    return deepest > depth
+
+
+def lost_lines(one: Pixels, other: Pixels, found: list[vectors.Shape]) -> int:
+    """How many pixels of one's dark lines have none of the other within 1.5 pixels."""
+    lost = dark_lines(one, 40.0) & ~around(dark_lines(other, 20.0)).any(axis=0)
+    lost[:4], lost[-4:], lost[:, :4], lost[:, -4:] = False, False, False, False
+    for label in found:  # whose font another program may not have
+        if isinstance(label, Text):
+            left, top, right, low = (round(s) for s in vectors.box_of([label], "#ffffff") or ())
+            lost[max(0, top - 6) : low + 6, max(0, left - 12) : right + 12] = False
+    return int(lost.sum())
+
+
 def figure(
     document: Document, panes: list[str], size: tuple[int, int]
 ) -> tuple[str, list[vectors.Shape], Pixels]:
@@ -100,7 +123,11 @@ def test_shapes_are_where_the_pixels_are(
 ) -> None:
     document = set_values(Document(scene, load(scene).start), values)
     text, found, pixels = figure(document, [pane], (400, 300))
-    assert agreeing(raster(text, (400, 300)), pixels) >= 0.998
+    shown = raster(text, (400, 300))
+    assert agreeing(shown, pixels) >= 0.998
+    if scene != "off-axis-window":  # whose lines lie on the frame, which cuts pixels only
+        assert lost_lines(pixels, shown, found) <= 25, "lines that only the pixels have"
+        assert lost_lines(shown, pixels, found) <= 25, "lines that only the shapes have"
     is_shaded = scene == "interpolation"
     assert text.count("<image ") == is_shaded
     assert any(isinstance(shape, Area) for shape in found) or is_shaded
@@ -117,6 +144,12 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     assert len(labels) >= 6 and "near n = 4" in labels
     assert [each.replace("\u200b", "") for each in written] == labels
     assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
+
+
+def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None:
+    ring = [(1.0, 1.0), (9.0, 1.0), (9.0, 9.0), (1.0, 9.0)]
+    areas = [Area([ring], (0.0, 0.0, 0.0), 1.0), Area([ring[::-1]], (0.0, 0.0, 0.0), 1.0)]
+    assert (raster(svg(areas, (10, 10), "t").decode(), (10, 10))[2:8, 2:8] < 1.0).all()
 
 
 @pytest.mark.parametrize(
@@ -212,6 +245,21 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
     assert panes_in((600, 1200), [None, 2.0], column=True) == [(0, 0, 600, 771), (0, 771, 600, 429)]
     # The pane beside it keeps three quarters of an equal share.
     assert panes_in((800, 800), [None, 2.0]) == [(0, 0, 300, 800), (300, 0, 500, 800)]
+
+
+def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
+    text = "near n ="
+    pieces = laid(text).pieces
+    written = vectors.Written(
+        text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
+    )
+    drawn = b"".join(streams_of(pdf([Text(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
+    number = rb"(-?[\d.]+)"
+    lines = re.findall(number + rb" cm\nBT\n(.*?)ET", drawn, re.DOTALL)
+    ups = [re.findall(number + b" " + number + rb" Td", part)[0][1] for _, part in lines]
+    assert len(lines) >= 3 and any(float(up) > 0.1 for up in ups), "as matplotlib raises them"
+    heights = [float(line) + float(up) for (line, _), up in zip(lines, ups, strict=True)]
+    assert heights == pytest.approx([40.0 * 0.24] * len(heights), abs=0.01)
 
 
 def test_a_pdf_has_each_shape_at_its_place() -> None:
@@ -371,10 +419,24 @@ def test_neighbours_in_a_plane_become_one_face() -> None:
     assert sorted(corners) == [(50.0, 100.0), (50.0, 150.0), (100.0, 100.0), (100.0, 150.0)]
 
 
-def test_too_many_faces_are_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    scene, told = load("cube"), list[float]()
+
+    def go_on(fraction: float) -> bool:
+        told.append(fraction)
+        return len(told) < 5
+
+    with pytest.raises(Cancelled):
+        shapes(scene, scene.start, ["image"], (100, 100), progress=go_on)
+    assert len(told) == 5 and sorted(told) == told and 0.0 < told[-1] < 1.0
+
+
+def test_too_many_faces_are_refused_with_the_file_to_write_instead(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     monkeypatch.setattr(vectors, "MOST_CELLS", 10)
     scene = load("letter-f")
-    with pytest.raises(
-        Refusal, match=r"the limit of a figure without pixels is 10: write it as .png"
-    ):
-        shapes(scene, scene.start, panes=["image"])
+    with pytest.raises(Refusal) as refused:
+        write_shapes("no folder/my.figure.svg", scene, scene.start, panes=["image"])
+    assert str(refused.value).endswith("without pixels is 10: write my.figure.png.")

@@ -12,7 +12,8 @@ from tests import pictures
 
 
 def test_the_pictures_are_what_the_program_draws(tmp_path: Path) -> None:
-    assert pictures.compare(pictures.PICTURES, tmp_path) == {}
+    """A sample: ``python3 -m tests.pictures`` draws all of them."""
+    assert pictures.compare([*pictures.PICTURES][::3], tmp_path) == {}
 
 
 def test_every_picture_is_shown_somewhere_and_can_be_drawn_anew() -> None:

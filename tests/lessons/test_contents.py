@@ -14,7 +14,6 @@ import pytest
 from mpmath import mp
 
 from app.document.settings import set_values
-from app.lessons.blocks import exercise
 from app.lessons.blocks.block import Here, of_kind
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.question import Question
@@ -33,10 +32,7 @@ SEEDS = range(1, 9)
 """The variants of an exercise that are reckoned anew."""
 
 
-@pytest.fixture(autouse=True)
-def few_seeds(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Enough to find a fault of every exercise; ``lesson check`` tries more."""
-    monkeypatch.setattr(exercise, "SEEDS", 40)
+pytestmark = pytest.mark.usefixtures("few_seeds")
 
 
 class Reckoned(NamedTuple):

@@ -9,6 +9,8 @@ import pytest
 from app.lessons.checking import Report
 from tests.support.mistakes import LESSON, MISTAKES
 
+pytestmark = pytest.mark.usefixtures("few_seeds")
+
 
 def faults(path: Path, text: str) -> list[str]:
     path.write_text(text, encoding="utf-8")

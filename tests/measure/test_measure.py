@@ -200,8 +200,8 @@ def test_float32_is_the_models_precision_to_the_bit() -> None:
 def test_predictions_hold_over_every_sweep(parameter: str, depth: str) -> None:
     """Our float64 stays accurate over the sweep, and VTK's camera breaks somewhere."""
     projection = replace(START, depth=depth)
-    swept = sweep(parameter, projection, POINTS, whole(parameter, 25))
-    assert len(swept.values) == 25 and swept.complete
+    swept = sweep(parameter, projection, POINTS, whole(parameter, 13))
+    assert len(swept.values) == 13 and swept.complete
     curves = dict(swept.curves)
     vtk = curves.pop("VTK's camera")
     assert set(vtk.predicted) == {None}
@@ -217,7 +217,7 @@ def test_predictions_hold_over_every_sweep(parameter: str, depth: str) -> None:
                     continue
                 assert error <= expected, (name, error)
                 ratios.append(expected / max(error, 1e-30))
-    assert len(ratios) > 60 and np.median(ratios) <= 30.0
+    assert len(ratios) > 30 and np.median(ratios) <= 30.0
     largest = max(filter(None, curves["float64, every stage"].errors))
     # Below 1e-12 degrees no float64 point can be placed in the picture.
     assert parameter == "fov" or largest < 1e-12

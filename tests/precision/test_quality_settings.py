@@ -236,6 +236,7 @@ def test_an_impossible_choice_for_a_pane_or_scene_is_reported_and_changes_nothin
     assert sentence not in window.status.health.toolTip()
 
 
+@pytest.mark.undrawn
 def test_a_swept_value_that_the_document_cannot_have_is_refused(window: MainWindow) -> None:
     before = window.store.document
     window.quality.use({"lens.near": "20.0"})  # its far is 18
@@ -243,6 +244,7 @@ def test_a_swept_value_that_the_document_cannot_have_is_refused(window: MainWind
     assert window.store.document == before
 
 
+@pytest.mark.undrawn
 def test_too_few_samples_are_reported(window: MainWindow) -> None:
     window.quality.use({"smoothing": "MSAA 8"})
     settle()
@@ -321,6 +323,7 @@ def test_a_scene_about_a_depth_buffer_keeps_its_own(make_window: MakeWindow) -> 
     assert (pictures(window)["image"] == before).all()
 
 
+@pytest.mark.undrawn
 def test_the_status_line_shows_the_choice_and_leads_back(window: MainWindow) -> None:
     button = window.status.quality
     assert not button.isVisible()
@@ -660,6 +663,7 @@ def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(
     assert scene.surface.n_cells > adaptive.MANY_TRIANGLES
 
 
+@pytest.mark.undrawn
 def test_the_target_is_a_setting(
     window: MainWindow, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

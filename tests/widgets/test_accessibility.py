@@ -58,6 +58,7 @@ def mnemonics(actions: Iterable[QAction]) -> Iterator[list[str]]:
             yield from mnemonics(action.menu().actions())
 
 
+@pytest.mark.undrawn
 def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
     show_scene(window, "depth-buffer")
     window.panels.open(window.matrices)
@@ -121,6 +122,7 @@ def stops(window: Any) -> list[QWidget]:
     return been
 
 
+@pytest.mark.undrawn
 def test_tab_goes_as_one_sees_and_is_seen(window: MainWindow, qtbot: QtBot) -> None:
     show_scene(window, "depth-buffer")
     window.resize(1366, 768)

@@ -84,6 +84,7 @@ def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: 
     assert words(window).startswith("held:  no difference"), "it shows the same again"
 
 
+@pytest.mark.undrawn
 def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     hold(window)
     assert words(window) == "held:  no difference yet: change something"
@@ -220,6 +221,7 @@ def test_only_the_live_side_reacts_to_the_mouse(window: MainWindow) -> None:
     )
 
 
+@pytest.mark.undrawn
 def test_it_comes_back_from_a_file_and_goes_with_another_scene(
     window: MainWindow, tmp_path: Path
 ) -> None:
@@ -259,6 +261,7 @@ def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
     assert (held[: live.shape[0]] != live[: held.shape[0]]).any()
 
 
+@pytest.mark.undrawn
 def test_an_impossible_picture_is_replaced_by_its_reason(
     window: MainWindow,
 ) -> None:
@@ -404,6 +407,7 @@ def test_l7_l16_l18_l20_are_one_click_away_in_their_scenes_and_large(window: Mai
         assert window.store.modified == edits, "else the document is one of the pictures already"
 
 
+@pytest.mark.undrawn
 def test_l18_what_is_compared_follows_the_camera(window: MainWindow) -> None:
     show_scene(window, "interpolation")
     click(window.controls.card.comparisons[0])

@@ -36,6 +36,7 @@ def test_the_counted_share_stands_beside_the_predicted_one(window: MainWindow, q
     assert shown(window)[1] == "–"
 
 
+@pytest.mark.undrawn
 def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any) -> None:
     show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
@@ -47,6 +48,7 @@ def test_nothing_is_counted_while_the_hand_moves(window: MainWindow, qtbot: Any)
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
 
 
+@pytest.mark.undrawn
 def test_a_count_made_behind_a_hidden_dock_appears_with_it(window: MainWindow, qtbot: Any) -> None:
     show_scene(window, "depth-buffer")
     qtbot.waitUntil(lambda: shown(window)[1] != "–")
@@ -58,6 +60,7 @@ def test_a_count_made_behind_a_hidden_dock_appears_with_it(window: MainWindow, q
         assert shown(window)[:2] == ["0", "0"]
 
 
+@pytest.mark.undrawn
 def test_a_large_mesh_is_not_counted(
     window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch
 ) -> None:

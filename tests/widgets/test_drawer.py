@@ -18,6 +18,8 @@ from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
 
+pytestmark = pytest.mark.undrawn
+
 
 class Toy(Panel):
     """Notes what it is told, and whether it was to be seen then."""

@@ -42,6 +42,7 @@ def inked(window: MainWindow) -> QRect:
     )
 
 
+@pytest.mark.undrawn
 def test_an_equation_has_a_small_world_beside_it(window: MainWindow) -> None:
     equation = window.slide.equation
     assert not equation.isVisible()
@@ -60,6 +61,7 @@ def test_an_equation_has_a_small_world_beside_it(window: MainWindow) -> None:
     assert not equation.isVisible() and world.width() == width
 
 
+@pytest.mark.undrawn
 def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
     window.store.set_view(slide=("equation",), equation="M_z M_pp M_persp", letters="001")
     settle()
@@ -124,6 +126,7 @@ def test_a_line_of_formula_has_them_too(window: MainWindow) -> None:
     assert counts == [[False, False], [True, False], [True, True]]
 
 
+@pytest.mark.undrawn
 def test_words_under_the_view_matrix_say_what_its_parts_do(window: MainWindow) -> None:
     heights = []
     for equation in ("view", "view numbers", "frustum"):
@@ -133,6 +136,7 @@ def test_words_under_the_view_matrix_say_what_its_parts_do(window: MainWindow) -
     assert heights[0] == heights[1] > 1.02 * heights[2]
 
 
+@pytest.mark.undrawn
 def test_numbers_follow_the_model(window: MainWindow) -> None:
     window.store.set_view(slide=("equation",), equation="frustum numbers")
     settle()
@@ -146,6 +150,7 @@ def test_numbers_follow_the_model(window: MainWindow) -> None:
     assert f"{changed.projection.clip_from_view[2, 3]:.4g}" in equation.accessibleName()
 
 
+@pytest.mark.undrawn
 def test_what_is_set_is_checked(window: MainWindow) -> None:
     document = window.store.document
     for text, said in (

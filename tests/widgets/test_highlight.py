@@ -234,6 +234,7 @@ def test_the_keyboard_in_a_row_counts_too(window: MainWindow, highlighted: Highl
     assert highlighted.now == NOTHING
 
 
+@pytest.mark.undrawn
 def test_a_click_leaves_no_highlight_behind(window: MainWindow, highlighted: Highlighted) -> None:
     near = window.controls.rows["near"]
     hover(window, near)
@@ -396,6 +397,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(
     assert marked(window) == set() and changed(before, pictures(window)) == set()
 
 
+@pytest.mark.undrawn
 def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
     window.panels.open(window.matrices)
     settle()
@@ -446,6 +448,7 @@ def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(
     assert highlighted.now == NOTHING and other.grab().toImage() == before
 
 
+@pytest.mark.undrawn
 def test_the_words_of_a_probe_that_is_outside(window: MainWindow, highlighted: Highlighted) -> None:
     window.panels.open(window.probe_panel)
     settle()
@@ -529,6 +532,7 @@ def test_a_hidden_pane_is_told_when_it_appears(
     assert told and changed(before, pictures(window)) >= {"world"}
 
 
+@pytest.mark.undrawn
 def test_a_copied_picture_is_never_highlighted(
     window: MainWindow, highlighted: Highlighted
 ) -> None:
@@ -602,6 +606,7 @@ def test_l6_each_number_of_the_window_lights_its_edge(
     assert not changed(before, pictures(window))
 
 
+@pytest.mark.undrawn
 def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(
     window: MainWindow, highlighted: Highlighted
 ) -> None:

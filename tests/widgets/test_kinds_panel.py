@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
 from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QEnterEvent, QFontMetrics
 from PySide6.QtTest import QTest
@@ -13,6 +14,8 @@ from app.lecture.kinds import KINDS, kind_of, path
 from app.model.projection import Camera, Orbit
 from tests.support.window import activate, settle, show_scene
 from widgets.window.main_window import MainWindow
+
+pytestmark = pytest.mark.undrawn
 
 
 def lit(window: MainWindow) -> list[str]:

@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
-from app.lessons.blocks import KINDS, exercise
+from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.task import Task
@@ -188,6 +188,7 @@ def fov(window: MainWindow) -> float:
     return float(window.store.document.projection.lens.fov_y_deg)  # type: ignore[union-attr]
 
 
+@pytest.mark.undrawn
 def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson: Path) -> None:
     window.resize(1366, 768)
     activate(window)
@@ -229,6 +230,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 0 and "You said" in texts(card)
 
 
+@pytest.mark.undrawn
 def test_a_scene_asks_nothing_beside_a_lesson(window: MainWindow, lesson: Path) -> None:
     tries = window.controls.card.tries
     assert tries.isVisible()
@@ -240,6 +242,7 @@ def test_a_scene_asks_nothing_beside_a_lesson(window: MainWindow, lesson: Path) 
     assert tries.isVisible()
 
 
+@pytest.mark.undrawn
 def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path) -> None:
     activate(window)
     card = window.lesson_card
@@ -387,6 +390,7 @@ def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_
     assert "One by two." in texts(one) and not card.hint.isEnabled()
 
 
+@pytest.mark.undrawn
 def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
     window: MainWindow, lesson: Path
 ) -> None:
@@ -499,6 +503,7 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
     assert window.lessons.lesson == first
 
 
+@pytest.mark.undrawn
 def test_typing_in_the_dock_keeps_the_focus(window: MainWindow, lesson: Path) -> None:
     activate(window)
     window.lesson_card.open(lesson)
@@ -529,6 +534,7 @@ class Guess(Asked):
         return f"{self.text} It is 7."
 
 
+@pytest.mark.undrawn
 def test_a_new_kind_of_block_is_a_class_and_a_view(
     window: MainWindow, lesson: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -748,6 +754,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 
 
+@pytest.mark.undrawn
 def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson: Path) -> None:
     activate(window)
     card, check = window.lesson_card, window.menus.lesson_menu.check
@@ -771,10 +778,8 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
 
 
-def test_the_card_says_every_kind_of_mistake(
-    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(exercise, "SEEDS", 40)
+@pytest.mark.usefixtures("few_seeds")
+def test_the_card_says_every_kind_of_mistake(make_window: MakeWindow, tmp_path: Path) -> None:
     window = make_window(drawn=False, shown=False)
     path = tmp_path / "mistakes.md"
     path.write_text(RIGHT_LESSON, encoding="utf-8")
@@ -811,6 +816,7 @@ why: On the diagonal.
 """
 
 
+@pytest.mark.undrawn
 def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: Path) -> None:
     path = tmp_path / "matrix.md"
     path.write_text(MATRIX, encoding="utf-8")
@@ -1306,6 +1312,7 @@ def test_every_response_is_seen_whole_and_announced(
         application.setProperty("frustumLabFontSize", own.pointSizeF())
 
 
+@pytest.mark.undrawn
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
     card = window.lesson_card
     card.open(lesson)
@@ -1328,6 +1335,6 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     mixed.write_text(begun, encoding="utf-8")
     card.open(mixed)
     settle()
-    names = [role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)]
-    assert names[-5:-3] == ["Step 2, practice: Number", "Step 3, practice: Matrix"]
-    assert "Step 1: Words" in names and texts(card).count("Practice") == 1
+    names = {role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)}
+    assert names >= {"Step 1: Words", "Step 2, practice: Number", "Step 6, practice: Choice"}
+    assert texts(card).count("Practice") == 1

@@ -58,6 +58,7 @@ def test_panes_and_panels_are_written_in_the_letters_that_are_chosen(window: Mai
     assert window.look.words["n"] == "n" and window.look.words["up"] == "up"
 
 
+@pytest.mark.undrawn
 def test_l1_the_numbers_of_the_frame_have_lecture_004s_names(window: MainWindow) -> None:
     panel = window.frame_panel
     window.panels.open(panel)
@@ -130,6 +131,7 @@ def test_a_text_has_the_letters_of_a_lecture_only_where_they_are_marked() -> Non
     assert in_letters(text, "002").startswith("x_l, x_r of the left window: near z_n")
 
 
+@pytest.mark.undrawn
 def test_the_readout_of_a_scene_has_the_letters_that_are_chosen(window: MainWindow) -> None:
     show_scene(window, "off-axis-window")
     settle()
@@ -147,6 +149,7 @@ def test_the_readout_of_a_scene_has_the_letters_that_are_chosen(window: MainWind
     assert not any("{" in text for text in labels())
 
 
+@pytest.mark.undrawn
 def test_the_stage_strip_names_axes_and_planes_in_the_letters(window: MainWindow) -> None:
     said: list[str] = []
     window.strip.named.connect(lambda _title, words: said.append(words))
@@ -168,6 +171,7 @@ FORMULAS: dict[Letters, tuple[str, ...]] = {
 }
 
 
+@pytest.mark.undrawn
 def test_l13_the_probes_formulas_and_numbers_are_the_lectures(window: MainWindow) -> None:
     """Lecture 002 divides by w = z, and its z' is 1 at near: numbers and formulas together."""
     panel = window.probe_panel
@@ -196,6 +200,7 @@ def test_l13_the_probes_formulas_and_numbers_are_the_lectures(window: MainWindow
     assert "|w|" in model.index(8, 0).data() and cells(3)[3] == cells(2)[2]
 
 
+@pytest.mark.undrawn
 def test_each_choice_of_letters_has_its_own_text(window: MainWindow) -> None:
     combo = window.matrices.letters
     texts = [combo.itemText(i) for i in range(combo.count())]

@@ -445,6 +445,7 @@ def test_the_quotient_of_a_typed_fraction_is_reported(
     assert len(told) == 1 and "must be a number" in panel.explanation.text()
 
 
+@pytest.mark.undrawn
 def test_typing_ends_when_the_matrix_disappears(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document, window.matrices
     window.panels.open(panel)
@@ -461,6 +462,7 @@ def test_typing_ends_when_the_matrix_disappears(window: MainWindow, qtbot: QtBot
     assert all(view.field is None for view in panel.views.values())
 
 
+@pytest.mark.undrawn
 def test_a_removed_matrix_explains_nothing(window: MainWindow, qtbot: QtBot) -> None:
     start, panel = window.store.document.projection, window.matrices
     activate(window)
@@ -522,6 +524,7 @@ def test_a_refused_cell_is_named_and_nothing_changes(
     assert not panel.explanation.warns and not panel.explanation.styleSheet()
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize(("size", "open_first"), [((1920, 1080), True), ((1366, 768), False)])
 def test_the_note_of_a_free_matrix_is_fully_visible(
     window: MainWindow, qtbot: QtBot, size: tuple[int, int], open_first: bool
@@ -707,6 +710,7 @@ def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
         QCoreApplication.removeTranslator(translator)
 
 
+@pytest.mark.undrawn
 def test_typing_reaches_the_whole_window_and_can_be_undone(
     window: MainWindow, qtbot: QtBot
 ) -> None:

@@ -568,6 +568,7 @@ def test_notes_take_the_free_width_and_are_fully_visible(
 # -- in the window
 
 
+@pytest.mark.undrawn
 def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
     window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -583,6 +584,7 @@ def test_a_drag_in_the_window_makes_it_wait_and_a_sentence_reaches_the_bar(
     assert panel.load(write(tmp_path / "a.json", RESULTS)) and window.messages.text == ""
 
 
+@pytest.mark.undrawn
 def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_path: Path) -> None:
     panel, bar = window.measure_panel, window.messages
     window.panels.open(panel)
@@ -615,6 +617,7 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 
 
+@pytest.mark.undrawn
 def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
     window: MainWindow, tmp_path: Path
 ) -> None:
@@ -635,6 +638,7 @@ def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
         assert window.store.document.scene == "letter-f"
 
 
+@pytest.mark.undrawn
 def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:
     assert window.quality.in_use()["rung"] == "float32"
     assert window.quality.in_use()["depth_mapping"] == "opengl"
@@ -646,6 +650,7 @@ def test_the_window_reports_the_quality_in_use(window: MainWindow) -> None:
     assert window.quality.in_use()["depth_mapping"] == "reversed"
 
 
+@pytest.mark.undrawn
 def test_the_window_goes_on_during_a_measurement_and_ends_it_when_it_closes(
     window: MainWindow, qtbot: QtBot
 ) -> None:

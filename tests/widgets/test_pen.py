@@ -96,6 +96,7 @@ def test_strokes_lie_over_the_picture_and_belong_to_their_step(window: MainWindo
     assert (slide(window) == drawn).all()
 
 
+@pytest.mark.undrawn
 def test_undo_eraser_and_clear(window: MainWindow) -> None:
     pen = window.slide.pen
     pen.switch(True)
@@ -133,6 +134,7 @@ def test_undo_eraser_and_clear(window: MainWindow) -> None:
     assert not pen.is_on and window.present.is_on
 
 
+@pytest.mark.undrawn
 def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     pen = window.slide.pen
     pen.switch(True)
@@ -149,6 +151,7 @@ def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     assert tuple(pen.here) == wanted["one"]
 
 
+@pytest.mark.undrawn
 def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk: Path) -> None:
     course = window.lessons.course
     assert course is not None
@@ -185,6 +188,7 @@ def test_a_damaged_file_of_strokes_is_refused(tmp_path: Path, text: str) -> None
         read_strokes(talk)
 
 
+@pytest.mark.undrawn
 def test_the_speaker_sees_the_slide_with_its_strokes(window: MainWindow, qtbot: Any) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker

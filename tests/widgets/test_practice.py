@@ -32,6 +32,8 @@ from widgets.window.overview import Overview
 from widgets.window.self_test import SelfTestDialog
 from widgets.window.settings import data_folder
 
+pytestmark = pytest.mark.undrawn
+
 HEAD = """---
 title: {0}
 topic: {0}

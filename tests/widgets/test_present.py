@@ -122,6 +122,7 @@ def test_one_picture_is_the_slide(window: MainWindow) -> None:
         assert window.panes[leading].header.isVisible() and window.strip.isVisible()
 
 
+@pytest.mark.undrawn
 def test_a_slide_of_two_pictures_has_them_side_by_side(window: MainWindow) -> None:
     window.store.set_view(slide=("image", "world"))
     begin(window)
@@ -134,6 +135,7 @@ def test_a_slide_of_two_pictures_has_them_side_by_side(window: MainWindow) -> No
     assert all(pane.isVisible() for pane in window.panes.values())
 
 
+@pytest.mark.undrawn
 def test_the_keys_of_the_panes_choose_another_slide(window: MainWindow) -> None:
     def seen() -> list[str]:
         return [name for name, pane in window.panes.items() if pane.isVisible()]
@@ -149,6 +151,7 @@ def test_the_keys_of_the_panes_choose_another_slide(window: MainWindow) -> None:
     assert seen() == ["world"]
 
 
+@pytest.mark.undrawn
 def test_a_panel_takes_nothing_from_the_slide(window: MainWindow) -> None:
     begin(window)
     before = window.panes["world"].geometry()
@@ -165,6 +168,7 @@ def test_a_panel_takes_nothing_from_the_slide(window: MainWindow) -> None:
     assert window.panes["world"].geometry() == before
 
 
+@pytest.mark.undrawn
 def test_the_strip_has_the_controls_that_a_step_names(window: MainWindow) -> None:
     window.guide.choose("similar-triangles")
     begin(window)
@@ -198,6 +202,7 @@ def test_the_strip_has_the_controls_that_a_step_names(window: MainWindow) -> Non
     assert order == sorted(order)
 
 
+@pytest.mark.undrawn
 def test_a_row_that_comes_into_the_strip_has_the_value_of_the_document(window: MainWindow) -> None:
     """The card of the scene is hidden then, and shows its values only while they can be seen."""
     begin(window)
@@ -258,6 +263,7 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
         assert drawn and min(drawn) >= least > before
 
 
+@pytest.mark.undrawn
 def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWindow) -> None:
     window.guide.choose("depth-buffer")
     window.panels.open(window.matrices)
@@ -284,6 +290,7 @@ def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWind
     assert all(widget.isVisible() for widget in beside)
 
 
+@pytest.mark.undrawn
 def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     taken: list[int] = []
     bar = window.messages
@@ -325,6 +332,7 @@ def test_no_last_word_stands_alone(window: MainWindow) -> None:
         assert len(ends) > 1 and min(ends) > 0.5 * max(ends), (text, ends)
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize(("theme", "lightness"), [("light", (0, 110)), ("dark", (140, 255))])
 def test_icons_have_the_size_and_the_colour_of_their_text(
     window: MainWindow, theme: str, lightness: tuple[int, int]
@@ -353,6 +361,7 @@ def test_icons_have_the_size_and_the_colour_of_their_text(
     window.look.set_theme("light")
 
 
+@pytest.mark.undrawn
 def test_the_tool_bar_comes_when_the_mouse_is_at_the_top_and_goes_with_it(
     window: MainWindow,
 ) -> None:
@@ -396,6 +405,7 @@ def is_black(window: MainWindow) -> bool:
     return not rgb_of(window.grab().toImage()).any()
 
 
+@pytest.mark.undrawn
 def test_b_blanks_the_screen_and_every_exit_restores_it(window: MainWindow) -> None:
     press(window, Qt.Key.Key_B)
     assert not is_black(window), "only while presenting"
@@ -475,6 +485,7 @@ def test_it_leaves_no_trace(window: MainWindow) -> None:
     assert not window.isWindowModified() and not window.store.can_undo
 
 
+@pytest.mark.undrawn
 def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
     window.setGeometry(*ORDINARY)
     settle()
@@ -488,6 +499,7 @@ def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
         assert trace(window) == before
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize(
     "what",
     [
@@ -530,6 +542,7 @@ def test_esc_leaves_presenting_at_once_and_all_stays(window: MainWindow, what: s
         assert (what == "a message") == bool(window.messages.text)
 
 
+@pytest.mark.undrawn
 def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:
     window.setWindowState(Qt.WindowState.WindowMaximized)
     settle()

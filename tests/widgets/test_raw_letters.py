@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
+import pytest
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, Qt
 from PySide6.QtWidgets import (
@@ -70,6 +71,7 @@ def raw() -> set[str]:
     }
 
 
+@pytest.mark.undrawn
 def test_no_text_of_the_window_has_raw_letters(window: MainWindow) -> None:
     """A parallel and a perspective lens, each panel, the letters of each lecture."""
     for scene in ("oblique-drawing", "vanishing-points"):

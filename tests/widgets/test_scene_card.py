@@ -717,6 +717,7 @@ def test_the_phenomena_s_texts_are_in_the_window_s_language(
         QCoreApplication.removeTranslator(translator)
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize("scene", ["letter-f", "planar-shadow"])
 def test_a_burst_of_keys_ends_with_its_scene(window: MainWindow, qtbot: QtBot, scene: str) -> None:
     show_scene(window, "similar-triangles")

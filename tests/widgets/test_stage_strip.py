@@ -301,6 +301,7 @@ def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> No
 # -- the window
 
 
+@pytest.mark.undrawn
 def test_the_window_opens_at_ndc(window: MainWindow) -> None:
     assert window.strip.position == NDC
     assert window.panes["ndc"].title.text() == "NDC cube"
@@ -308,6 +309,7 @@ def test_the_window_opens_at_ndc(window: MainWindow) -> None:
     assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
 
 
+@pytest.mark.undrawn
 def test_arrow_keys_go_from_stop_to_stop(window: MainWindow) -> None:
     strip, key = window.strip, Qt.Key
     seen: list[float] = []
@@ -324,6 +326,7 @@ def test_arrow_keys_go_from_stop_to_stop(window: MainWindow) -> None:
     assert strip.position == 1.0
 
 
+@pytest.mark.undrawn
 def test_a_drag_is_caught_by_the_stops(window: MainWindow) -> None:
     slider = window.strip.slider
     slider.setSliderDown(True)
@@ -340,6 +343,7 @@ def test_a_drag_is_caught_by_the_stops(window: MainWindow) -> None:
     assert window.strip.position == 2.0 + CATCH / STEPS
 
 
+@pytest.mark.undrawn
 def test_escape_puts_the_slider_back_and_removes_no_probe(window: MainWindow) -> None:
     before = 1.0 + 0.3 / STEPS
     activate(window)
@@ -391,6 +395,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
     assert window.panes["ndc"].note.text() == "near z −1, far −∞ (scaled by 1/n)"
 
 
+@pytest.mark.undrawn
 def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow) -> None:
     """It has no pyramid; where nothing moves, the note says that M_pp is the identity."""
     strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
@@ -468,12 +473,14 @@ def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:
     assert picture(window.panes["ndc"].canvas) == light
 
 
+@pytest.mark.undrawn
 def test_the_strips_framing_is_no_turn_by_the_user(window: MainWindow) -> None:
     window.strip.go_to(0.0)
     settle()
     assert window.store.seen.view.panes == {}
 
 
+@pytest.mark.undrawn
 def test_play_runs_to_the_picture_resting_at_each_stop(window: MainWindow) -> None:
     strip = window.strip
     strip.go_to(5.0)
@@ -501,6 +508,7 @@ def test_play_runs_to_the_picture_resting_at_each_stop(window: MainWindow) -> No
     assert set(range(6)) <= set(seen)
 
 
+@pytest.mark.undrawn
 def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     window: MainWindow, qtbot: object
 ) -> None:

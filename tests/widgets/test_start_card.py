@@ -67,6 +67,7 @@ def test_it_has_every_scene_as_a_picture(window: MainWindow, qtbot: Any) -> None
         assert cut(card) == [] and overlapping(card) == []
 
 
+@pytest.mark.undrawn
 def test_a_click_on_a_scene_opens_it(window: MainWindow) -> None:
     card = opened(window)
     click(card.tiles["depth-buffer"])
@@ -74,6 +75,7 @@ def test_a_click_on_a_scene_opens_it(window: MainWindow) -> None:
     assert window.slots.large == "image"
 
 
+@pytest.mark.undrawn
 def test_one_click_or_escape_closes_it(window: MainWindow) -> None:
     before = window.store.document
     for act in (
@@ -110,6 +112,7 @@ def test_the_switch_is_kept(make_window: MakeWindow, own_home: Path) -> None:
     assert not Settings(own_home / "own.ini").start_card
 
 
+@pytest.mark.undrawn
 def test_a_scene_that_cannot_be_drawn_is_there_by_its_name(
     window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, caplog: Any
 ) -> None:
@@ -129,6 +132,7 @@ def test_a_scene_that_cannot_be_drawn_is_there_by_its_name(
     assert window.store.document.scene == "cube"
 
 
+@pytest.mark.undrawn
 def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
     kept = Progress(step="", answers={}, done=2, of=7)
     window.settings.keep_progress("l03-field-of-view", kept)

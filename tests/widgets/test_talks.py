@@ -355,6 +355,7 @@ def type_number(window: MainWindow, number: int) -> None:
     press(window, *(Qt.Key(Qt.Key.Key_0.value + int(digit)) for digit in str(number)))
 
 
+@pytest.mark.undrawn
 def test_the_keys_of_a_clicker(window: MainWindow) -> None:
     lessons, present = window.lessons, window.present
     assert present.is_on and lessons.place == 0
@@ -378,6 +379,7 @@ def test_the_keys_of_a_clicker(window: MainWindow) -> None:
     assert not present.is_on
 
 
+@pytest.mark.undrawn
 def test_a_key_without_effect_says_why_and_the_times_have_names(window: MainWindow) -> None:
     press(window, Qt.Key.Key_W)
     assert window.band.note == "There is only one screen."
@@ -387,6 +389,7 @@ def test_a_key_without_effect_says_why_and_the_times_have_names(window: MainWind
     assert {"Time", "Elapsed"} <= {*read_on(speaker_of(window))}
 
 
+@pytest.mark.undrawn
 def test_digits_and_enter_jump(window: MainWindow) -> None:
     type_number(window, 3)
     assert window.band.note == "To step 3…" and window.lessons.place == 0
@@ -405,6 +408,7 @@ def test_digits_and_enter_jump(window: MainWindow) -> None:
     assert window.lessons.place == 2
 
 
+@pytest.mark.undrawn
 def test_a_field_takes_what_is_typed(window: MainWindow) -> None:
     field = window.controls.rows["near"].field
     field.setFocus()
@@ -432,6 +436,7 @@ def test_without_presenting_the_keys_belong_to_the_pane(window: MainWindow) -> N
     window.setFocus()
 
 
+@pytest.mark.undrawn
 def test_panels_open_by_steps_and_by_hand_come_back_as_presenting_ends(window: MainWindow) -> None:
     change(window, TALK.replace("view.large=ndc", "view.panel=matrices\nview.large=ndc"))
     go_to(window.lessons, 2)
@@ -490,6 +495,7 @@ def test_presenting_without_a_talk_is_unchanged(window: MainWindow) -> None:
     window.setFocus()
 
 
+@pytest.mark.undrawn
 def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow) -> None:
     def near() -> float:
         return float(window.store.document.projection.lens.near)
@@ -520,6 +526,7 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
     assert not asked(window) and near() == first
 
 
+@pytest.mark.undrawn
 def test_one_key_discards_manual_changes_and_undo_restores_them(window: MainWindow) -> None:
     shown = window.store.document
     tried = replace(shown.projection, lens=replace(shown.projection.lens, near=1.0))
@@ -535,6 +542,7 @@ def test_one_key_discards_manual_changes_and_undo_restores_them(window: MainWind
     assert not window.store.modified
 
 
+@pytest.mark.undrawn
 def test_the_strip_shows_the_values_of_the_step_that_has_come(window: MainWindow) -> None:
     volumes = "scene=view-volumes\nsettings.volume={0}\nview.controls=settings.volume"
     states = "scene=letter-f", volumes.format("cone"), volumes.format("box"), "scene=letter-f"
@@ -548,6 +556,7 @@ def test_the_strip_shows_the_values_of_the_step_that_has_come(window: MainWindow
     assert window.control_strip.rows[0].value() == "box"
 
 
+@pytest.mark.undrawn
 def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) -> None:
     band = window.band
     assert band.isVisible()
@@ -573,6 +582,7 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
 # --------------------------------------------------------------------------- the speaker's window
 
 
+@pytest.mark.undrawn
 def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker
@@ -616,6 +626,7 @@ def test_the_speakers_window(window: MainWindow) -> None:
     assert not is_asked(window)  # or every event of every window would wait for it
 
 
+@pytest.mark.undrawn
 def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> None:
     speaker, settings = speaker_of(window), window.settings
     before = settings.notes_px
@@ -640,6 +651,7 @@ def test_it_is_closed_with_the_window(make_window: Callable[..., MainWindow], ta
     assert not [top for top in QApplication.topLevelWidgets() if top.isVisible()]
 
 
+@pytest.mark.undrawn
 def test_a_screen_goes_away_and_both_windows_stay(window: MainWindow, qtbot: Any) -> None:
     speaker = speaker_of(window)
     for gone in (window, speaker):  # as on a screen that is not there any more
@@ -681,6 +693,7 @@ def test_the_clock_of_a_talk_and_the_planned_time(talk: Path) -> None:
     assert [planned(course, place) for place in range(3)] == [(0.0, 2.0), (2.0, 1.5), (3.5, 0.0)]
 
 
+@pytest.mark.undrawn
 def test_the_clock_counts_while_a_talk_is_presented(window: MainWindow) -> None:
     speaker = speaker_of(window)
     assert speaker.clock.is_running
@@ -727,6 +740,7 @@ def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) ->
     window.messages.done()
 
 
+@pytest.mark.undrawn
 def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path) -> None:
     document = window.store.document
     path = tmp_path / "new.md"
@@ -740,6 +754,7 @@ def test_a_new_talk_begins_with_what_is_seen(window: MainWindow, tmp_path: Path)
     window.messages.done()
 
 
+@pytest.mark.undrawn
 def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
     window: MainWindow, talk: Path
 ) -> None:
@@ -769,6 +784,7 @@ def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
     assert window.band.accessibleName() == "Its cube"
 
 
+@pytest.mark.undrawn
 def test_a_faulty_file_is_reported_once_presenting_has_ended(
     window: MainWindow,
 ) -> None:
@@ -791,6 +807,7 @@ def test_a_faulty_file_is_reported_once_presenting_has_ended(
     assert "talk.md: line" in window.messages.text
 
 
+@pytest.mark.undrawn
 def test_an_impossible_step_leaves_the_previous_one(window: MainWindow, talk: Path) -> None:
     change(window, TALK.replace("view.stage=pyramid", "view.stage=pyramid\nlens.near=99"))
     go_to(window.lessons, 1)
@@ -812,6 +829,7 @@ MESHES = TALK.replace("view.large=ndc\nview.stage=pyramid", "document: house.jso
 TRIANGLE = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
 
 
+@pytest.mark.undrawn
 @pytest.mark.parametrize("known", [False, True], ids=["never-seen", "seen-before"])
 def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     window: MainWindow, talk: Path, known: bool
@@ -859,6 +877,7 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     assert not window.messages.text
 
 
+@pytest.mark.undrawn
 def test_an_impossible_state_of_a_prediction_is_reported_to_the_speaker(
     window: MainWindow, talk: Path
 ) -> None:
@@ -918,6 +937,7 @@ show: lens.near=3
 )
 
 
+@pytest.mark.undrawn
 def test_a_question_is_put_to_the_class_and_then_answered(window: MainWindow, talk: Path) -> None:
     """60° high and 16 : 9: 2 atan(16/9 tan 30°) = 91.49°. One question after the other."""
     assert 2 * math.degrees(math.atan(16 / 9 * math.tan(math.pi / 6))) == pytest.approx(
@@ -954,6 +974,7 @@ def test_a_question_is_put_to_the_class_and_then_answered(window: MainWindow, ta
     assert not window.present.is_blank and "higher than wide?" in asked(window)
 
 
+@pytest.mark.undrawn
 def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk: Path) -> None:
     change(window, ASKED)
     go_to(window.lessons, 3)
@@ -970,6 +991,7 @@ def test_the_speaker_reads_answers_and_tasks_beforehand(window: MainWindow, talk
     assert "This is the last step." in read_on(speaker)
 
 
+@pytest.mark.undrawn
 def test_an_answer_without_a_value_is_reported_and_the_talk_continues(
     window: MainWindow, talk: Path
 ) -> None:
@@ -1094,6 +1116,7 @@ def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> No
         assert question.height() <= (640 / 3 if fits else 640 / 2) + 1
 
 
+@pytest.mark.undrawn
 def test_what_a_class_does_not_read_is_in_the_notes(window: MainWindow) -> None:
     change(window, TALK.replace("reads **this**", "reads **this**" + " and more" * 60))
     go_to(window.lessons, 0)

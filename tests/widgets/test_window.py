@@ -377,6 +377,7 @@ def test_a_floating_pane_still_draws_and_docks_again(
 # -- room
 
 
+@pytest.mark.undrawn
 def test_the_strip_plays_on_while_its_pane_goes_to_a_window_and_back(window: MainWindow) -> None:
     window.strip.play()
     for floats in (True, False):
@@ -410,6 +411,7 @@ def test_themes_and_sizes_for_a_class_apply_to_every_pane(window: MainWindow) ->
     assert now.eye == pytest.approx(view.eye)
 
 
+@pytest.mark.undrawn
 def test_everything_has_a_name_and_a_tip(window: MainWindow) -> None:
     for button in window.findChildren(QPushButton):
         assert button.text() or button.accessibleName()
@@ -422,6 +424,7 @@ def test_everything_has_a_name_and_a_tip(window: MainWindow) -> None:
 # -- files
 
 
+@pytest.mark.undrawn
 def test_save_open_and_the_unsaved_mark(window: MainWindow, tmp_path: Path) -> None:
     assert not window.isWindowModified()
     window.store.set_projection(seen(window, lens=Perspective(60.0, 2.0, math.inf)))
@@ -563,6 +566,7 @@ def test_only_the_first_of_several_dropped_files_is_opened(
     assert colours_of(pixels(window, "image")) > 3
 
 
+@pytest.mark.undrawn
 def test_reset_and_another_scene_forget_a_refused_text(window: MainWindow) -> None:
     activate(window)
     window.controls.sections["animation"].set_open(True)
@@ -752,6 +756,7 @@ def answer(button: QMessageBox.StandardButton) -> None:
     QTimer.singleShot(0, press)
 
 
+@pytest.mark.undrawn
 def test_closing_with_unsaved_work_asks(window: MainWindow, tmp_path: Path) -> None:
     edit(window)
     answer(QMessageBox.StandardButton.Cancel)
@@ -838,6 +843,7 @@ def fov_deg(document: Document) -> float:
     return lens.fov_y_deg
 
 
+@pytest.mark.undrawn
 def test_a_number_being_typed_is_saved_and_asked_about_at_closing(
     window: MainWindow, qtbot: Any, tmp_path: Path
 ) -> None:
@@ -870,6 +876,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
         assert not player.playing
 
 
+@pytest.mark.undrawn
 def test_shortcuts_work_in_the_window_of_a_floated_pane(window: MainWindow, qtbot: Any) -> None:
     start, pane, ctrl = (
         window.store.document,
@@ -1116,6 +1123,7 @@ def test_damaged_geometry_of_the_window_is_ignored(make_window: MakeWindow) -> N
         assert make_window(settings=settings, shown=False).size() == whole.size()
 
 
+@pytest.mark.undrawn
 def test_no_control_of_a_scene_is_in_the_dock_twice(window: MainWindow) -> None:
     show_scene(window, "oblique-drawing")
     rows, card = window.controls.rows, window.controls.card
@@ -1339,6 +1347,7 @@ def test_no_illustration_of_one_scene_is_shown_in_another(window: MainWindow) ->
         assert shown[0] is None and shown[1] is not None and len(shown) == 2
 
 
+@pytest.mark.undrawn
 def test_a_setting_is_changed_or_refused_at_its_row_and_undone_into_it(window: MainWindow) -> None:
     show_scene(window, "similar-triangles")
     steps = len(list(window.store.documents))
@@ -1374,6 +1383,7 @@ def test_the_camera_follows_in_the_same_step(make_window: MakeWindow, everything
     assert window.store.document == everything and not window.store.can_undo
 
 
+@pytest.mark.undrawn
 def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainWindow) -> None:
     walk, row = window.controls.animation, window.controls.rows["fov_y_deg"]
     start = window.store.document.projection
@@ -1512,6 +1522,7 @@ def test_a_file_that_is_opened_again_is_read_again(
         assert window.shown.scene is shown
 
 
+@pytest.mark.undrawn
 def test_a_long_name_leaves_window_and_panel_as_wide(window: MainWindow, tmp_path: Path) -> None:
     window.resize(1366, 768)
     path = tmp_path / f"{'x' * 200}.obj"

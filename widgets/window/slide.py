@@ -18,7 +18,7 @@ from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7
 """Width of an equation that has a picture beside it."""
-EQUATION_HEIGHT = 0.5
+EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
 

@@ -232,7 +232,9 @@ def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
     rays = (segment(*pair, "accent", 0.5) for pair in zip(corners, feet, strict=True))
-    return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet))
+    deep = int(np.argmax(view[:, 0] - view[:, 2]))  # at the right, and far behind the near plane
+    letters = Text("x", corners[deep], "accent"), Text("x'", feet[deep], "accent")
+    return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet), *letters)
 
 
 PHENOMENON = Phenomenon(
