@@ -8,8 +8,10 @@ does that alike, while multisampling differs from driver to driver.
 from __future__ import annotations
 
 import io
+import math
 import os
 import sys
+import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
@@ -108,6 +110,7 @@ TOO_MANY_FOR = QT_TRANSLATE_NOOP(
     "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
 )
 LINE_EM = 1.5
+_TOLD_S, _SLOWING_S = 0.05, 5.0
 _GREY = 0.55  # of the background in the colour of hidden lines
 _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 _SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
@@ -172,7 +175,7 @@ def render(
     Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise VTK
     may use Qt's context for its own.
     """
-    places = _places(projection, panes, size, scale, column)
+    places = _places(projection, panes, size, scale, column, view)
     style = _styled(style, projection, panes, size, text_pt, column).enlarged(scale)
     if words is WORDS:
         words = Words(view.letters)
@@ -210,9 +213,12 @@ def _places(
     size: Size | tuple[int, int] | None,
     scale: float,
     column: bool,
+    view: View,
 ) -> list[tuple[int, int, int, int]]:
     size_px = checked_size(projection.image_size, panes, size, scale, column)
-    return panes_in(size_px, [projection.aspect if p == "image" else None for p in panes], column)
+    # Beside an image several worlds that are compared would be small.
+    aspect = None if view.compare else projection.aspect
+    return panes_in(size_px, [aspect if p == "image" else None for p in panes], column)
 
 
 def _cropped(whole: Pixels, style: Style, margin: int) -> Pixels:
@@ -272,7 +278,7 @@ def shapes(
 
     The parameters are those of `render`, and one of `HIDDEN`. A `Refusal` also for too many shapes.
     """
-    places = _places(projection, panes, size, 1.0, column)
+    places = _places(projection, panes, size, 1.0, column, view)
     style = _styled(style, projection, panes, size, text_pt, column)
     if words is WORDS:
         words = Words(view.letters)
@@ -284,8 +290,7 @@ def shapes(
     )  # fmt: skip
     found: list[Shape] = []
     for number, (pane, (left, top, *sides)) in enumerate(zip(panes, places, strict=True)):
-        if progress is not None and not progress(number / len(panes)):
-            raise Cancelled
+        draw = partial(draw, watch=_watched(progress, number, len(panes)))
         size_px, framed = (sides[0], sides[1]), len(panes) > 1
         if pane == view.compares_in and view.compare:
             document = Document(scene.name, projection, view=view, settings=settings or {})
@@ -304,6 +309,24 @@ def shapes(
         page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
         found.insert(0, Area([page], rgb(style.background), 1.0))
     return (width, height), found
+
+
+def _watched(progress: Callable[[float], bool] | None, number: int, of: int) -> Callable[[], None]:
+    """Return what tells the progress in a pane, whose end nobody knows, every twentieth second."""
+    begin = told = time.monotonic()
+
+    def watch() -> None:
+        nonlocal told
+        now = time.monotonic()
+        if progress is not None and now - told > _TOLD_S:
+            told = now
+            part = 1.0 - math.exp((begin - now) / _SLOWING_S)
+            if not progress((number + part) / of):
+                raise Cancelled
+
+    if progress is not None and not progress(number / of):
+        raise Cancelled
+    return watch
 
 
 def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
@@ -665,6 +688,7 @@ def _shapes_of_pane(
     framed: bool,
     hidden: str,
     style: Style,
+    watch: Callable[[], None],
     **options: Any,
 ) -> tuple[list[Shape], tuple[float, float]]:
     """A pane's shapes, and where its picture begins and ends in them."""
@@ -674,7 +698,7 @@ def _shapes_of_pane(
         **options,
     ) as (window, drawing):  # fmt: skip
         grey = rgb(mixed(style.ink, style.background, _GREY))
-        return shapes_of(window, factor, hidden, grey), _ends(drawing, size, factor)
+        return shapes_of(window, factor, hidden, grey, watch), _ends(drawing, size, factor)
 
 
 def _ends(drawing: Drawing, size: tuple[int, int], factor: int) -> tuple[float, float]:

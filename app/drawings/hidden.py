@@ -8,7 +8,7 @@ on all faces: a part behind a translucent face has the colour that it has throug
 from __future__ import annotations
 
 import heapq
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, pairwise
 from typing import Any, TypeAlias
@@ -233,17 +233,17 @@ _Relation: TypeAlias = tuple[int, int, float, float]
 """Two faces with something in common, and how much farther the first is: least and most."""
 
 
-def in_order(faces: Iterable[Cell]) -> list[Cell]:
+def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) -> list[Cell]:
     """Return faces from the back to the front; without those that are seen from their edges.
 
     Faces that pass through others are split, and so is one of each ring in which every face is
-    before the next.
+    before the next. `watch` is called now and then, and may raise an exception.
     """
     faces = _joined([face for face in faces if _measure(face)])
     relations = list[_Relation]()
     fresh = np.ones(len(faces), dtype=np.bool_)
     for left in reversed(range(_ROUNDS)):
-        found = list(_related(faces, fresh))
+        found = list(_related(faces, fresh, watch))
         relations += found
         crossing: dict[int, list[int]] = {}
         for i, j, least, most in found:
@@ -264,14 +264,15 @@ def in_order(faces: Iterable[Cell]) -> list[Cell]:
         if not fresh.any():
             break
         relations = [each for each in relations if not (fresh[each[0]] or fresh[each[1]])]
-        relations += _related(faces, fresh)
+        relations += _related(faces, fresh, watch)
         order, ring = _sorted(faces, relations)
     return order
 
 
-def _related(faces: Sequence[Cell], fresh: Any) -> Iterator[_Relation]:
+def _related(faces: Sequence[Cell], fresh: Any, watch: Callable[[], None]) -> Iterator[_Relation]:
     """Yield how the faces lie to each other that have something in common, and one is `fresh`."""
     for i, j in _pairs(faces, fresh) if len(faces) else ():
+        watch()
         part = _common(faces[i], faces[j])
         if part:
             yield (i, j, *_apart(faces[i], faces[j], part))

@@ -62,6 +62,7 @@ ground and not the grid that is drawn on it."""
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _WIDER = 2.4  # a line that is highlighted
+_NEAR_WIDER = 1.6  # on paper
 
 _NOWHERE = (math.nan, math.nan, 0.0)
 
@@ -210,6 +211,8 @@ class MarksDrawing:
         lit = [bool(self._highlighted.intersection(line.about)) for line in lines]
         quiet = [self._quiet(line) and not on for line, on in zip(lines, lit, strict=True)]
         wide = np.where(lit, _WIDER, np.where(quiet, QUIET_WIDTH, 1.0))
+        if self._style.on_paper:  # near differs from far in grey, too
+            wide = np.where([line.colour == "near" for line in lines], _NEAR_WIDER * wide, wide)
         widths = np.repeat([line.width for line in lines] * wide, counts - 1)
         each = zip(lines, quiet, strict=True)
         rgba = [self._rgba(line.colour, quiet=is_quiet) for line, is_quiet in each]

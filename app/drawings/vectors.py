@@ -13,7 +13,7 @@ Where shaders make the picture, its pixels are one shape.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
 
@@ -189,11 +189,16 @@ def _between(points: Points, left: float, right: float, closed: bool) -> Points:
 
 
 def shapes_of(
-    window: Any, finer: int, hidden: str = "none", grey: Colour = (0.6, 0.6, 0.6)
+    window: Any,
+    finer: int,
+    hidden: str = "none",
+    grey: Colour = (0.6, 0.6, 0.6),
+    watch: Callable[[], None] = lambda: None,
 ) -> list[Shape]:
     """Return the shapes of a window that has been drawn, `finer` times as large as the figure.
 
-    What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (`HIDDEN`).
+    What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (`HIDDEN`). `watch`
+    is called now and then, and may raise an exception.
 
     Raises
     ------
@@ -204,15 +209,24 @@ def shapes_of(
     found: list[Shape] = []
     for renderer in sorted(window.GetRenderers(), key=lambda each: each.GetLayer()):
         if renderer.GetDraw():
-            found += _Pane(renderer, height, finer, hidden, grey).shapes(window)
+            found += _Pane(renderer, height, finer, hidden, grey, watch).shapes(window)
     return found
 
 
 class _Pane:
     """One renderer: its camera, and its rectangle in the window."""
 
-    def __init__(self, renderer: Any, height: int, finer: int, hidden: str, grey: Colour) -> None:
+    def __init__(
+        self,
+        renderer: Any,
+        height: int,
+        finer: int,
+        hidden: str,
+        grey: Colour,
+        watch: Callable[[], None],
+    ) -> None:
         self._renderer, self._height, self._finer = renderer, height, finer
+        self._watch = watch
         self._hidden, self._grey = hidden, grey
         self._left, self._low = renderer.GetOrigin()
         self._wide, self._high = renderer.GetSize()
@@ -374,13 +388,16 @@ class _Pane:
     def _arranged(
         self, faces: list[Cell], lines: list[Cell], points: list[Cell]
     ) -> Iterator[Shape]:
-        faces = in_order(faces)
+        faces = in_order(faces, self._watch)
         for face, rings in visible(faces):
             yield Area([self._placed(ring) for ring in rings], face.colour, face.opacity)
         hiding = Hiding(faces)
         if self._hidden != "none":
             yield from self._behind(hiding, lines)
-        strokes = [piece for line in lines for piece in hiding.seen(line)]
+        strokes = list[Cell]()
+        for line in lines:
+            self._watch()
+            strokes += hiding.seen(line)
         # Of lines in the same place, the one that is lifted most is seen.
         strokes.sort(key=lambda each: (not each.is_thin, -float(each.points[:, 2].sum())))
         for stroke in strokes:
@@ -394,6 +411,7 @@ class _Pane:
     def _behind(self, hiding: Hiding, lines: list[Cell]) -> Iterator[Stroke]:
         """What is hidden of lines; a ground's would cover what matters."""
         for line in lines:
+            self._watch()
             for part in () if line.is_thin else hiding.behind(line):
                 points = self._placed(part.points.tolist())
                 if self._hidden == "grey":

@@ -71,5 +71,12 @@ def test_on_paper_labels_are_black_and_far_is_dashed() -> None:
         far = [s for s in found if isinstance(s, Stroke) and s.colour == rgb(style.far)]
         strokes[name] = len(far)
     assert strokes["print"] > 2 * strokes["screen"] > 0
+    head = load("field-of-view")
+    _, found = shapes(head, head.start, ("image",), (120, 90), style=PRINT)
+    near, far = (
+        max(s.width for s in found if isinstance(s, Stroke) and s.colour == rgb(colour))
+        for colour in (PRINT.near, PRINT.far)
+    )
+    assert near > 1.5 * far
     hues = ("ink", "muted", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
     assert all(contrast(getattr(CONTRAST, each), CONTRAST.background) >= 7.0 for each in hues)

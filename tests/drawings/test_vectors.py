@@ -29,7 +29,7 @@ from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
 from app.lessons.course import scene_of
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
 
 Pixels = NDArray[np.float64]
@@ -417,6 +417,19 @@ def test_neighbours_in_a_plane_become_one_face() -> None:
     assert isinstance(face, Area)
     ((*corners,),) = face.rings
     assert sorted(corners) == [(50.0, 100.0), (50.0, 150.0), (100.0, 100.0), (100.0, 150.0)]
+
+
+def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    scene, told = load("cube"), list[float]()
+
+    def go_on(fraction: float) -> bool:
+        told.append(fraction)
+        return len(told) < 5
+
+    with pytest.raises(Cancelled):
+        shapes(scene, scene.start, ["image"], (100, 100), progress=go_on)
+    assert len(told) == 5 and sorted(told) == told and 0.0 < told[-1] < 1.0
 
 
 def test_too_many_faces_are_refused_with_the_file_to_write_instead(

@@ -89,7 +89,7 @@ class Actions(QObject):
         )  # fmt: skip
         self.export = self._action(
             self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
-            self.tr("Export panes as a PNG picture that contains the document"),
+            self.tr("Export panes as PNG, SVG or PDF; a PNG contains the document"),
         )  # fmt: skip
         self._make_file_menu()
         self.undo = self._action(self.tr("&Undo"), None, keys.Undo)

@@ -206,7 +206,7 @@ class ExportDialog(QDialog):
         for name, combo in self._combos.items():
             combo.setCurrentIndex(max(0, combo.findData(kept.get(name))))
         panes = kept.get("panes")
-        if isinstance(panes, (list, tuple)) and set(panes) & set(PANES):
+        if isinstance(panes, (list, tuple)) and any(name in panes for name in PANES):
             for name, box in self._boxes.items():
                 box.setChecked(name in panes)
         self._crop.setChecked(kept.get("crop") is True)

@@ -1,4 +1,4 @@
-"""Export what the panes show: into a PNG file, or to the clipboard."""
+"""Export what the panes show: into a file, or to the clipboard."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def image_of(pixels: Pixels) -> QImage:
 class Pictures(QObject):
     """Exports and copies pictures for one window.
 
-    Every picture contains the document that it shows. The message bar reports failures.
+    Every PNG contains the document that it shows. The message bar reports failures.
 
     Parameters
     ----------
