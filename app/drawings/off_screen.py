@@ -115,7 +115,8 @@ def off_screen(width: int, height: int) -> Iterator[OffScreen]:
 
 
 @atexit.register
-def _close_kept() -> None:
+def close_kept() -> None:
+    """Close the windows that are kept for the next screens."""
     while _kept:
         _kept.pop().close()
 

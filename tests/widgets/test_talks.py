@@ -22,6 +22,7 @@ from app.document.codec import to_json
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER
+from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson
@@ -1147,8 +1148,11 @@ def drawn_in() -> list[Any]:
 
 
 def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
-    window: MainWindow, make_window: MakeWindow, tmp_path: Path, qtbot: Any
+    make_window: MakeWindow, tmp_path: Path, qtbot: Any
 ) -> None:
+    close_kept()  # `drawn_in` does not see windows older than the application: they are frozen
+    window = make_window()
+    settle()
     path = tmp_path / "scenes.md"
     path.write_text(SCENES)
     before = len(drawn_in())
