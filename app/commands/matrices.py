@@ -22,12 +22,6 @@ def run(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _all_stages(projection: Projection) -> list[Stage]:
-    """Return every stage, with the products of those before the divide just before the last one."""
-    *stages, last = projection.stages
-    return [*stages, *projection.direct_stages, last]
-
-
 def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
     """Return those factors of a stage that are not stages themselves."""
     return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
@@ -35,7 +29,7 @@ def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
 
 def _matrices_text(projection: Projection) -> str:
     blocks = [f"{lens_line(projection)}\n"]
-    for stage in _all_stages(projection):
+    for stage in projection.all_stages:
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
         notes = [stage.note] if stage.note else []
         notes += map(str, properties(projection, stage.name))
@@ -59,14 +53,14 @@ def _text(matrix: Array) -> str:
 def _matrices_json(projection: Projection) -> str:
     lines = [
         f"  {json.dumps(stage.name)}: {json.dumps(plain(stage.matrix), allow_nan=False)}"
-        for stage in _all_stages(projection)
+        for stage in projection.all_stages
     ]
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
 def _matrices_latex(projection: Projection) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
-    for stage in _all_stages(projection):
+    for stage in projection.all_stages:
         factors = _factors(stage)
         shown = [values for _, values in factors] if len(factors) > 1 else []
         equal = " = ".join(

@@ -22,7 +22,7 @@ from app.drawings.actors import Canvas
 from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
-from app.drawings.frame import DIMMED, ObjectAxes
+from app.drawings.frame import DIMMED
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import SQUARE_EM, Ground
@@ -38,6 +38,7 @@ from app.drawings.probes import Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
+from app.drawings.world_axes import WorldAxes
 from app.lecture.highlight import (
     AXES,
     CORNERS,
@@ -87,9 +88,6 @@ class WorldDrawing(Drawing):
     ) -> None:
         self._scene, self._words = scene, words
         self._origin = np.array(scene.origin, dtype=np.float64)
-        self._axes: ObjectAxes | None = None
-        self._world_axes: ObjectAxes | None = None
-        self._wants_axes = False
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
@@ -133,6 +131,7 @@ class WorldDrawing(Drawing):
         self._probes = Probes(canvas, self.board)
         self.handles = HandleMarks(canvas) if live else None
         self.names = Names(named_in(self.pane, scene))
+        self.axes = WorldAxes(canvas, scene, drawn, self.names, emphasis, self.labels)
         self._light = 1.0
         """How bright the frustum is."""
         self._marks: MarksDrawing | None = None
@@ -169,9 +168,9 @@ class WorldDrawing(Drawing):
         self.reset_view()
 
     def show_object_axes(self, wanted: bool) -> None:
-        if wanted != self._wants_axes:
-            self._wants_axes = wanted
-            self._show_axes()
+        if wanted != self.axes.is_wanted:
+            self.axes.is_wanted = wanted
+            self.axes.show(self._local_from_object)
             self._follow_pane(afresh=True)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
@@ -250,7 +249,7 @@ class WorldDrawing(Drawing):
         """Draw the camera's parts that are named, and the other things quietly."""
         names = self.names
         self._switch_layers()
-        self._show_axes()
+        self.axes.show(self._local_from_object)
         self.camera.show_names(names)
         self.frustum.show_names(names)
         self._emphasis.show_names(names)
@@ -303,7 +302,7 @@ class WorldDrawing(Drawing):
             (frozenset(("target" if name == "look" else name,)), eye, tip)
             for name, tip in zip(arrows, tip_spots, strict=True)
         ]
-        axes = self._axes if self.has_object_axes else None
+        axes = self.axes.of_object
         if axes is not None:
             origin, *ends = self.own.pane.pointed(np.vstack([axes.origin, axes.origin + axes.ways]))
             points.append((frozenset((OBJECT_AXES[3],)), origin))
@@ -337,7 +336,7 @@ class WorldDrawing(Drawing):
             lifted = self.own.lifted(1.0)
             self._lines_space.set(lifted @ self._local_from_object)
             self._ground_space.set(lifted)
-            self._show_axes()
+            self.axes.show(self._local_from_object)
         if is_placed or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
             self.camera.show(self._standing)
@@ -364,51 +363,9 @@ class WorldDrawing(Drawing):
         self._everything = np.concatenate([self._objects, scene.reach(placement) - origin])
         return True
 
-    def _show_axes(self) -> None:
-        """Show the object's axes if they differ from the world's, or are wanted."""
-        if self._axes is None and self.has_object_axes:
-            self._axes = self._make_axes()
-        if self._axes is not None:
-            is_shown = self.has_object_axes and self._frames != {"frame-w"}
-            self._axes.show(self._local_from_object, is_shown)
-        if self._world_axes is None and "frame-w" in self._frames:
-            self._world_axes = self._make_axes()
-        if self._world_axes is not None:
-            local_from_world = np.eye(4)
-            local_from_world[:3, 3] = -self._origin
-            self._world_axes.show(local_from_world, "frame-w" in self._frames)
-
-    def _make_axes(self) -> ObjectAxes:
-        axes = ObjectAxes(self._canvas, self._scene.size)
-        for name, shaft in axes.shafts.items():
-            self._emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
-            self._emphasis.label(self.labels.add_arrow(name, axes.colours[name]), name)
-        self._emphasis.show(self.names.pointed)
-        return axes
-
     @property
     def has_object_axes(self) -> bool:
-        return self._actors.is_moved or self._wants_axes or "frame-o" in self._frames
-
-    @property
-    def _frames(self) -> frozenset[str]:
-        """The frames that are named, of `FRAMES`."""
-        return (self.names.wanted or frozenset()) & FRAMES.keys()
-
-    @property
-    def _lettered(self) -> ObjectAxes | None:
-        """The axes that x, y and z name: the world's if its frame is named, else the object's."""
-        if "frame-w" in self._frames:
-            return self._world_axes
-        return self._axes if self.has_object_axes else None
-
-    def _frame_origins(self) -> dict[str, Array]:
-        """Where the letters of the named frames stand; axes with letters have none of their own."""
-        origins = {"frame-e": self._standing.eye}
-        for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes)):
-            if axes is not None and not (axes is self._lettered and "x" in self.names):
-                origins[name] = axes.origin
-        return {name: origins[name] for name in FRAMES if name in self._frames & origins.keys()}
+        return self.axes.has_object
 
     def _stand(self, camera: Camera) -> Standing:
         """What depends on the camera alone, and not on its lens."""
@@ -453,7 +410,7 @@ class WorldDrawing(Drawing):
         )  # fmt: skip
         self._probes.want(ground)
         self.labels.want(ground, pane, named)
-        for name, origin in self._frame_origins().items():
+        for name, origin in self.axes.origins(at.eye).items():
             self.board.label(name).set_text(FRAMES[name])
             self.board.want_beside(name, pane.seen(origin[None])[0], EYE, (-1.0, -1.0))
         if measured is not None and self._dimensions is not None:
@@ -472,21 +429,8 @@ class WorldDrawing(Drawing):
         if self.camera.step is None:  # a frame can be shown without the letters of its axes
             shown = [name in self.names for name in arrows]
             arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
-        named, of_axes = self._named_axes
+        named, of_axes = self.axes.named
         return arrows + named, np.concatenate([ends, of_axes])
-
-    @property
-    def _named_axes(self) -> tuple[tuple[str, ...], Array]:
-        """The axes of `_lettered` that are named, and where each starts and ends, (n, 2, 3)."""
-        axes = self._lettered
-        if axes is None:
-            return (), np.empty((0, 2, 3))
-        is_named = [
-            name in self.names or name.removeprefix("object_") in self.names for name in axes.shafts
-        ]
-        start = np.tile(axes.origin, (3, 1))
-        ends = np.stack([start, start + axes.ways], axis=1)
-        return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
@@ -605,12 +549,7 @@ class WorldDrawing(Drawing):
         followed = [probe.point for probe in self._probes.probes if probe.point is not None]
         marked = np.concatenate([marked, np.reshape(followed, (-1, 3)) - self._origin])
         named = [marked[np.linalg.norm(marked - at.eye, axis=1) <= _FARTHEST_MARK * at.extent]]
-        named += [
-            axes.origin + np.vstack([axes.ways, np.zeros(3)])
-            for name, axes in (("frame-o", self._axes), ("frame-w", self._world_axes))
-            if axes is not None and name in wanted
-        ]
-        named.append(self._named_axes[1].reshape(-1, 3))
+        named += self.axes.framed
         beside = [self._objects]
         has_planes = self.frustum.seen and self._projection.lens.planes is not None
         has_planes = has_planes and "frustum" not in self._hidden
@@ -627,9 +566,6 @@ class WorldDrawing(Drawing):
         if has_planes:
             sides = zip(SIDES, range(4), strict=True)
             named += [corners[[i, (i + 1) % 4]] for side, i in sides if side[0] in wanted]
-        axes = self._lettered
-        if axes is not None and not wanted.isdisjoint("xyz"):
-            named.append(axes.origin + np.vstack([np.zeros(3), axes.ways]))
         if "far" in wanted and has_planes:
             (named if self.own.fixed else beside).append(corners[4:])
         figure: list[Array] = []
@@ -815,7 +751,7 @@ class WorldDrawing(Drawing):
 
     def _place_handles(self) -> None:
         if self.handles is not None:
-            axes = self._axes if self.has_object_axes else None
+            axes = self.axes.of_object
             held, apart_px = self.handles.held, APART_EM * self._canvas.style.font_size
             size_px = self.own.pane.size_px
             none = "handles" in self._canvas.hidden

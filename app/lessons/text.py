@@ -102,7 +102,7 @@ def outline(tex: str) -> Outline:
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
     # A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
-    text = "$" + re.sub(r"([,;]\s*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
+    text = "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
     if not 0.0 <= width <= WIDEST * _EM:
         raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
@@ -228,9 +228,16 @@ def plain_of(text: str) -> str:
 _LOWERED = str.maketrans("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
 
 
+_SIGNS = {
+    "alpha": "\u03b1", "beta": "β", "theta": "θ", "lambda": "λ", "varphi": "φ", "psi": "ψ",
+    "cdot": "·", "times": "×",
+}  # fmt: skip
+
+
 def in_line(text: str) -> str:
-    """Return a title without markup for a list or a button: subscripts are signs, if there are."""
-    return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), plain_of(text))
+    """Return a text without markup for a list or a button, with signs for what has one."""
+    text = re.sub(r"\\([a-z]+)", lambda found: _SIGNS.get(found[1], found[0]), plain_of(text))
+    return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), text)
 
 
 def escaped(text: str) -> str:

@@ -374,6 +374,12 @@ class Pipeline:
             in_order = [(direct.name, exact)]
         return direct, _product("clip_from_world", [*in_order, (view.name, view.exact)])
 
+    @property
+    def all_stages(self) -> tuple[Stage, ...]:
+        """`stages`, with the products `direct_stages` before the last one, the viewport."""
+        *steps, viewport = self.stages
+        return (*steps, *self.direct_stages, viewport)
+
     # -- points
 
     def placed(self, points: ArrayLike, space: Space = "world") -> Placed:

@@ -134,7 +134,10 @@ def test_numbers_do_not_suit_where_a_wrong_idea_is_right() -> None:
 
 def test_samples_begin_with_their_seed() -> None:
     assert faults(HALVED, "mine: 1 56.4 -> right\nmine: 1 60 -> angle-linear") == ""
-    assert "gets “wrong” instead of “right”" in faults(HALVED, "mine: 2 56.4 -> right")
+    asked, here = exercise(HALVED)
+    fov, a = asked.variant(here, 2).numbers.values()
+    said = f"gets “wrong” instead of “right”; this variant has fov = {fov}, a = {float(a):g}"
+    assert said in faults(HALVED, "mine: 2 56.4 -> right")
     assert "must begin with a seed" in faults(HALVED, "mine: 112.6 -> right")
     assert "must begin with a seed" in faults(HALVED, "mine: 10000 1 -> right")
 

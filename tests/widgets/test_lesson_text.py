@@ -21,7 +21,16 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, outline, plain_of, readable
+from app.lessons.text import (
+    DISPLAYED,
+    FORMULA,
+    escaped,
+    html_of,
+    in_line,
+    outline,
+    plain_of,
+    readable,
+)
 from tests.support.window import rgb_of
 from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 
@@ -228,4 +237,10 @@ def test_formulas_break_at_wide_spaces_and_tables_may_lack_headings() -> None:
 
 def test_a_minus_after_a_comma_is_a_sign() -> None:
     minus = outline("(-2)").width - outline("(2)").width
-    assert outline("(1, -2)").width == pytest.approx(outline("(1, 2)").width + minus, abs=0.01)
+    for comma in (", ", r",\ "):
+        width = outline(f"(1{comma}-2)").width
+        assert width == pytest.approx(outline(f"(1{comma}2)").width + minus, abs=0.01)
+
+
+def test_a_button_has_signs_for_the_letters_of_formulas() -> None:
+    assert in_line(r"Where $\beta = 40°$ is $y_p \cdot 2$") == "Where β = 40° is yₚ · 2"

@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, QRect
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
+    QCheckBox,
     QLineEdit,
     QListWidget,
     QMenu,
@@ -53,14 +54,15 @@ def test_a_frame_is_seen_against_the_window(
     behind = QWidget()
     qtbot.addWidget(behind)
     field, combo, slider = QLineEdit("4", behind), Combo(), HeldSlider()
-    choice, chosen = QRadioButton(), QRadioButton()
+    choice, chosen, box, ticked = QRadioButton(), QRadioButton(), QCheckBox(), QCheckBox()
     chosen.setAutoExclusive(False)
     chosen.setChecked(True)
+    ticked.setChecked(True)
     combo.addItem("oblique")
-    for place, part in enumerate((field, combo, slider, choice, chosen)):
+    for place, part in enumerate((field, combo, slider, choice, chosen, box, ticked)):
         part.setParent(behind)
         part.setGeometry(10, 10 + 100 * place, 300, 80)
-    behind.resize(320, 520)
+    behind.resize(320, 720)
     behind.show()
     seen = rgb_of(behind.grab().toImage())
     window = hexadecimal(seen[2, 2])
@@ -69,11 +71,12 @@ def test_a_frame_is_seen_against_the_window(
         assert max(contrast(hexadecimal(pixel), window) for pixel in left) >= 3.0
         assert contrast(hexadecimal(seen[part.y() + 40, part.x() - 3]), window) == 1.0
     wide = choice.fontMetrics().height()
-    rings = [seen[part.y() + 40, part.x() : part.x() + wide] for part in (choice, chosen)]
-    for ring in rings:
-        assert max(contrast(hexadecimal(pixel), window) for pixel in ring[: wide // 4]) >= 3.0
-    changed = [contrast(*map(hexadecimal, both)) for both in zip(*rings, strict=True)]
-    assert max(changed) >= 3.0, "what is chosen is seen"
+    for pair in ((choice, chosen), (box, ticked)):
+        rings = [seen[part.y() + 40, part.x() : part.x() + wide] for part in pair]
+        for ring in rings:
+            assert max(contrast(hexadecimal(pixel), window) for pixel in ring[: wide // 4]) >= 3.0
+        changed = [contrast(*map(hexadecimal, both)) for both in zip(*rings, strict=True)]
+        assert max(changed) >= 3.0, "what is chosen is seen"
     groove = seen[slider.y() + 40, slider.x() + 200]
     assert contrast(hexadecimal(groove), window) >= 3.0
 

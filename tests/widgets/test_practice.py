@@ -106,6 +106,7 @@ def test_a_test_is_taken_by_keyboard_alone(
     window.panels.open(window.matrices)
     QTimer.singleShot(0, answer_dialog)
     menus.test.trigger()
+    window.side.setSizes([0, 1000])
     come_to_rest(window)
     assert len(window.lessons.lesson.steps) == 3 and window.panels.open_panel is None
     assert not card.hint.isVisible() and not card.anew.isVisible()
@@ -117,6 +118,7 @@ def test_a_test_is_taken_by_keyboard_alone(
         assert window.store.document == view.variant.here.document
         assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
         name, here, question = view.block.name, view.variant.here, view.variant.question
+        assert place or view.visibleRegion().boundingRect() == view.rect(), "it makes room"
         if name == "wide":
             assert isinstance(keyboard(), QLineEdit)
             QTest.keyClicks(keyboard(), "what")
@@ -164,6 +166,9 @@ def test_a_test_is_taken_by_keyboard_alone(
         come_to_rest(window)
     said = texts(card)
     assert "2 of 3 right" in said and window.lessons.lesson is None
+    assert keyboard().visibleRegion().boundingRect() == keyboard().rect(), (
+        "what to do is above the fold"
+    )
     assert f"Your answer: {given['wide']}" in said and "The tangent grows faster." in said
     assert "Your answer: no" in said and given["set"] in said
     assert "The idea behind it" in said

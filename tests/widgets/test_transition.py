@@ -57,6 +57,7 @@ lens.near=2
 # Seven {#seven}
 ```state
 view.compare=near: lens.near=2|nearer: lens.near=1
+view.stage=box
 ```
 ```note
 minutes: 1
@@ -156,6 +157,9 @@ def test_the_model_does_not_move_under_a_picture_that_fades(window: MainWindow) 
     assert window.panes["ndc"].shown is drawn
     arrive(window.lessons)
     assert window.lessons.go(6) and old_of(window).isVisible(), "pictures beside each other"
+    for _ in range(7):
+        tick(window.lessons, TRANSITION_S / 8.0)
+        assert window.strip.position == 3.0, "not beside it by a last digit"
     arrive(window.lessons)
 
 

@@ -100,25 +100,27 @@ QRadioButton::indicator {{ width: {dot:.0f}px; height: {dot:.0f}px;
 QRadioButton::indicator:checked {{ background: qradialgradient(cx: 0.5, cy: 0.5, radius: 0.5,
     fx: 0.5, fy: 0.5, stop: 0 {Highlight}, stop: 0.5 {Highlight}, stop: 0.6 {Base}); }}
 QRadioButton::indicator:focus {{ border-color: {Highlight}; }}
+QCheckBox::indicator {{ width: {tick:.0f}px; height: {tick:.0f}px; padding: {edge:.0f}px;
+    border: {edge:.0f}px solid {muted}; border-radius: {edge:.0f}px; background: {Base}; }}
+QCheckBox::indicator:checked {{ background: {Highlight}; background-clip: content; }}
+QCheckBox::indicator:disabled {{ border-color: {frame}; }}
+QCheckBox::indicator:focus {{ border-color: {Highlight}; }}
 QComboBox::drop-down {{ border: 0px; width: {arrow:.0f}px; }}
 QComboBox::down-arrow {{ image: none; }}
 """
 """Parts that Qt's own style draws small at every text size, and frames that it draws darker than a
 dark window."""
 
-_FOR_A_CLASS = """
-QCheckBox::indicator {{ width: {box:.0f}px; height: {box:.0f}px; }}
-"""
 
-
-def _growing(em: float, *, presenting: bool, **colours: str) -> str:
+def _growing(em: float, **colours: str) -> str:
     """Return the part of the style sheet that grows with the letters (`em`: pixels)."""
     groove, edge = max(4, round(0.22 * em)), max(1, round(0.06 * em))
     beside, half_dot = max(4, round(0.22 * em)), round(0.5 * em)
-    return (_GROWING + _FOR_A_CLASS * presenting).format(
+    return _GROWING.format(
         groove=groove, half_groove=groove // 2, beside=beside, slider=groove + 2 * beside + 2,
-        thumb=groove + 2 * beside - 2 * edge, edge=edge, round=max(2.0, 0.15 * em), box=0.9 * em,
-        arrow=em, dot=2 * (half_dot - edge), half_dot=half_dot, **colours,
+        thumb=groove + 2 * beside - 2 * edge, edge=edge, round=max(2.0, 0.15 * em),
+        arrow=em, dot=2 * (half_dot - edge), half_dot=half_dot,
+        tick=2 * (half_dot - 2 * edge), **colours,
     )  # fmt: skip
 
 
@@ -167,7 +169,7 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     font.setPointSizeF(base_size * larger)
     application.setFont(font)
     em = QFontInfo(font).pixelSize()
-    growing = _growing(em, presenting=screen_px > 0.0, **colours)
+    growing = _growing(em, **colours)
     # Changing one style sheet into another styles hidden widgets too, which takes several times as
     # long as these two; hidden ones get their style when they are shown.
     application.setStyleSheet("")

@@ -651,12 +651,13 @@ class LessonCard(QFrame):
             partial(self.result_wanted.emit, marks),
         )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
-        self._show_end(SelfTestMarks(marks), save, close)
+        found = SelfTestMarks(marks)
+        self._show_end(found.title, save, close, below=[found])
 
-    def _show_end(self, said: QWidget, *ways: QPushButton) -> None:
+    def _show_end(self, said: QWidget, *ways: QPushButton, below: Sequence[QWidget] = ()) -> None:
         """Show a last page with its buttons, the first of which gets the focus."""
         page = QWidget()
-        in_column(said, *ways, FREE, on=page)
+        in_column(said, *ways, *below, FREE, on=page)
         self._area.setWidget(page)
         self._show_way(False)
         ways[0].setFocus(Qt.FocusReason.OtherFocusReason)

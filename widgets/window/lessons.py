@@ -369,7 +369,8 @@ class Lessons(QObject):
             self._moving = True
             self._store.go_on(at)
             self._moving = False
-        self._to_stage((1.0 - eased) * self._stages[0] + eased * self._stages[1])
+        begin, end = self._stages
+        self._to_stage(begin + eased * (end - begin))  # exactly there if both are the same
         if self._panes is not None:
             self._panes.go(eased)
         if self._part == 1.0:

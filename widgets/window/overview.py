@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 from app.lessons.course import Course, idea_named
 from app.lessons.practice import Found, exercises_of
 from app.lessons.record import ALONE, HELPED, SHOWN, Met, Standing
-from app.lessons.text import plain_of
+from app.lessons.text import in_line
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
@@ -133,7 +133,7 @@ class Overview(QDialog):
     def _exercise(self, topic: str, number: int, found: Found) -> QToolButton:
         standing = self._known.get(found.key, Standing())
         outcome = self._words[standing.outcome]
-        text = plain_of(found.exercise.text)
+        text = in_line(found.exercise.text)
         text = text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
         said = self.tr("{0}, exercise {1}: {2}. {3}").format(topic, number, outcome, text)
         act = partial(self._go, self.exercise_wanted, found)

@@ -41,10 +41,13 @@ class Question(QFrame):
     Parameters
     ----------
     named : callable
-        Returns what it should not hide, in the slide's pixels.
+        Returns for each picture what it should not hide, and where all that is named lies, in the
+        slide's pixels.
     """
 
-    def __init__(self, slide: QWidget, named: Callable[[], Iterable[QRectF]]) -> None:
+    def __init__(
+        self, slide: QWidget, named: Callable[[], Iterable[tuple[list[QRectF], QRectF]]]
+    ) -> None:
         super().__init__(slide)
         self.setObjectName("question")
         self._slide, self._named = slide, named
@@ -64,10 +67,14 @@ class Question(QFrame):
         self.raise_()
 
     def place(self) -> None:
-        """Lie where the fewest names are hidden, in the largest letters that allow it."""
+        """Lie where the fewest names are hidden, in the largest letters that allow it.
+
+        Of such places those are preferred that hide little of where all that is named lies.
+        """
         if self.isHidden():
             return
-        room, named = self._slide.rect(), list(self._named())
+        pictures, room = list(self._named()), self._slide.rect()
+        named = [each.toAlignedRect() for boxes, _ in pictures for each in boxes]
         tried = []
         for letters, widest in product(range(len(LETTERS)), WIDTHS):
             size, whole = self._lay_out(letters, widest)
@@ -75,11 +82,14 @@ class Question(QFrame):
             free = room.width() - size.width(), room.height() - size.height()
             for order, (across, down) in enumerate(PLACES):
                 place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
-                hidden = sum(place.intersects(each.toAlignedRect()) for each in named)
+                hidden = sum(map(place.intersects, named))
+                under = max((_share(whole, place) for _, whole in pictures), default=0.0)
                 area = size.width() * size.height()
-                cost = level == len(SHARES), hidden, level, letters, area, order
+                cost = (
+                    level == len(SHARES), hidden, round(under, 1), level, letters, area, order,
+                )  # fmt: skip
                 tried.append((cost, place, widest))
-        (_, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
+        (_, _, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
         self._lay_out(letters, widest)
         self.setGeometry(place)
         self.update()
@@ -122,3 +132,9 @@ class Question(QFrame):
         context.palette = self.palette()
         self._document.documentLayout().draw(painter, context)
         painter.end()
+
+
+def _share(box: QRectF, over: QRect) -> float:
+    """Which part of a box lies under another one."""
+    under = box.intersected(QRectF(over))
+    return under.width() * under.height() / max(1.0, box.width() * box.height())

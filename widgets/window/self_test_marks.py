@@ -19,14 +19,15 @@ from widgets.window.lesson_blocks.view import Sign, on_holder
 
 
 class SelfTestMarks(QWidget):
-    """The marks of a test and its solutions."""
+    """The marks of a test and its solutions; `title` says how many are right, and stands above."""
 
     def __init__(self, marks: Sequence[Mark]) -> None:
         super().__init__()
         right = sum(mark.word == RIGHT for mark in marks)
         said = self.tr("{0} of {1} right").format(right, len(marks))
         parts = [self._marked(number, mark) for number, mark in enumerate(marks, 1)]
-        in_column(LessonText(said, title=True), *parts, on=self, margins=(0, 0, 0, 0), gap=10)
+        self.title = LessonText(said, title=True)
+        in_column(*parts, on=self, margins=(0, 0, 0, 0), gap=10)
         self.setAccessibleName(said)
 
     def _marked(self, number: int, mark: Mark) -> QWidget:

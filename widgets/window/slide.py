@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from functools import reduce
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QResizeEvent
+from PySide6.QtGui import QPolygonF, QResizeEvent, QTransform
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
@@ -55,19 +56,29 @@ class Slide(QWidget):
         self._row.setStretch(0, round(100 * share) if has_equation else 0)
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
 
-    def named(self) -> Iterator[QRectF]:
-        """What a question should not hide: names and points of the panes, cells of the equation."""
+    def named(self) -> Iterator[tuple[list[QRectF], QRectF]]:
+        """What a question should not hide, and if possible, of each pane and of the equation.
+
+        These are the names and points, and all that is named; the equation's cells.
+        """
         for pane in self._panes.values():
             canvas, drawing = pane.canvas, pane.drawing
             if drawing is None or not self.isAncestorOf(canvas) or not canvas.isVisible():
                 continue
-            corner, ratio = canvas.mapTo(self, QPointF(0.0, canvas.height())), canvas.pixel_ratio
-            for left, low, right, high in drawing.board.boxes:
-                wide, tall = (right - left) / ratio, (high - low) / ratio
-                yield QRectF(corner.x() + left / ratio, corner.y() - high / ratio, wide, tall)
+            from_pixels = QTransform.fromTranslate(*canvas.mapTo(self, QPointF()).toTuple())
+            from_pixels.scale(1.0 / canvas.pixel_ratio, 1.0 / canvas.pixel_ratio)
+            height = canvas.height() * canvas.pixel_ratio
+            boxes = [
+                from_pixels.mapRect(QRectF(left, height - high, right - left, high - low))
+                for left, low, right, high in drawing.board.boxes
+            ]
+            spots = QPolygonF([QPointF(x, height - y) for x, y in drawing.board.spots])
+            whole = from_pixels.mapRect(spots.boundingRect())
+            inside = QRectF(canvas.mapTo(self, QPointF()), canvas.size().toSizeF())
+            yield boxes, reduce(QRectF.united, boxes, whole).intersected(inside)
         if self.equation.isVisible():
             at = self.equation.mapTo(self, QPointF())
-            yield from (cell.translated(at) for cell in self.equation.cells)
+            yield [cell.translated(at) for cell in self.equation.cells], QRectF()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -213,3 +213,7 @@ class Asked(Part):
     def verdict(self, here: Here, sample: str, line: int) -> str:
         """Return the verdict on a sample answer, as the word in a ``test`` block."""
         raise NotImplementedError
+
+    def drawn(self, here: Here, sample: str) -> str:
+        """Return the numbers that an exercise has drawn for a sample that it could mark."""
+        return ""

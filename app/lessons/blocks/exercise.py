@@ -217,6 +217,10 @@ class Exercise(Asked):
         variant = self.variant(here, int(seed))
         return variant.question.verdict(variant.here, rest.strip(), line)
 
+    def drawn(self, here: Here, sample: str) -> str:
+        numbers = self.variant(here, int(sample.partition(" ")[0])).numbers
+        return ", ".join(f"{name} = {written_number(value)}" for name, value in numbers.items())
+
 
 def _continued(lines: Lines) -> Lines:
     """Join the exercise's own lines with the indented lines below them."""

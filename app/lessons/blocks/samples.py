@@ -13,6 +13,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 
 A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
 OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
+OF_VARIANT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”; this variant has {2}")
 
 
 class Sample(NamedTuple):
@@ -45,9 +46,12 @@ class Samples(Block):
         for each in self.samples:
             trial.checks += 1
             with trial.kept():
-                got = here.asked[each.block].verdict(here, each.text, each.line)
+                asked = here.asked[each.block]
+                got = asked.verdict(here, each.text, each.line)
                 if got != each.verdict:
-                    raise refused(each.line, OTHER_VERDICT, got, each.verdict)
+                    drawn = asked.drawn(here, each.text)
+                    why = (OF_VARIANT, got, each.verdict, drawn)
+                    raise refused(each.line, *(why if drawn else (OTHER_VERDICT, *why[1:3])))
 
 
 def _sample(text: str, line: int) -> Sample:

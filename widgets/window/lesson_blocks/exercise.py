@@ -103,6 +103,8 @@ class Practises(BlockView):
     def open_up(self) -> None:
         """Show the state of the numbers; draw them first if they are not drawn yet."""
         if self.is_test:  # its step is in this state, with the panels closed
+            if self.is_open:
+                self.spoke.emit()
             return
         if self.asked is not None or self._draw():
             assert self.variant is not None

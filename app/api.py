@@ -1,0 +1,344 @@
+"""The program for scripts and notebooks: documents, points, matrices and figures.
+
+Import it as ``frustum_lab`` where the wheel is installed, and as ``app.api`` in a checkout. The
+import brings numpy only; VTK is imported when a figure is drawn, and Qt never.
+
+>>> import frustum_lab as lab
+>>> document = lab.load("letter-f", "lens.near=2")
+>>> lab.project(document, [1.0, 2.0, 0.5]).image
+>>> lab.figure(document, points=[(1.0, 2.0, 0.5)])
+
+Everything is a frozen value. Use `dataclasses.replace` or `load` with other values to change one.
+Conventions (axes, units, depth ranges) are stated once, in `app.model.projection`. An impossible
+value raises a `Refusal`: one sentence with the field, the value and the bound.
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app import __version__
+from app.document.codec import picture_json
+from app.document.document import Document, is_mesh
+from app.document.files import read
+from app.document.lengths import PX_PER, Size, parse_size
+from app.document.settings import set_values
+from app.model.infinity import homogeneous
+from app.model.projection import (
+    ONE_OF,
+    Array,
+    Camera,
+    FreeMatrix,
+    Frustum,
+    Lens,
+    ObjectTransform,
+    Oblique,
+    Orthographic,
+    Perspective,
+    Projection,
+    Space,
+    Stage,
+    Trace,
+    checked_points,
+)
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.picking.picking import Probe
+from app.precision.levels import (
+    Precision,
+    precision_for_reading,
+    predict,
+    trace,
+    trace_homogeneous,
+)
+from app.scenes.scene import BUILT_IN, Scene
+from app.scenes.scene import load as load_scene
+
+__all__ = [
+    "Camera", "Document", "Figure", "FreeMatrix", "Frustum", "Lens", "ObjectTransform", "Oblique",
+    "Orthographic", "Perspective", "Projection", "Refusal", "Stage", "Trace", "__version__",
+    "figure", "load", "matrices", "project",
+]  # fmt: skip
+
+Source: TypeAlias = Document | Projection
+"""What points are projected through: a document stands for its projection."""
+
+A_SIZE = QT_TRANSLATE_NOOP(
+    "Refusal", "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm."
+)
+AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf or .png.")
+
+
+def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
+    """Open a scene, a document, or a mesh, and set values in it.
+
+    Parameters
+    ----------
+    source : str or path
+        The name of a built-in scene (``"letter-f"``, ``"focus"``), which opens with its own camera;
+        a document or a picture that contains one; or a mesh file.
+    *values : str
+        As after ``--set``: ``"lens.near=2"``, ``"camera.eye=3,2,4"``, ``"settings.aperture=1.4"``.
+        Only the result has to be valid, so their order does not matter.
+
+    Raises
+    ------
+    Refusal
+        For an unknown scene or path, a file that cannot be read, and an impossible value.
+    """
+    name = os.fspath(source)
+    if is_mesh(name):
+        name = os.path.abspath(name)
+    elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
+        return set_values(read(os.path.abspath(name)), values)
+    return set_values(Document(name, load_scene(name).start), values)
+
+
+def project(
+    of: Source,
+    points: ArrayLike,
+    *,
+    space: Space = "world",
+    precision: Precision | None = None,
+) -> Trace:
+    """Follow points through every stage, as the command ``project`` does.
+
+    Parameters
+    ----------
+    of : Document or Projection
+    points : (..., 3) or (..., 4) array_like
+        World units. A fourth number is w: 0 makes a point at infinity, a direction.
+    space : {"world", "object"}
+        The space of the points.
+    precision : {"float32", "float64", "exact"}, optional
+        By default float64, or exact where the error of float64 could be above 1e-9 px or 1e-12 in
+        depth.
+
+    Returns
+    -------
+    Trace
+        Named arrays: ``world`` and ``view`` (..., 3), or (..., 4) for points with w; ``clip``
+        (..., 4); ``ndc`` (..., 3); ``image`` (..., 2) in pixels; ``depth`` (...) in [0, 1];
+        ``in_front`` (...) bool; and ``outside`` (..., 6) bool, beyond near, far, left, right,
+        bottom and top. Where there is no picture, ``ndc``, ``image`` and ``depth`` are NaN.
+
+    Raises
+    ------
+    Refusal
+        For points that are not rows of three or four finite numbers, and for an unknown space or
+        precision.
+
+    See Also
+    --------
+    Projection.trace : The same in float64, without a bound on the error.
+
+    Notes
+    -----
+    The view matrix is that of lecture 004, the perspective matrix equation (13) of lecture 000.
+    The eye is subtracted first, so that a scene far from the origin loses no digits.
+    """
+    projection, given = _projection(of), _checked(points)
+    flat = given.reshape(-1, given.shape[-1])
+    has_w = flat.shape[1] == 4
+    if precision is None:
+        finite = flat[flat[:, 3] != 0.0, :3] if has_w else flat
+        precision = precision_for_reading(predict(projection, finite, space=space))
+    if has_w:
+        found = trace_homogeneous(projection, flat, precision, space)
+    else:
+        found = trace(projection, flat, precision, space=space)
+    return Trace._make(part.reshape(given.shape[:-1] + part.shape[1:]) for part in found)
+
+
+def matrices(of: Source) -> dict[str, Array]:
+    """Return the matrix of every stage by its name, ``target_from_source``, in their order.
+
+    Parameters
+    ----------
+    of : Document or Projection
+
+    Returns
+    -------
+    dict from str to (4, 4) float64 array
+        Column vectors: ``p_out = M @ p_in``. The divide by w comes between clip space and NDC.
+        Each number is computed in rationals and rounded once.
+
+    See Also
+    --------
+    Projection.stages : The same with the named factors of each matrix, and in rationals.
+    """
+    return {stage.name: stage.matrix for stage in _projection(of).all_stages}
+
+
+def figure(
+    of: Source,
+    points: ArrayLike | None = None,
+    *,
+    panes: str = "world,ndc,image",
+    size: str | None = None,
+    text_size: float | None = None,
+    palette: str = "screen",
+    hidden: str = "none",
+    crop: bool = False,
+    transparent: bool = False,
+) -> Figure:
+    """Return a figure, which a notebook shows; it is drawn when it is shown or saved.
+
+    Parameters
+    ----------
+    of : Document or Projection
+        A projection is shown with the letter F.
+    points : (n, 3) or (n, 4) array_like, optional
+        At most six points in world units, or directions (w = 0), which are marked in all panes.
+        They replace those of the document.
+    panes : str
+        In a row, ``"world,image"``, or in a column, ``"world/image"``.
+    size : str, optional
+        On paper, ``"120mmx80mm"``, in mm, cm or in; or in pixels, 300 an inch. By default 640
+        pixels a side for each pane.
+    text_size : float, optional
+        Height of the letters' em in points.
+    palette : {"screen", "print", "dark", "contrast"}
+    hidden : {"none", "dashed", "grey"}
+        What becomes of lines behind faces, in SVG and PDF.
+    crop : bool
+        Leave out what is empty around the content, but for a margin of 2 mm.
+    transparent : bool
+        Leave the background transparent.
+
+    Raises
+    ------
+    Refusal
+        For a value that is not possible.
+    """
+    from app.drawings.figures import checked_size, checked_text
+    from app.drawings.style import PALETTES
+    from app.drawings.vectors import HIDDEN
+
+    document = of if isinstance(of, Document) else Document(projection=of)
+    for name, value, known in (("palette", palette, PALETTES), ("hidden", hidden, HIDDEN)):
+        if value not in known:
+            raise Refusal(name, value, ONE_OF, ", ".join(known))
+    if points is not None:
+        given = _checked(points)
+        rows = given.reshape(-1, given.shape[-1]).tolist()
+        probes = tuple(
+            Probe.of(number, homogeneous(*row[:3], *(row[3:] or [1.0])))
+            for number, row in enumerate(rows, 1)
+        )
+        document = replace(document, view=replace(document.view, probes=probes))
+    column = "/" in panes
+    named = panes.split("/" if column else ",")
+    sides = None if size is None else _size(size)
+    image = document.projection.image_size
+    checked_size(image, named, sides, 1.0, column)
+    checked_text(image, named, sides, text_size, column)
+    options = {
+        "panes": named, "column": column, "size": sides, "text_pt": text_size, "crop": crop,
+        "transparent": transparent, "style": PALETTES[palette],
+    }  # fmt: skip
+    return Figure(document, options, hidden)
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Figure:
+    """A figure of a document, made by `figure`.
+
+    Attributes
+    ----------
+    document : Document
+    options : dict
+        Of `app.drawings.figures.render`.
+    hidden : str
+    """
+
+    document: Document
+    options: dict[str, Any]
+    hidden: str = "none"
+
+    @cached_property
+    def svg(self) -> str:
+        """The figure as SVG, without reference to another file.
+
+        Raises
+        ------
+        Refusal
+            For more faces and lines than a file of shapes should have.
+        RuntimeError
+            If this machine has no OpenGL to draw with; the text says what to install.
+        """
+        from app.drawings.figures import shapes
+        from app.drawings.svg import svg
+
+        scene = self._scene()
+        size, found = shapes(scene, self.document.projection, hidden=self.hidden, **self._options)
+        return svg(found, size, scene.name).decode()
+
+    def _repr_svg_(self) -> str:
+        """What a notebook shows."""
+        return self.svg
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write a .svg, .pdf or .png file, whole or not at all.
+
+        The PNG contains the document: dropped on the window, it brings its state back.
+
+        Raises
+        ------
+        Refusal
+            For another ending, and for a file that cannot be written.
+        RuntimeError
+            As for `svg`.
+        """
+        from app.drawings.figures import render, write_png, write_shapes
+
+        name, projection = os.fspath(path), self.document.projection
+        if name.lower().endswith(".png"):
+            pixels = render(self._scene(), projection, **self._options)
+            write_png(name, pixels, picture_json(self.document))
+        elif name.lower().endswith((".svg", ".pdf")):
+            write_shapes(name, self._scene(), projection, hidden=self.hidden, **self._options)
+        else:
+            raise Refusal.saying(AN_ENDING, name)
+
+    @property
+    def _options(self) -> dict[str, Any]:
+        document = self.document
+        shown = {"view": document.view, "settings": document.settings, "quality": document.quality}
+        return {**self.options, **shown}
+
+    def _scene(self) -> Scene:
+        """The scene, if this machine can draw it."""
+        from app.drawings.off_screen import check_off_screen
+
+        check_off_screen()
+        return load_scene(self.document.scene, mesh=self.document.mesh)
+
+
+def _projection(of: Source) -> Projection:
+    return of.projection if isinstance(of, Document) else of
+
+
+def _checked(points: ArrayLike) -> Array:
+    """Points, (..., 3), or homogeneous ones with w = 0 or 1, (..., 4)."""
+    try:
+        shape = np.shape(points)
+    except ValueError:  # rows of different lengths
+        shape = ()
+    if shape[-1:] != (4,):
+        return checked_points(points)  # which refuses all the rest
+    given = np.array(points, dtype=object).reshape(-1, 4)  # each number as it was typed
+    rows = [homogeneous(*row) for row in given.tolist()]
+    return np.array(rows).reshape(shape)
+
+
+def _size(text: str) -> Size:
+    try:
+        return parse_size(text)
+    except ValueError:
+        raise Refusal.saying(A_SIZE, repr(text), ", ".join(PX_PER)) from None

@@ -1,0 +1,110 @@
+"""Scripts and notebooks: their page is true, and what they call is what the program computes."""
+
+from __future__ import annotations
+
+import ast
+import json
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app import api
+from app.bootstrap import ROOT
+from app.document.files import read
+from app.model.refusal import Refusal
+
+#: At the origin, looking along -z; x and y of NDC are those of the view over w; 100 px are 1.
+PLAIN = api.Projection(
+    api.Camera(eye=(0.0, 0.0, 0.0), target=(0.0, 0.0, -1.0)), api.Perspective(90.0, 1.0, 3.0),
+    image_size=(200, 200),
+)  # fmt: skip
+
+
+@pytest.fixture
+def installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
+    """Import what the wheel installs, and write in a folder of the test's own."""
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    for folder in settings["tool"]["setuptools"]["packages"]["find"]["where"]:
+        monkeypatch.syspath_prepend(str(ROOT / folder))
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_the_page_on_scripting_prints_what_it_says(
+    installed: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = (ROOT / "docs" / "scripting.md").read_text(encoding="utf-8")
+    scope: dict[str, Any] = {}
+    blocks = re.findall(r"```(\w+)\n(.*?)```", page, re.DOTALL)
+    assert [kind for kind, _ in blocks] == ["python", "text"] * 4
+    first_ten = blocks[0][1].splitlines()
+    assert len(first_ten) <= 10
+    for kind, text in blocks:
+        if kind == "python":
+            exec(text, scope)
+        else:
+            assert capsys.readouterr().out == text
+    figure = (installed / "points.svg").read_text(encoding="utf-8")
+    assert 'width="120mm" height="60mm"' in figure and "<image" not in figure
+    assert all(f">{number}</tspan>" in figure for number in (1, 2, 3))
+
+
+def test_the_notebook_runs_and_shows_its_figure(installed: Path) -> None:
+    cells = json.loads((ROOT / "docs" / "scripting.ipynb").read_text(encoding="utf-8"))["cells"]
+    scope: dict[str, Any] = {}
+    shown = []
+    for cell in cells:
+        if cell["cell_type"] == "code":
+            *first, last = ast.parse("".join(cell["source"])).body
+            exec(compile(ast.Module(first, []), "cell", "exec"), scope)
+            assert isinstance(last, ast.Expr)
+            shown.append(eval(compile(ast.Expression(last.value), "cell", "eval"), scope))
+    points, figure, matrix = shown
+    assert points.shape == (3, 2) and matrix.shape == (4, 4)
+    assert getattr(figure, "_repr_svg_")().startswith("<svg")  # noqa: B009
+    figure.save("figure.png")
+    assert read(installed / "figure.png") == scope["document"]
+
+
+def test_points_are_projected_as_by_hand() -> None:
+    # w = 2; z of NDC is (f + n)/(f - n) - 2 f n/(f - n)/w = 2 - 3/2; depth (1 + 0.5)/2.
+    found = api.project(PLAIN, [[(1.0, 0.5, -2.0)], [(0.0, 0.0, 1.0)]])
+    assert found.image.shape == (2, 1, 2) and found.outside.shape == (2, 1, 6)
+    np.testing.assert_allclose(found.ndc[0, 0], (0.5, 0.25, 0.5), rtol=1e-15)
+    np.testing.assert_allclose(found.image[0, 0], (150.0, 75.0), rtol=1e-15)
+    assert found.depth[0, 0] == 0.75 and not found.in_front[1, 0]
+    # The same point with w, and the direction to it: a point beyond far, at the same pixel.
+    twice = api.project(PLAIN, [(2.0, 1.0, -4.0, 2.0), (1.0, 0.5, -2.0, 0.0)])
+    np.testing.assert_allclose(twice.image, [(150.0, 75.0)] * 2, rtol=1e-15)
+    np.testing.assert_array_equal(twice.world, [(1.0, 0.5, -2.0, 1.0), (1.0, 0.5, -2.0, 0.0)])
+    np.testing.assert_array_equal(twice.outside[1], [False, True, *[False] * 4])
+
+
+def test_a_matrix_is_the_product_of_those_before_it() -> None:
+    found = api.matrices(PLAIN)
+    product = found["clip_from_view"] @ found["view_from_world"]
+    np.testing.assert_allclose(product, found["clip_from_world"], rtol=1e-15)
+    np.testing.assert_array_equal(found["clip_from_view"][2:], [(0, 0, -2, -3), (0, 0, -1, 0)])
+
+
+def test_what_cannot_be_is_refused_in_a_sentence() -> None:
+    document = api.load("letter-f")
+    for refused, words in (
+        (lambda: api.load("leter-f"), "letter-f"),
+        (lambda: api.load("focus", "lens.near=-1"), "lens.near = -1"),
+        (lambda: api.load("none.json"), "does not exist"),
+        (lambda: api.project(document, [(1, 2), (3,)]), "points"),
+        (lambda: api.project(document, [(1, 2, 3, "w")]), "w = 'w'"),
+        (lambda: api.figure(document, [(1, 2, 3)] * 7), "at most 6"),
+        (lambda: api.figure(document, panes="world/ndc,image"), "'ndc,image'"),
+        (lambda: api.figure(document, size="120"), "WIDTHxHEIGHT in mm"),
+        (lambda: api.figure(document, palette="grey"), "palette = 'grey'"),
+        (lambda: api.figure(document, text_size=0.0), "text size = 0"),
+        (lambda: api.figure(document).save("figure.gif"), "must end in"),
+    ):
+        with pytest.raises(Refusal, match=re.escape(words)):
+            refused()
