@@ -12,6 +12,7 @@ import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any
 
 from app.commands import doctor, matrices, project
 from app.commands.arguments import (
@@ -140,11 +141,12 @@ def _export(arguments: Sequence[str]) -> int:
     document = document_of(shown, found.set)
     scene = load_scene(document.scene, document.mesh, shown)
     with importing():
+        from app.drawings.describing import describe
         from app.drawings.figures import TEXT, render, write_png, write_shapes
         from app.drawings.style import PALETTES
     check_drawing()
     try:
-        options = {
+        options: dict[str, Any] = {
             "panes": re.split("[,/]", found.panes),
             "column": column,
             "crop": found.crop,
@@ -157,8 +159,9 @@ def _export(arguments: Sequence[str]) -> int:
             "text_pt": found.text_size,
         }
         if not has_pixels:
+            about = describe(document, scene, options["panes"])
             hidden = found.hidden or "none"
-            write_shapes(out, scene, document.projection, hidden=hidden, **options)
+            write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
         else:
             pixels = render(scene, document.projection, scale=found.scale, **options)
             write_png(out, pixels, picture_json(document), found.scale)
