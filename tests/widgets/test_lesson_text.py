@@ -244,3 +244,21 @@ def test_a_minus_after_a_comma_is_a_sign() -> None:
 
 def test_a_button_has_signs_for_the_letters_of_formulas() -> None:
     assert in_line(r"Where $\beta = 40°$ is $y_p \cdot 2$") == "Where β = 40° is yₚ · 2"
+
+
+def test_what_follows_a_formula_is_no_larger_on_paper(qapp: object) -> None:
+    """A printer has many dots per inch, and its painter is scaled."""
+    inks = []
+    for dots in (96, 1200):
+        image = QImage(200, 60, QImage.Format.Format_RGB32)
+        image.setDotsPerMeterX(round(dots / 0.0254))
+        image.setDotsPerMeterY(round(dots / 0.0254))
+        image.fill(Qt.GlobalColor.white)
+        document = QTextDocument()
+        document.setDefaultFont(QFont("DejaVu Sans", 20))
+        set_text(document, "Is $x$?")
+        painter = QPainter(image)
+        document.drawContents(painter)
+        painter.end()
+        inks.append(rgb_of(image).mean(axis=2) < 128)
+    assert inks[0].any() and np.array_equal(*inks)

@@ -41,6 +41,7 @@ from PySide6.QtGui import (
     QTextCursor,
     QTextDocument,
     QTextFormat,
+    QTextLayout,
     QWheelEvent,
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
@@ -247,9 +248,14 @@ class _Formulas(QPyTextObject):
         painter.translate(rect.left() + ROOM_EM * em, top + line.y() + line.ascent())
         own = form.toCharFormat().foreground()
         brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
-        painter.setFont(_font(document, form))
         painter.setPen(QPen(brush, 0))
-        painter.drawText(QPointF((found.width + ROOM_EM) * em, 0.0), form.stringProperty(_TAIL))
+        # `drawText` would take the letters' size from the device, which on paper has other dots.
+        tail = QTextLayout(form.stringProperty(_TAIL), _font(document, form))
+        tail.beginLayout()
+        letters = tail.createLine()
+        letters.setNumColumns(LONGEST_TAIL)
+        tail.endLayout()
+        tail.draw(painter, QPointF((found.width + ROOM_EM) * em, -letters.ascent()))
         painter.scale(em, em)
         inks = document.property(INKS) or {}
         for name, path in formula_parts(tex):
