@@ -40,6 +40,7 @@ _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 2.2
 _ASIDE_EM = 1.2  # from the far plane to the line beside it
 _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
+_ARC_BEFORE = 0.5  # of e, where it is named
 _ACROSS_EM = 2.2  # under the window seen along the axis
 _INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.2, 1.2, 2.2  # the lines of numbers: their rows
 _SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
@@ -252,15 +253,16 @@ class Dimensions:
                 "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
                 side=-1.0,
             )  # fmt: skip
-        e = dict(self._ways(measured)).get("e")
+        e, unit = dict(self._ways(measured)).get("e"), self._unit(spots, measured)
         if e is not None:
-            unit = self._unit(spots, measured)
             x, y = float(eye[0]) + e * unit, float(eye[1])
             self._rule("one", (x, y), (x, y + math.copysign(unit, far_edge[1] - y)), "1")
         if half.angle_deg is not None and "angle" in measured.names:
             # The angle is true on the screen: both axes have one scale.
             reached = far_edge - eye
             radius = min(_ARC_EM * self._em, _ARC_PART * float(np.hypot(*reached)))
+            if e is not None:
+                radius = min(radius, _ARC_BEFORE * e * abs(unit))
             end = math.copysign(1.0, reached[1]) * math.radians(half.angle_deg)
             turns = np.linspace(0.0, end, _ARC + 1)
             arc = eye + radius * np.column_stack([np.cos(turns), np.sin(turns)])
