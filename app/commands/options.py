@@ -43,6 +43,7 @@ CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
+FIGURE_FORMATS = ("png", "svg", "pdf")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
 COSTS = ("time", "bytes")
@@ -161,6 +162,10 @@ class Parser(argparse.ArgumentParser):
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
+
+    def options(self) -> list[argparse.Action]:
+        """Return what begins with dashes."""
+        return [action for action in self._actions if action.option_strings]
 
     def add_set(self) -> None:
         """Add ``--set``."""
@@ -292,9 +297,21 @@ def _window() -> Parser:
 def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
-        "or mesh to draw (default: the letter F)"
+        "or mesh to draw (default: the letter F); with --batch, the folder of the figures"
     )
     parser = Parser("export", "OUT [FILE]", text)
+    parser.add_argument(
+        "--batch", metavar="LIST",
+        help="draw many figures: a CSV file with a line for each, whose columns are out, file, the "
+        "options without their dashes, and names of --set; or each document of a folder",
+    )  # fmt: skip
+    parser.add_argument(
+        "--resume", action="store_true",
+        help="of --batch: leave out figures that are newer than the list and their document",
+    )  # fmt: skip
+    parser.add_choice(
+        "--format", FIGURE_FORMATS, "of --batch with a folder: what to write (default: png)"
+    )
     parser.add_argument(
         "--panes",
         default="world,ndc,image",
