@@ -109,6 +109,7 @@ def _ending(out: str) -> str:
 
 def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
     with importing():
+        from app.drawings.describing import describe
         from app.drawings.figures import write_png, write_shapes
     if _ending(out) == ".png":
         pixels = _pixels(found, document, scene)
@@ -116,8 +117,9 @@ def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene
         return
     options = _options(found, document)
     with _of_options(found):
+        about = describe(document, scene, _panes(found))
         hidden = found.hidden or "none"
-        write_shapes(out, scene, document.projection, hidden=hidden, **options)
+        write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
 
 
 def _write_film(
