@@ -54,6 +54,7 @@ from app.scenes.shapes import (
     is_grid,
     joined,
 )
+from app.strangers import printable
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -174,7 +175,7 @@ class Scene:
         """Its title, translated like the phenomena's texts, or the name of the mesh's file."""
         if self.phenomenon is not None:
             return self.phenomenon.title
-        return TITLES.get(self.name) or Path(self.name).name
+        return TITLES.get(self.name) or printable(Path(self.name).name)
 
     @property
     def leading(self) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from app import api
 from app.drawings.describing import describe
 from app.precision.risks import NO_GAP
@@ -92,3 +94,9 @@ def test_another_language_gets_every_sentence() -> None:
         said.startswith("<")
         for said in (found.title, *found.general, *found.panes.values(), *found.cut, *found.risky)
     )
+
+
+def test_a_title_is_text_that_a_file_can_hold() -> None:
+    """A file's name need not be UTF-8, and XML has no control characters."""
+    mesh = replace(load("cube"), name="folder/F\udcff\x01.obj")
+    assert describe(api.load("cube"), mesh).title == r"F\udcff\x01.obj"

@@ -140,7 +140,7 @@ class Pictures(QObject):
             picture.fill(Qt.GlobalColor.white)
             painter = QPainter(picture)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            QSvgRenderer(QByteArray(svg(found, size, scene.name))).render(painter)
+            QSvgRenderer(QByteArray(svg(found, size, scene.title))).render(painter)
             painter.end()
             return QPixmap.fromImage(picture)
         width, height = Size(*choice.size).px
