@@ -29,6 +29,8 @@ from app.document.document import Document, is_mesh
 from app.document.files import read
 from app.document.lengths import PX_PER, Size, parse_size
 from app.document.settings import set_values
+from app.drawings.describing import Description
+from app.drawings.describing import describe as described
 from app.model.infinity import homogeneous
 from app.model.projection import (
     ONE_OF,
@@ -60,9 +62,9 @@ from app.scenes.scene import BUILT_IN, Scene
 from app.scenes.scene import load as load_scene
 
 __all__ = [
-    "Camera", "Document", "Figure", "FreeMatrix", "Frustum", "Lens", "ObjectTransform", "Oblique",
-    "Orthographic", "Perspective", "Projection", "Refusal", "Stage", "Trace", "__version__",
-    "figure", "load", "matrices", "project",
+    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum", "Lens",
+    "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection", "Refusal", "Stage",
+    "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
 ]  # fmt: skip
 
 Source: TypeAlias = Document | Projection
@@ -175,6 +177,15 @@ def matrices(of: Source) -> dict[str, Array]:
     return {stage.name: stage.matrix for stage in _projection(of).all_stages}
 
 
+def describe(of: Source) -> Description:
+    """Say in words what each pane shows, what is cut off, and what is risky.
+
+    The sentences are those with which an SVG or PDF figure describes itself.
+    """
+    document = _document(of)
+    return described(document, load_scene(document.scene, mesh=document.mesh))
+
+
 def figure(
     of: Source,
     points: ArrayLike | None = None,
@@ -220,7 +231,7 @@ def figure(
     from app.drawings.style import PALETTES
     from app.drawings.vectors import HIDDEN
 
-    document = of if isinstance(of, Document) else Document(projection=of)
+    document = _document(of)
     for name, value, known in (("palette", palette, PALETTES), ("hidden", hidden, HIDDEN)):
         if value not in known:
             raise Refusal(name, value, ONE_OF, ", ".join(known))
@@ -277,7 +288,8 @@ class Figure:
 
         scene = self._scene()
         size, found = shapes(scene, self.document.projection, hidden=self.hidden, **self._options)
-        return svg(found, size, scene.name).decode()
+        about = self._about(scene)
+        return svg(found, size, about.title, about.text).decode()
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""
@@ -302,7 +314,9 @@ class Figure:
             pixels = render(self._scene(), projection, **self._options)
             write_png(name, pixels, picture_json(self.document))
         elif name.lower().endswith((".svg", ".pdf")):
-            write_shapes(name, self._scene(), projection, hidden=self.hidden, **self._options)
+            scene = self._scene()
+            about = self._about(scene)
+            write_shapes(name, scene, projection, about, hidden=self.hidden, **self._options)
         else:
             raise Refusal.saying(AN_ENDING, name)
 
@@ -311,6 +325,9 @@ class Figure:
         document = self.document
         shown = {"view": document.view, "settings": document.settings, "quality": document.quality}
         return {**self.options, **shown}
+
+    def _about(self, scene: Scene) -> Description:
+        return described(self.document, scene, self.options["panes"])
 
     def _scene(self) -> Scene:
         """The scene, if this machine can draw it."""
@@ -322,6 +339,10 @@ class Figure:
 
 def _projection(of: Source) -> Projection:
     return of.projection if isinstance(of, Document) else of
+
+
+def _document(of: Source) -> Document:
+    return of if isinstance(of, Document) else Document(projection=of)
 
 
 def _checked(points: ArrayLike) -> Array:

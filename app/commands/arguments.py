@@ -134,7 +134,7 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
         raise CliError(f"{asked}{error}") from error
 
 
-@functools.cache
+@functools.lru_cache(maxsize=8)  # of a list of large meshes not all
 def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     return load(scene, mesh=mesh)
 
@@ -156,6 +156,7 @@ def importing() -> Iterator[None]:
         raise CliError(text, CANNOT_DRAW) from error
 
 
+@functools.cache
 def check_drawing() -> None:
     """Raise a `CliError` if VTK cannot draw without a window."""
     with importing():

@@ -1,4 +1,4 @@
-"""The command line: the window, ``export``, and the table of the other commands.
+"""The command line: the window, and the table of the commands.
 
 Every wrong input ends in one sentence on standard error and exit status 2, and a machine that
 cannot draw in one sentence and status 3. Only the commands that draw import Qt, VTK and pyvista, so
@@ -8,17 +8,14 @@ that the others start fast and on any machine.
 from __future__ import annotations
 
 import os
-import re
 import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
-from app.commands import doctor, matrices, project
+from app.commands import doctor, export, matrices, project
 from app.commands.arguments import (
-    check_drawing,
     check_out,
     document_before,
-    document_of,
     first_state,
     importing,
     load_scene,
@@ -28,12 +25,10 @@ from app.commands.options import (
     CANNOT_DRAW,
     CliError,
     check_file,
-    complain,
     outcome,
     parser_of,
     write_out,
 )
-from app.document.codec import picture_json
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
 from app.model.projection import (
@@ -120,60 +115,6 @@ def _check_png(name: str, out: str) -> None:
     check_out(name, out)
 
 
-# --------------------------------------------------------------------------- export
-
-
-def _export(arguments: Sequence[str]) -> int:
-    found, (out, *file) = parser_of("export").read(arguments)
-    if not out.lower().endswith((".png", ".svg", ".pdf")):
-        raise CliError(f"OUT = {out!r}: must end in .png, .svg or .pdf.")
-    has_pixels = out.lower().endswith(".png")
-    if not has_pixels and found.scale != 1.0:
-        raise CliError("--scale: is for .png; shapes are as fine at every scale.")
-    if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
-    column = "/" in found.panes
-    if column and "," in found.panes:
-        raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
-    check_out("OUT", out)
-    shown = file[0] if file else None
-    document = document_of(shown, found.set)
-    scene = load_scene(document.scene, document.mesh, shown)
-    with importing():
-        from app.drawings.figures import TEXT, render, write_png, write_shapes
-        from app.drawings.style import PALETTES
-    check_drawing()
-    try:
-        options = {
-            "panes": re.split("[,/]", found.panes),
-            "column": column,
-            "crop": found.crop,
-            "size": found.size,
-            "transparent": found.transparent,
-            "style": PALETTES[found.palette],
-            "view": document.view,
-            "settings": document.settings,
-            "quality": document.quality,
-            "text_pt": found.text_size,
-        }
-        if not has_pixels:
-            hidden = found.hidden or "none"
-            write_shapes(out, scene, document.projection, hidden=hidden, **options)
-        else:
-            pixels = render(scene, document.projection, scale=found.scale, **options)
-            write_png(out, pixels, picture_json(document), found.scale)
-    except Refusal as error:
-        of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
-        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
-        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked(document.settings)
-        illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
-        if illustration.warning is not None:  # the picture is written, but incomplete
-            complain(f"{document.scene}: {illustration.warning.sentence()}.", 0)
-    return 0
-
-
 # --------------------------------------------------------------------------- measure
 
 
@@ -196,7 +137,7 @@ def _talk(arguments: Sequence[str]) -> int:
 
 
 COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
-    "export": _export,
+    "export": export.run,
     "project": project.run,
     "matrices": matrices.run,
     "measure": _measure,

@@ -43,6 +43,8 @@ CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
+LOOPS = ("repeat", "once", "back-and-forth")
+FIGURE_FORMATS = ("png", "svg", "pdf")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
 COSTS = ("time", "bytes")
@@ -162,6 +164,10 @@ class Parser(argparse.ArgumentParser):
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
 
+    def options(self) -> list[argparse.Action]:
+        """Return what begins with dashes."""
+        return [action for action in self._actions if action.option_strings]
+
     def add_set(self) -> None:
         """Add ``--set``."""
         self.add_argument(
@@ -251,6 +257,12 @@ def _number(option: str, bound: str) -> Callable[[str], float]:
     return read
 
 
+def _whole(value: str) -> int:
+    if not re.fullmatch("[0-9]{1,9}", value):
+        raise CliError(f"--frames = {value!r}: must be a whole number.")
+    return int(value)
+
+
 def _sweep(value: str) -> tuple[str, str]:
     """Split ``near`` or ``near=1e-3:10`` into the parameter and its ends."""
     name, equals, ends = value.partition("=")
@@ -292,7 +304,8 @@ def _window() -> Parser:
 def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
-        "or mesh to draw (default: the letter F)"
+        "or mesh to draw (default: the letter F); with --batch, the folder of the figures; with "
+        "--sweep, a film (.gif, .apng or .webp), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -335,6 +348,34 @@ def _export() -> Parser:
     parser.add_choice(
         "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
         "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
+    )  # fmt: skip
+    parser.add_argument(
+        "--batch", metavar="LIST",
+        help="draw many figures: a CSV file with a line for each, whose columns are out, file, the "
+        "options without their dashes, and names of --set; or each document of a folder",
+    )  # fmt: skip
+    parser.add_argument(
+        "--resume", action="store_true",
+        help="of --batch: leave out figures that are newer than the list and their document",
+    )  # fmt: skip
+    parser.add_choice(
+        "--format", FIGURE_FORMATS, "of --batch with a folder: what to write (default: png)"
+    )
+    parser.add_argument(
+        "--sweep", metavar="NAME=FIRST:LAST",
+        help="draw a moving picture: a value of --set changes from FIRST to LAST",
+    )  # fmt: skip
+    parser.add_argument(
+        "--frames", type=_whole, metavar="COUNT",
+        help="of --sweep: how many frames (default: 48)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--fps", type=_number("--fps", "a finite number"), metavar="COUNT",
+        help="of --sweep: how many frames a second (default: 12)",
+    )  # fmt: skip
+    parser.add_choice(
+        "--loop", LOOPS, "of --sweep: from the last frame to the first, not at all, or there and "
+        "back in all frames together (default: repeat)",
     )  # fmt: skip
     parser.add_set()
     return parser

@@ -159,13 +159,13 @@ def extract(png: bytes) -> str | None:
         If `png` is not a complete PNG picture, or the text in it is damaged.
     """
     try:
-        texts = [_text(body) for kind, body in _chunks(png) if kind == b"iTXt"]
+        texts = [_text(body) for kind, body in chunks(png) if kind == b"iTXt"]
     except (ValueError, struct.error, zlib.error) as error:
         raise Refusal.in_document(BROKEN_PICTURE) from error
     return next((text for text in texts if text is not None), None)
 
 
-def _chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
+def chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
     """Yield kind and content of each chunk; `ValueError` or `struct.error` for a damaged one."""
     view, begin, kind = memoryview(png), len(_PNG), b""
     if not png.startswith(_PNG) or not png.startswith(b"IHDR", begin + 4):

@@ -32,6 +32,7 @@ from app.document.naming import named_in, seen_from
 from app.document.settings import name_of, pictured
 from app.document.view import AS_EVER, PANES, View
 from app.drawings import AXES, WORDS, Words
+from app.drawings.describing import Description
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import Label, font_file
@@ -329,8 +330,17 @@ def _watched(progress: Callable[[float], bool] | None, number: int, of: int) -> 
     return watch
 
 
-def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any) -> None:
-    """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`."""
+def write_shapes(
+    path: str,
+    scene: Scene,
+    projection: Projection,
+    about: Description | None = None,
+    **options: Any,
+) -> None:
+    """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`.
+
+    `about` says what it shows to those who do not see it.
+    """
     try:
         size, found = shapes(scene, projection, **options)
     except Refusal as error:
@@ -339,7 +349,8 @@ def write_shapes(path: str, scene: Scene, projection: Projection, **options: Any
         png = os.path.splitext(os.path.basename(path))[0] + ".png"
         raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
     write = pdf if path.lower().endswith(".pdf") else svg
-    write_bytes_atomically(path, write(found, size, scene.name))
+    said = (scene.title, "") if about is None else (about.title, about.text)
+    write_bytes_atomically(path, write(found, size, *said))
 
 
 def write_png(

@@ -27,8 +27,8 @@ _PT_PER_PX = 72.0 / DPI
 _LARGE = 1e3
 
 
-def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes:
-    """Return the file of a figure of a size in pixels."""
+def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
+    """Return the file of a figure of a size in pixels; its subject is a `text` about it."""
     from matplotlib import rc_context
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.figure import Figure
@@ -42,6 +42,7 @@ def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes
             writer.add(shape)
         metadata = {
             "Title": title,
+            "Subject": text or None,
             "Creator": "Frustum Lab",
             "Producer": None,
             "CreationDate": None,

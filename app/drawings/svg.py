@@ -33,8 +33,8 @@ _GREEK = dict(zip((
 _FUNCTIONS = ("tan", "sin", "cos", "log")
 
 
-def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes:
-    """Return the file of a figure of a size in pixels."""
+def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
+    """Return the file of a figure of a size in pixels; `text` describes it."""
     width, height = map(_n, size)
     wide, high = (_n(side / PX_PER["mm"]) for side in size)
     lines = [
@@ -43,6 +43,7 @@ def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str) -> bytes
         f' viewBox="0 0 {width} {height}" role="img" stroke-linecap="round"'
         f' stroke-linejoin="round">',
         f"<title>{escape(title)}</title>",
+        *([f"<desc>{escape(text)}</desc>"] if text else ()),
     ]
     number = 0
     for kind, group in groupby(shapes, key=_kind):

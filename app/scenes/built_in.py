@@ -39,6 +39,11 @@ SIDE = (20.0, 14.0)
 """From where the world of these scenes is seen: beside the camera, which sets the planes apart."""
 CUBE_SIDE = (75.0, 10.0)
 """From where the cube of the posts is seen: nearly from the side, along which they crowd."""
+TITLES = {
+    "letter-f": QT_TRANSLATE_NOOP("phenomena", "Letter F"),
+    "cube": QT_TRANSLATE_NOOP("phenomena", "Unit cube"),
+    "posts": QT_TRANSLATE_NOOP("phenomena", "Row of posts"),
+}
 TRIES = {
     "letter-f": (
         QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),

@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TITLES, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -54,6 +54,7 @@ from app.scenes.shapes import (
     is_grid,
     joined,
 )
+from app.strangers import printable
 
 if TYPE_CHECKING:
     import pyvista as pv
@@ -168,6 +169,13 @@ class Scene:
     start: Projection
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
+
+    @property
+    def title(self) -> str:
+        """Its title, translated like the phenomena's texts, or the name of the mesh's file."""
+        if self.phenomenon is not None:
+            return self.phenomenon.title
+        return TITLES.get(self.name) or printable(Path(self.name).name)
 
     @property
     def leading(self) -> str:

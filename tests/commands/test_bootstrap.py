@@ -123,8 +123,12 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    (checkout.root / "app" / "commands").mkdir(parents=True)
-    stdlib_only = ("commands/__init__.py", "commands/options.py", "commands/doctor.py")
+    for folder in ("commands", "document"):
+        (checkout.root / "app" / folder).mkdir(parents=True)
+    stdlib_only = (
+        *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
+        *("document/__init__.py", "document/lengths.py"),
+    )
     for name in ("__init__.py", "__main__.py", "bootstrap.py", "strangers.py", *stdlib_only):
         shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
     (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE)

@@ -1254,7 +1254,8 @@ def test_export_options_reach_the_picture(tmp_path: Path, by_hand: Path) -> None
 def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> None:
     done = run_here("export", tmp_path / "a.PDF", by_hand, "--panes=image")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
-    assert (tmp_path / "a.PDF").read_bytes().startswith(b"%PDF-")
+    content = (tmp_path / "a.PDF").read_bytes()
+    assert content.startswith(b"%PDF-") and "The eye is at".encode("utf-16-be") in content
     out = tmp_path / "figure.svg"
     done = run_here("export", out, by_hand, "--panes=world,ndc", "--palette=dark", "--transparent")
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
@@ -1262,6 +1263,8 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     assert tree.get("viewBox") == "0 0 1280 640" and tree.get("width") == "108.37mm"
     text = out.read_text()
     assert 'fill="#16181b"' not in text, "no background"
+    assert "<desc>The eye is at (" in text and "World: the scene" in text
+    assert "Image: the picture" not in text, "of the panes in the figure only"
 
 
 @pytest.mark.parametrize(

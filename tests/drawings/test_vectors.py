@@ -186,12 +186,13 @@ def streams_of(content: bytes) -> list[bytes]:
 def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
     document = Document("letter-f", load("letter-f").start)
     _, found = shapes(scene_of(document), document.projection, ["world", "image"], (1280, 640))
-    content = pdf(found, (1280, 640), "A title")
-    assert content == pdf(found, (1280, 640), "A title") and len(content) <= 50_000
+    content = pdf(found, (1280, 640), "A title", "Its text")
+    assert content == pdf(found, (1280, 640), "A title", "Its text") and len(content) <= 50_000
     (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
     sides_mm = [float(side) / 72.0 * 25.4 for side in box]
     assert sides_mm == pytest.approx([108.37, 54.19], abs=0.01)
-    assert b"/Subtype /Image" not in content and b"(A title)" in content
+    assert b"/Subtype /Image" not in content
+    assert b"/Title (A title)" in content and b"/Subject (Its text)" in content
     fonts = set(re.findall(rb"/BaseFont /[A-Z]+\+(\S+)", content))
     assert {b"DejaVuSans", b"STIXGeneral-Italic"} <= fonts
     assert content.count(b"/FontFile2") >= 2  # TrueType

@@ -338,7 +338,8 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     assert QApplication.clipboard().mimeData().hasImage()
     drawn = ExportChoice(("ndc",), Size(2, 2, "cm"), 1.0, False, hidden="grey", ending="svg")
     assert window.pictures.export(tmp_path / "a.svg", drawn)
-    assert 'width="20mm"' in (tmp_path / "a.svg").read_text()
+    text = (tmp_path / "a.svg").read_text()
+    assert 'width="20mm"' in text and "<desc>The eye is at (" in text
 
 
 def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.view import LAYOUTS
+from app.scenes.built_in import TITLES
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
@@ -69,10 +70,11 @@ class Actions(QObject):
         self._window, self._files = window, files
         self._slots, self._panes = slots, panes
         self.scene_titles = {
-            "letter-f": self.tr("Letter F"),
-            "cube": self.tr("Unit cube"),
-            "posts": self.tr("Row of posts"),
-            **{each.name: of_phenomena(each.title) for each in PHENOMENA.values()},
+            name: of_phenomena(title)
+            for name, title in (
+                *TITLES.items(),
+                *((each.name, each.title) for each in PHENOMENA.values()),
+            )
         }
         keys = QKeySequence.StandardKey
         self.open = self._action(

@@ -16,7 +16,7 @@ from app.document.document import Document
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import sentence, translated
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -101,6 +101,7 @@ class Pictures(QObject):
         """Write a picture; return False if that fails or the user cancels it."""
         if choice.ending == "png":
             return self._write(path, lambda document: self._draw(document, choice), choice.scale)
+        from app.drawings.describing import describe
         from app.drawings.figures import write_shapes
 
         document = self._seen()
@@ -108,10 +109,11 @@ class Pictures(QObject):
         def write() -> None:
             options = self._options(document, choice)
             scene = self._scene(document.scene, document.mesh)
+            about = describe(document, scene, choice.panes, translated)
             with progress(self._window, self.tr("Drawing the picture")) as tell:
                 write_shapes(
-                    str(path), scene, document.projection, hidden=choice.hidden, progress=tell,
-                    **options,
+                    str(path), scene, document.projection, about, hidden=choice.hidden,
+                    progress=tell, **options,
                 )  # fmt: skip
 
         return self._try(write, self.tr("Exported {0}").format(path))
@@ -138,7 +140,7 @@ class Pictures(QObject):
             picture.fill(Qt.GlobalColor.white)
             painter = QPainter(picture)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            QSvgRenderer(QByteArray(svg(found, size, scene.name))).render(painter)
+            QSvgRenderer(QByteArray(svg(found, size, scene.title))).render(painter)
             painter.end()
             return QPixmap.fromImage(picture)
         width, height = Size(*choice.size).px

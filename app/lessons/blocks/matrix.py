@@ -11,10 +11,10 @@ from typing import TypeVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
-from app.lessons.blocks.working import has_names, in_list, working, written_value
+from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Item, Items, number_in, on_line, refused, split
 from app.lessons.marking import Typed
-from app.model.formula import Formula, latex, parse
+from app.model.formula import Formula, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Part = TypeVar("Part")
@@ -174,18 +174,6 @@ class Matrix(Marked):
             return f"m_{{{row + self.first[0]}{column + self.first[1]}}}"
         is_vector = min(self.rows, self.columns) == 1
         return f"v_{place + 1}" if is_vector else f"m_{{{row + 1}{column + 1}}}"
-
-    def sides(self, here: Here) -> list[str]:
-        """Return the sides of an equation of matrices, each a table; none without letters."""
-        known = self.known(here)
-        found = [working(each, known) for each in self.right]
-        ways = [each for each in found if each is not None]
-        if not any(map(has_names, self.right)) or len(ways) < len(found):
-            return []
-        texts = ([f"${latex(each, {})}$" for each in side] for side in zip(*(
-            (way.letters, way.numbers) for way in ways), strict=True))  # fmt: skip
-        values = [f"${written_value(way.value)[0]}$" for way in ways]
-        return [self.table(side) for side in (*texts, values)]
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""

@@ -1,0 +1,242 @@
+"""The figures of a list or of a folder, in one process, with a page that shows them.
+
+A list is CSV from anyone: its size is limited, and no line writes outside the folder of the
+figures. A line that cannot be drawn does not keep the others from it.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import difflib
+import html
+import io
+import os
+import re
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+from urllib.parse import quote
+
+from app.commands.arguments import full_path
+from app.commands.options import (
+    BAD_INPUT,
+    CANNOT_DRAW,
+    SETTABLE,
+    CliError,
+    Parser,
+    complain,
+    parser_of,
+    write_out,
+)
+from app.document.document import is_mesh
+from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
+from app.model.refusal import Refusal, shown_name
+from app.strangers import printable
+
+LARGEST_LIST = 2**20
+"""Most bytes of a list: some ten thousand figures."""
+INDEX = "index.html"
+_NOT_OF_A_LINE = ("batch", "resume", "format", "sweep", "frames", "fps", "loop", "help")
+_YES = {"yes": True, "no": False}
+
+Draw = Callable[[argparse.Namespace, str, "str | None"], str]
+
+
+class Line(NamedTuple):
+    """A figure of a list: where the list asks for it, and its cells by column."""
+
+    where: str
+    cells: dict[str, str]
+    source: str
+    """The list, or the document in a folder."""
+    wrong: str = ""
+
+
+def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Draw) -> int:
+    """Draw the figures of a list into a folder; return 2 if one of them cannot be drawn."""
+    if others:
+        raise CliError("--batch: takes one name, the folder of the figures.")
+    lines = list(_lines(found))
+    _make(folder)
+    parser, entries, taken = parser_of("export"), list[tuple[str, str]](), dict[str, str]()
+    for number, line in enumerate(lines, 1):
+        out, wrong, said = printable(line.cells.get("out", "")), "", ""
+        try:
+            if line.wrong:
+                raise CliError(line.wrong)
+            target = _target(folder, line.cells["out"], line.where, taken)
+            asked, file = _asked(parser, found, line)
+            if found.resume and _is_new(target, line.source, file):
+                said = " is there already"
+            elif warning := draw(asked, target, file):
+                complain(f"{line.where}: {warning}", 0)
+        except (CliError, Refusal) as error:
+            if getattr(error, "status", 0) == CANNOT_DRAW:
+                raise
+            wrong = str(error)
+            complain(f"{line.where}: {wrong}", 0)
+        entries.append((out, wrong))
+        write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
+    page = os.path.join(folder, INDEX)
+    write_bytes_atomically(page, _page(os.path.basename(full_path(found.batch)), entries))
+    return BAD_INPUT if any(wrong for _, wrong in entries) else 0
+
+
+# --------------------------------------------------------------------------- reading
+
+
+def _lines(found: argparse.Namespace) -> Iterator[Line]:
+    source = found.batch
+    if not os.path.isdir(source):
+        if found.format:
+            raise CliError("--format: is for a folder; in a list the endings of out decide.")
+        yield from _of_list(source)
+        return
+    with blamed_on(source, UNREADABLE):
+        names = sorted(os.listdir(source))
+    documents = [name for name in names if name.lower().endswith(".json") or is_mesh(name)]
+    if not documents:
+        raise CliError(f"--batch = {source!r}: has no documents (.json) and no meshes.")
+    for name in documents:
+        path = os.path.join(source, name)
+        out = f"{os.path.splitext(name)[0]}.{found.format or 'png'}"
+        yield Line(path, {"out": out, "file": path}, path)
+
+
+def _of_list(source: str) -> Iterator[Line]:
+    with blamed_on(source, UNREADABLE):
+        content = content_of(source, LARGEST_LIST)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise CliError(f"{source} is not UTF-8 text.") from error
+    rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
+    columns, begin, is_empty = list[str](), 1, True
+    try:
+        for row in rows:
+            cells, where = [cell.strip() for cell in row], f"{source}, line {begin}"
+            begin = rows.line_num + 1
+            if not any(cells):
+                continue
+            if not columns:
+                columns = _checked_columns(cells, where)
+                continue
+            is_empty = False
+            named = dict(zip(columns, cells, strict=False))
+            wrong = ""
+            if len(cells) > len(columns):
+                wrong = f"has {len(cells)} columns, but the first row names {len(columns)}."
+            yield Line(where, named, source, wrong)
+    except csv.Error as error:
+        raise CliError(f"{source}, line {begin}: is not CSV ({error}).") from error
+    if is_empty:
+        raise CliError(f"{source} has no figures: its first row names columns, the others are one.")
+
+
+def _checked_columns(columns: list[str], where: str) -> list[str]:
+    known = ["out", "file", *_options(parser_of("export")), *SETTABLE]
+    for number, column in enumerate(columns):
+        shown = shown_name(column)
+        if column not in known and not column.startswith("settings."):
+            near = max(known, key=lambda name: difflib.SequenceMatcher(None, shown, name).ratio())
+            raise CliError(f"{where}: {shown!r} is not a column; the nearest is {near}.")
+        if column in columns[:number]:
+            raise CliError(f"{where}: has two columns {shown}.")
+    if "out" not in columns:
+        raise CliError(f"{where}: has no column out, for the names of the figures.")
+    return columns
+
+
+def _options(parser: Parser) -> dict[str, argparse.Action]:
+    """Return the options that a column may be, by its name."""
+    every = {action.option_strings[-1][2:]: action for action in parser.options()}
+    return {name: action for name, action in every.items() if name not in _NOT_OF_A_LINE}
+
+
+def _asked(
+    parser: Parser, found: argparse.Namespace, line: Line
+) -> tuple[argparse.Namespace, str | None]:
+    """Return the options and the FILE of a line; those of the command line where it has none."""
+    options, words, given = _options(parser), list[str](), dict[str, bool]()
+    for column, cell in line.cells.items():
+        if "\0" in cell:
+            raise CliError(f"{column} = {cell!r}: has a character NUL.")
+        if column in ("out", "file") or not cell:
+            continue
+        if column not in options:
+            words.append(f"--set={column}={cell}")
+        elif column == "set":
+            words += [f"--set={each}" for each in cell.splitlines()]
+        elif options[column].nargs != 0:
+            words.append(f"--{column}={cell}")
+            given[options[column].dest] = True
+        elif cell in _YES:
+            given[options[column].dest] = False
+            words += [f"--{column}"] * _YES[cell]
+        else:
+            raise CliError(f"{column} = {cell!r}: must be yes or no.")
+    asked, _ = parser.read([*words, "--", "out"])
+    for name, value in vars(found).items():
+        if name == "set":
+            asked.set = [*value, *asked.set]
+        elif name not in given:
+            setattr(asked, name, value)
+    file = line.cells.get("file")
+    if file:
+        # The list names documents beside it; a folder's own are named as the folder is.
+        beside = os.path.dirname(line.source) if file != line.source else ""
+        file = os.path.join(beside, file)
+    return asked, file or None
+
+
+# --------------------------------------------------------------------------- writing
+
+
+def _make(folder: str) -> None:
+    with blamed_on(folder, UNWRITABLE):
+        try:
+            os.makedirs(folder, exist_ok=True)
+        except FileExistsError as error:
+            raise CliError(f"OUT = {folder!r}: must be a folder, for the figures.") from error
+
+
+def _target(folder: str, out: str, where: str, taken: dict[str, str]) -> str:
+    """Return where a figure goes; refuse a name that leads out of the folder, or is taken."""
+    if re.search(r"[/\\:\0]", out) or out.startswith(".") or not out.isprintable():
+        raise CliError(f"out = {out!r}: must be a file name without a folder.")
+    first = taken.setdefault(out.casefold(), where)
+    if first != where:
+        raise CliError(f"out = {out!r}: is written by {first}.")
+    target = os.path.join(folder, out)
+    if os.path.islink(target):
+        raise CliError(f"out = {out!r}: is a link, which may lead out of {folder}.")
+    return target
+
+
+def _is_new(target: str, *sources: str | None) -> bool:
+    try:
+        written = os.stat(target).st_mtime_ns
+        return all(os.stat(each).st_mtime_ns < written for each in sources if each)
+    except OSError:
+        return False
+
+
+def _page(title: str, entries: Sequence[tuple[str, str]]) -> bytes:
+    """Return the page that shows the figures; every text in it is escaped."""
+    figures = []
+    for out, wrong in entries:
+        name, link = html.escape(out), html.escape(quote(f"./{out}"))
+        shown = f'<img src="{link}" alt="{name}">'
+        if wrong:
+            shown = f"<p>{html.escape(printable(wrong))}</p>"
+        elif out.lower().endswith(".pdf"):
+            shown = "PDF"
+        caption = name if wrong else f'<a href="{link}">{name}</a>'
+        figures.append(f"<figure>{shown}<figcaption>{caption}</figcaption></figure>\n")
+    return (
+        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        f"<title>{html.escape(printable(title))}</title>\n"
+        "<style>body{font-family:sans-serif}figure{display:inline-block;margin:1em;max-width:45em}"
+        "img{max-width:100%}</style>\n"
+        f"<h1>{html.escape(printable(title))}</h1>\n{''.join(figures)}</html>\n"
+    ).encode()

@@ -1,0 +1,217 @@
+"""The command ``export``: a figure, the figures of a list, or a moving picture."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import os
+import re
+import sys
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, TypeVar
+
+from app.commands import batch, sweep
+from app.commands.arguments import check_drawing, check_out, document_of, importing, load_scene
+from app.commands.options import CliError, complain, parser_of
+from app.document.codec import picture_json
+from app.document.document import Document
+from app.document.files import LARGEST_PICTURE, content_of, write_bytes_atomically
+from app.model.refusal import Refusal
+
+if TYPE_CHECKING:
+    from app.drawings.off_screen import Pixels
+    from app.scenes.scene import Scene
+
+_Frame = TypeVar("_Frame")
+
+_ENDINGS = (".png", ".svg", ".pdf")
+_FILMS = (".gif", ".apng", ".webp")
+_NEEDED = {"batch": ("resume", "format"), "sweep": ("frames", "fps", "loop")}
+
+
+def run(arguments: Sequence[str]) -> int:
+    """Draw the figures that the arguments ask for; return the exit status."""
+    found, (out, *files) = parser_of("export").read(arguments)
+    if found.batch is not None:
+        if found.sweep:
+            raise CliError("--sweep: cannot be used with --batch.")
+        return batch.run(found, out, files, _draw)
+    for needed, options in _NEEDED.items():
+        for option in options:
+            if not getattr(found, needed) and getattr(found, option) not in (None, False):
+                raise CliError(f"--{option}: needs --{needed}.")
+    warning = (_draw_moving if found.sweep else _draw)(found, out, files[0] if files else None)
+    if warning:
+        complain(warning, 0)
+    return 0
+
+
+def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
+    """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
+    _check(found, out, _ENDINGS)
+    document = document_of(file, found.set)
+    scene = load_scene(document.scene, document.mesh, file)
+    check_drawing()
+    _write(found, out, document, scene)
+    return _warning(document, scene)
+
+
+def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
+    """Draw a sweep: a film, which is written whole or not at all, or a figure for each frame."""
+    order, _ = sweep.order(found), sweep.speed(found)
+    names = sweep.names(out, len(order))
+    for name in names or [out]:
+        _check(found, name, _ENDINGS if names else _FILMS)
+    if not names and found.crop:
+        raise CliError("--crop: is for single figures; frames of a film have one size.")
+    if out.lower().endswith(".gif") and found.transparent:
+        raise CliError("--transparent: .gif has no smooth edges then; write .apng or .webp.")
+    states = sweep.states(found, file)
+    scene = load_scene(states[0].scene, states[0].mesh, file)
+    warnings = [_warning(state, scene) for state in states]  # or a `Refusal`, before any drawing
+    check_drawing()
+    if names:
+        first: dict[int, str] = {}
+        for name, state in zip(names, _told(order), strict=True):
+            if state in first:
+                write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
+            else:
+                first[state] = name
+                _write(found, name, states[state], scene)
+    else:
+        _write_film(found, out, [states[state] for state in order], scene)
+    return next(filter(None, warnings), "")
+
+
+def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
+    """Refuse options that do not fit one another, before anything is loaded."""
+    ending = _ending(out)
+    if ending not in endings:
+        film = ", or have one number such as %03d" if endings is _FILMS else ""
+        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
+    has_pixels = ending not in (".svg", ".pdf")
+    if not has_pixels and found.scale != 1.0:
+        raise CliError("--scale: is for .png; shapes are as fine at every scale.")
+    if has_pixels and found.hidden:
+        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
+    if "/" in found.panes and "," in found.panes:
+        raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
+    check_out("OUT", out)
+
+
+def _ending(out: str) -> str:
+    return os.path.splitext(out)[1].lower()
+
+
+# --------------------------------------------------------------------------- drawing
+
+
+def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
+    with importing():
+        from app.drawings.describing import describe
+        from app.drawings.figures import write_png, write_shapes
+    if _ending(out) == ".png":
+        pixels = _pixels(found, document, scene)
+        write_png(out, pixels, picture_json(document), found.scale)
+        return
+    options = _options(found, document)
+    with _of_options(found):
+        about = describe(document, scene, _panes(found))
+        hidden = found.hidden or "none"
+        write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
+
+
+def _write_film(
+    found: argparse.Namespace, out: str, frames: Sequence[Document], scene: Scene
+) -> None:
+    with importing():
+        from app.drawings.figures import checked_size
+        from app.drawings.moving import WEBP_PX, encoded, moving
+    panes, column = _panes(found), "/" in found.panes
+    with _of_options(found):
+        sizes = {
+            checked_size(frame.projection.image_size, panes, found.size, found.scale, column)
+            for frame in frames
+        }
+    if len(sizes) > 1:
+        raise CliError(f"--sweep = {found.sweep!r}: frames of a film have one size; set --size.")
+    size = sizes.pop()
+    if _ending(out) == ".webp" and max(size) > WEBP_PX:
+        raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
+    # There and back, a state is drawn once.
+    done: dict[int, bytes] = {}
+    for frame in _told(frames):
+        if id(frame) not in done:
+            pixels = _pixels(found, frame, scene)
+            json = picture_json(frame)
+            done[id(frame)] = encoded(pixels, _ending(out), json, found.scale)
+    parts = [done[id(frame)] for frame in frames]
+    once, fps = found.loop == "once", sweep.speed(found)
+    write_bytes_atomically(out, moving(parts, _ending(out), size, fps, once))
+
+
+def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:
+    """Yield each frame, and tell a terminal how many there are."""
+    terminal = sys.stderr if sys.stderr is not None and sys.stderr.isatty() else None
+    try:
+        for number, frame in enumerate(frames, 1):
+            if terminal is not None:
+                print(f"\rframe {number}/{len(frames)}", end="", file=terminal, flush=True)
+            yield frame
+    finally:
+        if terminal is not None:
+            print(file=terminal)
+
+
+def _pixels(found: argparse.Namespace, document: Document, scene: Scene) -> Pixels:
+    with importing():
+        from app.drawings.figures import render
+    options = _options(found, document)
+    with _of_options(found):
+        return render(scene, document.projection, scale=found.scale, **options)
+
+
+@contextlib.contextmanager
+def _of_options(found: argparse.Namespace) -> Iterator[None]:
+    """Make a refusal of the drawing name the option that it is about."""
+    from app.drawings.figures import TEXT
+
+    try:
+        yield
+    except Refusal as error:
+        of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
+        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
+        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
+
+
+def _panes(found: argparse.Namespace) -> list[str]:
+    return re.split("[,/]", found.panes)
+
+
+def _options(found: argparse.Namespace, document: Document) -> dict[str, Any]:
+    """Return the parameters that `render` and `write_shapes` share."""
+    from app.drawings.style import PALETTES
+
+    return {
+        "panes": _panes(found),
+        "column": "/" in found.panes,
+        "crop": found.crop,
+        "size": found.size,
+        "transparent": found.transparent,
+        "style": PALETTES[found.palette],
+        "view": document.view,
+        "settings": document.settings,
+        "quality": document.quality,
+        "text_pt": found.text_size,
+    }
+
+
+def _warning(document: Document, scene: Scene) -> str:
+    """Return what a picture lacks that was written all the same."""
+    if scene.phenomenon is None:
+        return ""
+    settings = scene.phenomenon.checked(document.settings)
+    illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
+    warning = illustration.warning
+    return "" if warning is None else f"{document.scene}: {warning.sentence()}."

@@ -1,0 +1,242 @@
+"""A document in words: what each pane shows, what is cut off, and what is risky."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from app.document.document import Document
+from app.document.naming import seen_from
+from app.document.view import PANES
+from app.drawings.scene_bounds import bounds_px, predictions
+from app.lecture.notation import in_letters
+from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
+from app.model.infinity import trace_at_infinity
+from app.model.limits import PLANES
+from app.model.projection import Projection
+from app.model.refusal import QT_TRANSLATE_NOOP
+from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
+from app.precision.risks import NO_PICTURE, risks
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.readout import figure
+from app.scenes.scene import Scene
+
+Translate = Callable[[str, str], str]
+"""From a text and its context to the text in another language."""
+
+CAMERA = QT_TRANSLATE_NOOP("Description", "The eye is at ({0}) and looks at ({1}).")
+LENS = QT_TRANSLATE_NOOP("Description", "Lens: {0}, near {1}, far {2}.")
+ANGLE = QT_TRANSLATE_NOOP("Description", "The vertical field of view is {0}°.")
+NO_PLANES = QT_TRANSLATE_NOOP("Description", "Lens: {0}.")
+WORLDS = {
+    "": QT_TRANSLATE_NOOP("Description", "World: the scene from a free viewpoint."),
+    "side": QT_TRANSLATE_NOOP(
+        "Description", "World: the scene from the camera's side, in parallel projection."
+    ),
+    "top": QT_TRANSLATE_NOOP(
+        "Description", "World: the scene from above the camera, in parallel projection."
+    ),
+    "axis": QT_TRANSLATE_NOOP(
+        "Description", "World: the scene along the camera's axis, in parallel projection."
+    ),
+    "eye": QT_TRANSLATE_NOOP("Description", "World: the scene as the camera sees it."),
+}
+AT_A_STAGE = QT_TRANSLATE_NOOP("Description", "Cube: the scene in {0} coordinates.")
+BETWEEN_STAGES = QT_TRANSLATE_NOOP(
+    "Description", "Cube: the scene on its way from {0} to {1} coordinates."
+)
+STAGES = (
+    QT_TRANSLATE_NOOP("Description", "world"),
+    QT_TRANSLATE_NOOP("Description", "view"),
+    QT_TRANSLATE_NOOP("Description", "canonical perspective"),
+    QT_TRANSLATE_NOOP("Description", "canonical parallel"),
+    QT_TRANSLATE_NOOP("Description", "normalized device"),
+    QT_TRANSLATE_NOOP("Description", "image"),
+)
+IMAGE = QT_TRANSLATE_NOOP("Description", "Image: the picture, {0} by {1} pixels.")
+COMPARED = QT_TRANSLATE_NOOP("Description", "{0} pictures are compared.")
+POINT = QT_TRANSLATE_NOOP("Description", "Point {0} at ({1}) has its picture at the pixel ({2}).")
+DIRECTION = QT_TRANSLATE_NOOP(
+    "Description", "Point {0}, at infinity in the direction ({1}), has its picture at ({2})."
+)
+NOWHERE = QT_TRANSLATE_NOOP("Description", "Point {0} has no picture.")
+ALL_INSIDE = QT_TRANSLATE_NOOP(
+    "Description", "All of the scene's objects lie inside the view volume."
+)
+BEYOND = QT_TRANSLATE_NOOP(
+    "Description", "Parts of the scene's objects lie outside of these planes: {0}."
+)
+BEHIND = QT_TRANSLATE_NOOP(
+    "Description", "Parts of the scene's objects lie behind the eye, where a point has no picture."
+)
+
+
+def in_english(text: str, _context: str) -> str:
+    """Leave a text as it is."""
+    return text
+
+
+class Description(NamedTuple):
+    """Sentences about a document.
+
+    Attributes
+    ----------
+    title : str
+        The scene's.
+    general, cut, risky : tuple of str
+        About scene, camera, lens and marked points; about what lies outside of the view volume;
+        and about what is at risk.
+    panes : dict from {"world", "ndc", "image"} to str
+    """
+
+    title: str
+    general: tuple[str, ...]
+    panes: dict[str, str]
+    cut: tuple[str, ...]
+    risky: tuple[str, ...]
+
+    def of_pane(self, pane: str) -> str:
+        """Return all that concerns one pane."""
+        return " ".join((self.panes[pane], *self.general, *self.cut, *self.risky))
+
+    @property
+    def text(self) -> str:
+        return " ".join((*self.general, *self.panes.values(), *self.cut, *self.risky))
+
+
+def describe(
+    document: Document,
+    scene: Scene,
+    panes: Sequence[str] = PANES,
+    translate: Translate = in_english,
+) -> Description:
+    """Say in words what the panes of a document show, what is cut off, and what is risky.
+
+    `translate` puts every text of the program into another language.
+    """
+    projection, phenomenon = document.projection, scene.phenomenon
+    illustration: Illustration | None = None
+    letters = document.view.letters
+    title, general = translate(scene.title, "phenomena"), list[str]()
+    if phenomenon is not None:
+        general.append(in_letters(translate(phenomenon.explanation, "phenomena"), letters))
+        settings = phenomenon.checked(document.settings)
+        illustration = phenomenon.illustration(projection, settings, scene.subject)
+    general += [*_camera(projection, translate), *_points(document, translate)]
+    risky = []
+    if scene.has_vertices:
+        drawing_px = max(bounds_px(projection, scene))
+        tolerance_px = document.quality.tolerance_px(DRAWING_TOLERANCE_PX)
+        drawn: Precision = "float32" if drawing_px <= tolerance_px else "float64"
+        risky = risks(
+            projection, scene.lower, scene.upper, drawn, drawing_px, predictions(projection, scene)
+        )
+    said = [
+        translate(risk.template, "Health").format(*(translate(f, "Plane") for f in risk.figures))
+        for risk in risky
+    ]
+    if illustration is not None and illustration.warning is not None:
+        warning = illustration.warning.sentence(lambda text: translate(text, "phenomena"))
+        said.append(in_letters(warning, letters))
+    cut = list(_cut(projection, scene))
+    if any(risk.template == NO_PICTURE for risk in risky):  # which says more
+        cut = [each for each in cut if each[0] != BEYOND]
+    return Description(
+        title,
+        tuple(general),
+        {pane: _pane(pane, document, scene, translate) for pane in panes},
+        tuple(
+            translate(template, "Description").format(
+                ", ".join(translate(plane, "Plane") for plane in planes)
+            )
+            for template, planes in cut
+        ),
+        tuple(f"{sentence}." for sentence in said),
+    )
+
+
+def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
+    camera, lens = projection.camera, projection.lens
+    if projection.has_camera:
+        yield translate(CAMERA, "Description").format(_row(camera.eye), _row(camera.target))
+    title = translate(lens.title, "Lens")
+    if lens.planes is None:
+        yield translate(NO_PLANES, "Description").format(title)
+        return
+    far = "∞" if lens.far == np.inf else _number(lens.far)
+    yield translate(LENS, "Description").format(title, _number(lens.near), far)
+    if lens.fov_y_deg is not None:
+        yield translate(ANGLE, "Description").format(_number(lens.fov_y_deg))
+
+
+def _points(document: Document, translate: Translate) -> Iterator[str]:
+    """Where the marked points are; not the rays of pixels."""
+    for probe in document.view.probes:
+        if probe.direction is not None:
+            place, template = probe.direction, DIRECTION
+            found = trace_at_infinity(document.projection, place)
+        elif probe.point is not None:
+            place, template = probe.point, POINT
+            found = document.projection.trace(place)
+        else:
+            continue
+        template = template if found.in_front else NOWHERE
+        pixel = _row(found.image.tolist())
+        yield translate(template, "Description").format(probe.number, _row(place), pixel)
+
+
+def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> str:
+    view, projection = document.view, document.projection
+    if pane == "world":
+        said = translate(WORLDS[seen_from(view, scene)], "Description")
+    elif pane == "ndc":
+        said = _stage(view.stage, projection, translate)
+    else:
+        said = translate(IMAGE, "Description").format(*projection.image_size)
+    if view.compare and view.compares_in == pane:
+        said += " " + translate(COMPARED, "Description").format(len(view.compare))
+    return said
+
+
+def _stage(at: float, projection: Projection, translate: Translate) -> str:
+    before, after = int(at), int(np.ceil(at))
+    lens = projection.lens
+    if not lens.has_steps:  # a typed matrix leads from view to NDC at once
+        before = VIEW if VIEW < at < NDC else before
+        after = NDC if VIEW < at < NDC else after
+    stops = [
+        stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
+    ]
+    names = [translate(STAGES[stop], "Description") for stop in stops]
+    template = AT_A_STAGE if stops[0] == stops[1] else BETWEEN_STAGES
+    return translate(template, "Description").format(*names)
+
+
+def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]]:
+    """Yield what is true of the objects' places, and the planes in the sentence.
+
+    Behind the eye and before the near plane the other planes have no meaning.
+    """
+    if not scene.faces:
+        return
+    traced = projection.trace(scene.subject.points, "object")
+    is_behind = traced.clip[:, 3] < 0.0
+    beyond = traced.outside.copy()
+    beyond[beyond[:, 0] | is_behind, 1:] = False
+    planes = [plane for plane, outside in zip(PLANES, beyond.T, strict=True) if outside.any()]
+    if planes:
+        yield BEYOND, planes
+    if is_behind.any():
+        yield BEHIND, []
+    if not projection.trace(scene.objects_box, "object").outside.any():
+        yield ALL_INSIDE, []
+
+
+def _number(value: float) -> str:
+    return figure(value, 4)
+
+
+def _row(numbers: Sequence[float]) -> str:
+    return ", ".join(map(_number, numbers))

@@ -1,0 +1,102 @@
+"""Moving pictures: GIF, APNG and WebP of frames that are encoded one by one.
+
+Pillow encodes the frames. Its own writers of animations join frames that are equal, and keep all
+pixels in memory; here a file has exactly the frames that it is given.
+"""
+
+from __future__ import annotations
+
+import io
+import struct
+import zlib
+from collections.abc import Sequence
+
+import numpy as np
+from PIL import GifImagePlugin, Image
+
+from app.document.files import chunks
+from app.drawings.figures import png_bytes
+from app.drawings.off_screen import Pixels
+
+WEBP_PX = 16383
+"""Largest side of a WebP picture."""
+_GIF_COLOURS = 256
+
+
+def encoded(pixels: Pixels, ending: str, document_json: str, scale: float) -> bytes:
+    """Return a frame as `moving` takes it; as APNG it carries a document, as a figure does."""
+    if ending == ".apng":
+        return png_bytes(pixels, document_json, scale)
+    if ending == ".gif":
+        return b"".join(GifImagePlugin.getdata(_indexed(pixels), include_color_table=True))
+    buffer = io.BytesIO()
+    Image.fromarray(pixels).save(buffer, "WEBP", lossless=True, exact=True)
+    return buffer.getvalue()[12:]  # without the head of a file
+
+
+def moving(
+    frames: Sequence[bytes], ending: str, size: tuple[int, int], fps: float, once: bool
+) -> bytes:
+    """Return the file of `encoded` frames of a size in pixels; it repeats unless `once`."""
+    if ending == ".apng":
+        return _apng(frames, size, fps, once)
+    return (_gif if ending == ".gif" else _webp)(frames, size, fps, once)
+
+
+def _indexed(pixels: Pixels) -> Image.Image:
+    """The picture with 256 colours of its own: the same pixels if it has no more."""
+    image = Image.fromarray(pixels)
+    if image.getcolors(_GIF_COLOURS) is None:
+        return image.quantize(_GIF_COLOURS, kmeans=1, dither=Image.Dither.NONE)
+    colours, index = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
+    found = Image.fromarray(index.reshape(pixels.shape[:2]).astype(np.uint8), "P")
+    found.putpalette(colours.tobytes())
+    return found
+
+
+def _gif(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool) -> bytes:
+    repeat = b"" if once else b"!\xff\x0bNETSCAPE2.0\x03\x01\0\0\0"
+    before = b"!\xf9\x04\0" + struct.pack("<H", round(100.0 / fps)) + b"\0\0"
+    head = b"GIF89a" + struct.pack("<HH", *size) + b"\x70\0\0" + repeat
+    return head + b"".join(before + frame for frame in frames) + b";"
+
+
+def _apng(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool) -> bytes:
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return (
+            struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+        )
+
+    head = [(kind, bytes(body)) for kind, body in chunks(frames[0])]
+    found, number = [frames[0][:8]], 0
+    found += [chunk(*each) for each in head if each[0] not in (b"IDAT", b"IEND")]
+    found.insert(2, chunk(b"acTL", struct.pack(">II", len(frames), int(once))))
+    for first, frame in enumerate(frames):
+        wait = struct.pack(">HHBB", round(1000.0 / fps), 1000, 0, 0)
+        found.append(chunk(b"fcTL", struct.pack(">5I", number, *size, 0, 0) + wait))
+        number += 1
+        for kind, body in chunks(frame):
+            if kind == b"IDAT" and not first:
+                found.append(chunk(kind, bytes(body)))
+            elif kind == b"IDAT":
+                found.append(chunk(b"fdAT", struct.pack(">I", number) + bytes(body)))
+                number += 1
+    return b"".join([*found, chunk(b"IEND", b"")])
+
+
+def _webp(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool) -> bytes:
+    def chunk(kind: bytes, body: bytes) -> bytes:
+        return kind + struct.pack("<I", len(body)) + body + b"\0" * (len(body) % 2)
+
+    def three(*values: int) -> bytes:
+        return b"".join(struct.pack("<I", value)[:3] for value in values)
+
+    sides = three(size[0] - 1, size[1] - 1)
+    # Flags: animated, perhaps with alpha; a frame replaces what was there.
+    parts = [
+        chunk(b"VP8X", b"\x12\0\0\0" + sides),
+        chunk(b"ANIM", struct.pack("<IH", 0, int(once))),
+    ]
+    about = three(0, 0) + sides + three(round(1000.0 / fps)) + b"\x02"
+    parts += [chunk(b"ANMF", about + frame) for frame in frames]
+    return chunk(b"RIFF", b"WEBP" + b"".join(parts))
