@@ -86,8 +86,9 @@ def test_no_label_lies_on_the_object_the_camera_or_another(
     screen, own_names = off_screen(*size_px), frozenset(load(name).names)
     drawing = opened(screen, name)
     boxes = boxes_of(screen)
-    assert {"eye", "target"} <= set(boxes)
-    if size_px == LARGE:  # one may have no room
+    assert "eye" in boxes
+    if size_px == LARGE:  # in a small one some have no room
+        assert "target" in boxes
         assert len({"near", "far", "u⃗", "v⃗", "n⃗"} & {text.split()[0] for text in boxes}) >= 4
     for text, (left, bottom, right, top) in boxes.items():
         for handle, (x, y) in drawing.handles.shown:

@@ -1147,12 +1147,15 @@ def drawn_in() -> list[Any]:
     ]
 
 
+@pytest.fixture
+def none_kept() -> None:
+    """Close the windows that are older than the application: `drawn_in` does not see them."""
+    close_kept()
+
+
 def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
-    make_window: MakeWindow, tmp_path: Path, qtbot: Any
+    none_kept: None, window: MainWindow, make_window: MakeWindow, tmp_path: Path, qtbot: Any
 ) -> None:
-    close_kept()  # `drawn_in` does not see windows older than the application: they are frozen
-    window = make_window()
-    settle()
     path = tmp_path / "scenes.md"
     path.write_text(SCENES)
     before = len(drawn_in())
