@@ -44,11 +44,11 @@ TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
 NO_CONDITION = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be a condition: two formulas with =, <, >, <= or >= between them, or NAME = WORD",
+    "must be a condition: two formulas with =, !=, <, >, <= or >= between them, or NAME = WORD",
 )
 
 WITHIN = 0.01
-"""Tolerance of ``=`` in a condition, relative to the larger value, or to 1 if one is 0."""
+"""Tolerance of ``=`` and ``!=`` in a condition: of the larger value, or of 1 if one is 0."""
 
 XYZ = ("x", "y", "z")
 _SPACES = {
@@ -420,7 +420,8 @@ for _place, _axis in enumerate(XYZ):
 
 # --------------------------------------------------------------------------- conditions
 
-_SIGN = re.compile(r"<=|>=|≤|≥|=|<|>")
+_SIGN = re.compile(r"<=|>=|!=|≤|≥|≠|=|<|>")
+_UNEQUAL = ("!=", "≠")
 _PATH = re.compile(r"(scene|mesh|depth|[a-z]+\.[a-z_]+)")
 _COMPARED: dict[str, Callable[[float, float], bool]] = {
     "<": operator.lt,
@@ -450,7 +451,7 @@ class Condition:
             raise Refusal("condition", text, NO_CONDITION)
         sign = signs[0].group()
         left, right = text[: signs[0].start()].strip(), text[signs[0].end() :].strip()
-        if sign == "=" and _PATH.fullmatch(left):
+        if sign in ("=", *_UNEQUAL) and _PATH.fullmatch(left):
             return cls(text, sign, path=left, word=right)
         return cls(text, sign, formula.parse(left), formula.parse(right))
 
@@ -462,15 +463,15 @@ class Condition:
     def holds(self, known: Quantities) -> bool:
         """Whether the condition holds; it does not if a quantity is missing."""
         if self.left is None or self.right is None:
-            return known.word(self.path) == self.word
+            return (known.word(self.path) == self.word) != (self.sign in _UNEQUAL)
         try:
             left, right = known.value(self.left), known.value(self.right)
         except NotThere:
             return False
-        if self.sign == "=":
-            if left == right:  # infinite ones too
-                return True
-            return abs(left - right) <= WITHIN * (
-                max(abs(left), abs(right)) if left and right else 1.0
-            )
-        return _COMPARED[self.sign](left, right)
+        if self.sign in _COMPARED:
+            return _COMPARED[self.sign](left, right)
+        size = max(abs(left), abs(right)) if left and right else 1.0
+        is_equal = left == right  # also if both are infinite
+        if math.isfinite(size):
+            is_equal = is_equal or abs(left - right) <= WITHIN * size
+        return is_equal != (self.sign in _UNEQUAL)

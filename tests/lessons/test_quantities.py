@@ -168,17 +168,19 @@ def test_conditions() -> None:
     for text in (
         "near = 2*was_near", "near = 2.019", "near - 2 = 0.009", "near > was_near", "1 <= 1",
         "infinity = infinity", "lens.kind = perspective", "scene = letter-f", "depth = opengl",
-        "view.stage = 4.0", "mesh = ", "settings.none = ", "camera.eye = ",
+        "view.stage = 4.0", "mesh = ", "settings.none = ", "camera.eye = ", "near != 2.05",
+        "near ≠ 3", "lens.kind != frustum", "infinity != 1",
     ):  # fmt: skip
         assert holds(text), text
     for text in (
         "near = 2.05", "near - 2 = 0.02", "near ≥ 3", "lens.kind = frustum", "depth = direct3d",
-        "view_x(2) > 0",  # there is no second probe
+        "near != 2.019", "infinity = 1", "infinity != infinity", "lens.kind ≠ perspective",
+        "view_x(2) > 0", "view_x(2) != 0",  # there is no second probe
     ):  # fmt: skip
         assert not holds(text), text
     shadow = known("settings.clip=false", scene="planar-shadow")
     assert Condition.read("settings.clip = false").holds(shadow)
-    for text in ("near", "near = 1 = 2", "near == 2", "= 3"):
+    for text in ("near", "near = 1 = 2", "near == 2", "= 3", "near ! = 2", "near !== 2"):
         with pytest.raises(Refusal):
             Condition.read(text)
     with pytest.raises(Refusal, match="divides by zero"):
