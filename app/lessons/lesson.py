@@ -41,6 +41,8 @@ LARGEST = 2 * 2**20
 """Largest file in bytes."""
 MOST_STEPS = 500
 """Most steps of a talk."""
+_MOST_READ = 20_000
+"""Lines of a block that are read again to find all its faults; in a longer one only the first."""
 
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
@@ -342,6 +344,36 @@ def _line(token: Token, first: int) -> int:
     return token.map[0] + first + 1
 
 
+def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refusal]]:
+    """Read a block; return it, or its faults, all if it is not too long.
+
+    A line with a fault is left out to find the next one, with the indented lines below it. Then a
+    fault of the block as a whole is only what the missing line causes, and ends the search.
+    """
+    faults: list[Refusal] = []
+    lines = list(body.lines)
+    while len(faults) * len(lines) < _MOST_READ:
+        try:
+            block = kind.read(body._replace(lines=lines))
+        except Refusal as error:
+            found = re.match(r"line (\d+)", error.field)
+            numbers = [number for number, _ in lines]
+            at = numbers.index(int(found[1])) if found and int(found[1]) in numbers else None
+            if at is None:
+                return None, faults or [error]
+            faults.append(error)
+            while at and lines[at][1][:1] in (" ", "\t"):
+                at -= 1
+            if lines[at][1].startswith("vary"):  # the other lines use its name
+                break
+            del lines[at]
+            while at < len(lines) and lines[at][1][:1] in (" ", "\t"):
+                del lines[at]
+        else:
+            return (None if faults else block), faults
+    return None, faults
+
+
 class _StepReader:
     """Reads one step from its tokens."""
 
@@ -410,12 +442,19 @@ class _StepReader:
             return
         self._end_words()
         try:
-            self._blocks.append(self._read(token, kind, given.strip(), line))
+            cls, body = self._opened(token, kind, given.strip(), line)
+            block, faults = _read_whole(cls, body)
         except Refusal as error:
-            self._lacking.append(kind)
-            self._complain(error)
+            block, faults = None, [error]
+        if block is not None:
+            self._blocks.append(block)
+            return
+        self._lacking.append(kind)
+        for fault in faults:
+            self._complain(fault)
 
-    def _read(self, token: Token, kind: str, given: str, line: int) -> Block:
+    def _opened(self, token: Token, kind: str, given: str, line: int) -> tuple[type[Block], Body]:
+        """Return the kind of a block and its unread lines."""
         if kind not in KINDS:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
             raise refused(line, NO_BLOCK, kind, near)
@@ -423,7 +462,7 @@ class _StepReader:
         if cls.once and of_kind(self._blocks, cls):
             raise refused(line, ONLY_ONCE, kind)
         name = self._name(given, kind, line) if cls.asks else ""
-        return cls.read(Body(kind, name, line, self._body(token)))
+        return cls, Body(kind, name, line, self._body(token))
 
     def _end_words(self) -> None:
         if self._words:

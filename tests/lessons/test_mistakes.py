@@ -48,3 +48,21 @@ def test_all_mistakes_of_a_file_are_said_at_once(tmp_path: Path) -> None:
             assert sum(MISTAKES[kind][2] in each for each in found) == 1, (kind, found)
     assert any("unknown kind of block, tsak" in each for each in found)
     assert len(found) == len(kinds) + 1 and "repeats the name" in found[6], found
+
+
+def test_all_mistakes_of_a_block_are_said_at_once(tmp_path: Path) -> None:
+    """Each once, and nothing that only follows from the line that has one."""
+    text = LESSON
+    for old, new in (
+        ("where: f < 90", "where: f 90"),
+        ("wrong angle-linear: a*f", "wrong angle-linear: a*"),
+        ("unit: °\nwrong angle-linear: a", "unit: grad\nwrong angle-linear: a"),
+        ("hide: numbers", "hide: everything"),
+        ("value: 2*atan(2*", "value: 2*atan(2*("),
+        ("hint: Take the tangent.", "hnt: Take the tangent."),
+    ):
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    found = faults(tmp_path / "l.md", text)
+    numbers = [int(each.split("line ")[1].split(",")[0].split(" ")[0]) for each in found]
+    assert sorted(numbers) == [29, 34, 49, 53, 54, 55], found
