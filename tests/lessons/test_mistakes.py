@@ -66,3 +66,15 @@ def test_all_mistakes_of_a_block_are_said_at_once(tmp_path: Path) -> None:
     found = faults(tmp_path / "l.md", text)
     numbers = [int(each.split("line ")[1].split(",")[0].split(" ")[0]) for each in found]
     assert sorted(numbers) == [29, 34, 49, 53, 54, 55], found
+
+
+def test_nothing_is_said_that_only_follows_from_a_mistake(tmp_path: Path) -> None:
+    """Neither the names of a number that has no range, nor what is missing without a line."""
+    for old, new in (
+        ("vary f: 20..100 step 1", "vary f: 20..100 step"),
+        ("value: 2*atan(2*tan(60/2))", "value: 2*atan("),
+        ("- [x] 91.5° := fov_x", "- [x] 91.5° := fov_x("),
+    ):
+        assert LESSON.count(old) == 1, old
+        found = faults(tmp_path / "l.md", LESSON.replace(old, new))
+        assert len(found) == 1, found
