@@ -88,6 +88,8 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     ending = _ending(out)
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
+        if ending in _FILMS and not found.batch:
+            film = "; for a film add --sweep"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (".svg", ".pdf")
