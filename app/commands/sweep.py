@@ -1,7 +1,7 @@
 """The states of a moving picture: a document that changes from frame to frame.
 
-``--sweep`` changes a value, ``--orbit`` the place from which the world is seen, and ``--stages`` the
-stage of the NDC pane. The world pane's own view stands still, or goes round.
+``--sweep`` changes a value, ``--orbit`` the place from which the world is seen, and ``--stages``
+the stage of the NDC pane. The world pane's own view stands still, or goes round.
 """
 
 from __future__ import annotations
@@ -132,10 +132,11 @@ def _orbit(
         views = _standing(found, file, [document], turns_deg)
     else:
         at = view.orbit
-        views = [
+        views = [view]  # to the last bit
+        views += (
             Camera.from_orbit(view.target, at._replace(azimuth_deg=at.azimuth_deg + turn_deg))
-            for turn_deg in turns_deg
-        ]
+            for turn_deg in turns_deg[1:]
+        )
     return [_seen(document, view) for view in views]
 
 

@@ -249,7 +249,8 @@ class OwnView(PaneCamera):
 
         Several of them go round the middle of what they show, and keep all of it in view.
         """
-        core, beside = (np.vstack([each[place] for each in moments]) for place in (2, 3))
+        core = np.vstack([each.core for each in moments])
+        beside = np.vstack([each.beside for each in moments])
         self._direction = _clearest(moments)
         framed = moments[0]._replace(core=core, beside=beside)
         if len(turns_deg) > 1:
