@@ -171,7 +171,7 @@ class Parser(argparse.ArgumentParser):
         usual = {action.option_strings[0]: action.const for action in self.options()
                  if action.nargs == "?"}  # fmt: skip
         found = list[str]()
-        for word, after in zip(arguments, [*arguments[1:], ""], strict=True):
+        for word, after in zip(arguments, [*arguments, ""][1:], strict=True):
             is_bare = word in usual and not _is_number(after)
             found.append(f"{word}={usual[word]:g}" if is_bare else word)
         return found
