@@ -14,7 +14,13 @@ from app.commands.arguments import check_drawing, check_out, document_of, import
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
 from app.document.document import Document
-from app.document.files import LARGEST_PICTURE, content_of, write_bytes_atomically
+from app.document.files import (
+    LARGEST_PICTURE,
+    UNWRITABLE,
+    blamed_on,
+    content_of,
+    write_bytes_atomically,
+)
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -24,7 +30,7 @@ if TYPE_CHECKING:
 _Frame = TypeVar("_Frame")
 
 _ENDINGS = (".png", ".svg", ".pdf")
-_FILMS = (".gif", ".apng", ".webp")
+_FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
@@ -71,8 +77,14 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
         _check(found, name, _ENDINGS if names else _FILMS)
     if not names and found.crop:
         raise CliError("--crop: is for single figures; frames of a film have one size.")
-    if out.lower().endswith(".gif") and found.transparent:
-        raise CliError("--transparent: .gif has no smooth edges then; write .apng or .webp.")
+    if found.transparent and _ending(out) in (".gif", ".mp4"):
+        lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
+        raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
+    if _ending(out) == ".mp4":
+        with importing(), blamed_on(out, UNWRITABLE):
+            from app.drawings.mp4 import program
+
+            program()
     with _of_options(found):
         states = sweep.states(found, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
@@ -149,6 +161,9 @@ def _write_film(
     size = sizes.pop()
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
+    if _ending(out) == ".mp4" and (size[0] % 2 or size[1] % 2):
+        sides = "x".join(map(str, size))
+        raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {sides}; set --size.")
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
     for frame in _told(frames):
@@ -158,7 +173,9 @@ def _write_film(
             done[id(frame)] = encoded(pixels, _ending(out), json, found.scale)
     parts = [done[id(frame)] for frame in frames]
     once, fps = found.loop == "once", sweep.speed(found)
-    write_bytes_atomically(out, moving(parts, _ending(out), size, fps, once))
+    with blamed_on(out, UNWRITABLE):
+        film = moving(parts, _ending(out), size, fps, once)
+    write_bytes_atomically(out, film)
 
 
 def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:

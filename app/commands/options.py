@@ -325,8 +325,8 @@ def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
         "or mesh to draw (default: the letter F); with --batch, the folder of the figures; with "
-        "--sweep, --orbit or --stages, a film (.gif, .apng or .webp), or a name with %%03d for a "
-        "figure of each frame"
+        "--sweep, --orbit or --stages, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), or a name "
+        "with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
+import tempfile
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -172,6 +176,52 @@ def test_an_interrupted_film_leaves_the_old_one(
     assert film.read_bytes() == b"old" and os.listdir(tmp_path) == ["film.gif"] and drawn
 
 
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="needs ffmpeg")
+def test_an_mp4_has_the_frames_of_the_numbered_figures(tmp_path: Path) -> None:
+    orbit = ("--orbit=90", "--frames=4", "--size=64x48", "--panes=world", "--loop=once")
+    assert run_here("export", tmp_path / "%d.png", *orbit).returncode == 0
+    film = tmp_path / "-film.mp4"
+    done = run_here("export", *orbit, "--", film)
+    assert (done.returncode, done.stderr) == (0, "")
+    decode = ["ffmpeg", "-v", "error", "-i", str(film), "-vf", "scale=in_color_matrix=bt709"]
+    found = subprocess.run(
+        [*decode, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True, check=True
+    )
+    frames = np.frombuffer(found.stdout, np.uint8).reshape(-1, 48, 64, 3)
+    true = [frames_of(tmp_path / f"{number}.png")[0] for number in range(4)]
+    for frame, figure in zip(frames, true, strict=True):
+        error = frame.astype(float) - figure
+        assert 10.0 * np.log10(255.0**2 / (error**2).mean()) > 25.0, "half the colours"
+        assert abs(error.mean()) < 1.5
+    assert b"yuv420p" not in film.read_bytes() and sorted(os.listdir(tmp_path))[0] == "-film.mp4"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script stands for ffmpeg")
+def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film, ffmpeg, own = tmp_path / "film.mp4", tmp_path / "bin" / "ffmpeg", tmp_path / "own"
+    ffmpeg.parent.mkdir()
+    own.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(own))
+    command = ("export", film, "--sweep=lens.far=15:17", "--frames=2", *SMALL)
+
+    monkeypatch.setenv("PATH", str(ffmpeg.parent))
+    words = "needs the program ffmpeg, which is not on the PATH: write .webp instead."
+    assert refused(*command) == f"{film} {words}\n"
+
+    ffmpeg.write_text("#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n")
+    ffmpeg.chmod(0o755)
+    assert refused(*command) == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
+
+    pid = tmp_path / "pid"
+    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\nkill -INT $PPID\nexec /bin/sleep 60\n")
+    assert run_here(*command).returncode == 130
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(pid.read_text()), 0)
+    assert not os.listdir(own) and not film.exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -182,11 +232,13 @@ def test_an_interrupted_film_leaves_the_old_one(
         (["a.gif", "--sweep=camera.eye=1,2,3:4,5"], "must be NAME=FIRST:LAST"),
         (["a.gif", "--sweep=scene=1:2"], "There is no scene"),
         (["a.gif", "--sweep=settings.light=1,2,3:0,0,0", "--set=scene=planar-shadow"], "light"),
-        (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
-        (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
+        (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
+        (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
         (["a.gif"], "for a film add --sweep, --orbit or --stages."),
         (["a.png", "--frames=4"], "--frames: needs --sweep, --orbit or --stages."),
         (["a.gif", "--sweep=lens.near=1:2", "--batch=b"], "--sweep: cannot be used with --batch."),
+        (["a.mp4", "--orbit", "--size=65x48", "--panes=world"], "even sides in pixels, not 65x48"),
+        (["a.mp4", "--orbit", "--transparent"], "--transparent: .mp4 has no transparency"),
         (["a.gif", "--orbit", "--stages"], "--orbit: cannot be used with --stages."),
         (["--orbit", "400", "a.gif"], "--orbit = 400: must be from -360 to 360 degrees, not 0."),
         (["a.gif", "--orbit=0"], "--orbit = 0: must be from -360 to 360 degrees, not 0."),
