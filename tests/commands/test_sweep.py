@@ -193,7 +193,6 @@ def test_an_mp4_has_the_frames_of_the_numbered_figures(tmp_path: Path) -> None:
         error = frame.astype(float) - figure
         assert 10.0 * np.log10(255.0**2 / (error**2).mean()) > 25.0, "half the colours"
         assert abs(error.mean()) < 1.5
-    assert b"yuv420p" not in film.read_bytes() and sorted(os.listdir(tmp_path))[0] == "-film.mp4"
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a script stands for ffmpeg")
@@ -215,7 +214,8 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
     assert refused(*command) == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
 
     pid = tmp_path / "pid"
-    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\nkill -INT $PPID\nexec /bin/sleep 60\n")
+    interrupted = "read first_line\nkill -INT $PPID\nexec /bin/sleep 60\n"
+    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}")
     assert run_here(*command).returncode == 130
     with pytest.raises(ProcessLookupError):
         os.kill(int(pid.read_text()), 0)
