@@ -37,15 +37,17 @@ _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
     found, (out, *files) = parser_of("export").read(arguments)
-    motions = [name for name in sweep.MOTIONS if _is_given(found, name)]
+    motions = sweep.motions(found)
     if motions and (len(motions) > 1 or found.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
     if found.batch is not None:
+        if found.step is not None:
+            raise CliError("--step: is a column of the list of --batch.")
         return batch.run(found, out, files, _draw)
-    moving = "--sweep, --orbit or --stages"
+    moving = "--sweep, --orbit, --stages or --transition"
     for options, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in options:
-            if _is_given(found, option):
+            if sweep.is_given(found, option):
                 raise CliError(f"--{option}: needs {needed}.")
     warning = (_draw_moving if motions else _draw)(found, out, files[0] if files else None)
     if warning:
@@ -53,15 +55,10 @@ def run(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _is_given(found: argparse.Namespace, option: str) -> bool:
-    value = getattr(found, option)
-    return value is not None and value is not False
-
-
 def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
     _check(found, out, _ENDINGS)
-    document = document_of(file, found.set)
+    document = document_of(file, found.set, found.step)
     scene = load_scene(document.scene, document.mesh, file)
     check_drawing()
     _write(found, out, document, scene)
@@ -109,7 +106,7 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
         if ending in _FILMS and not found.batch:
-            film = "; for a film add --sweep, --orbit or --stages"
+            film = "; for a film add --sweep, --orbit, --stages or --transition"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (".svg", ".pdf")
@@ -157,7 +154,7 @@ def _write_film(
             for frame in frames
         }
     if len(sizes) > 1:
-        raise CliError(f"--sweep = {found.sweep!r}: frames of a film have one size; set --size.")
+        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
     size = sizes.pop()
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")

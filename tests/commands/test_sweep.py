@@ -1,4 +1,4 @@
-"""Moving pictures: ``export --sweep``, ``--orbit`` and ``--stages``."""
+"""Moving pictures: ``export --sweep``, ``--orbit``, ``--stages`` and ``--transition``."""
 
 from __future__ import annotations
 
@@ -158,6 +158,57 @@ def test_the_world_stands_still_while_a_value_changes(tmp_path: Path) -> None:
     assert not read(tmp_path / "0.png").view.panes
 
 
+TALK = """\
+---
+title: Two steps
+---
+# One {#one}
+```state
+scene=letter-f
+view.stage=view
+```
+```note
+```
+---
+# Two {#two}
+```state
+lens.near=1
+view.stage=ndc
+```
+---
+# Three {#three}
+---
+# Four {#four}
+```state
+scene=cube
+```
+"""
+
+
+def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_path: Path) -> None:
+    talk = tmp_path / "talk.md"
+    talk.write_text(TALK)
+    small = ("--size=96x48", "--panes=world,ndc")
+    way = ("--step=two", "--transition", "--frames=3", *small)
+    assert run_here("export", tmp_path / "%d.png", talk, *way).returncode == 0
+    for number, step in ((0, "one"), (2, "2")):
+        alone = tmp_path / "alone.png"
+        assert run_here("export", alone, talk, "--step", step, *small).returncode == 0
+        (frame,), (figure,) = frames_of(tmp_path / f"{number}.png"), frames_of(alone)
+        assert (frame == figure).all(axis=2).mean() > 0.98, "the view of the world is rounded"
+    middle = read(tmp_path / "1.png")
+    assert middle.projection.lens.near == pytest.approx(2.0)  # of 4 and 1, as in the window
+    assert middle.view.stage == pytest.approx(2.5)
+    for step, words in (
+        ("1", "--transition: no step comes before --step 1."),
+        ("3", "--transition: step 3 shows the same as the step before."),
+        ("four", "--transition: step 4 shows another scene or another kind of lens"),
+        ("5", "--step = '5': must be a number from 1 to 4, or the name of a step"),
+        ("tow", "or the name of a step; the nearest is two."),
+    ):
+        assert words in refused("export", "a.gif", talk, "--transition", "--step", step)
+
+
 def test_an_interrupted_film_leaves_the_old_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -234,11 +285,14 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
         (["a.gif", "--sweep=settings.light=1,2,3:0,0,0", "--set=scene=planar-shadow"], "light"),
         (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
         (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
-        (["a.gif"], "for a film add --sweep, --orbit or --stages."),
-        (["a.png", "--frames=4"], "--frames: needs --sweep, --orbit or --stages."),
+        (["a.gif"], "for a film add --sweep, --orbit, --stages or"),
+        (["a.png", "--frames=4"], "--frames: needs --sweep, --orbit, --stages or --transition."),
         (["a.gif", "--sweep=lens.near=1:2", "--batch=b"], "--sweep: cannot be used with --batch."),
         (["a.mp4", "--orbit", "--size=65x48", "--panes=world"], "even sides in pixels, not 65x48"),
         (["a.mp4", "--orbit", "--transparent"], "--transparent: .mp4 has no transparency"),
+        (["a.gif", "--transition", "--step=2"], "--transition: needs a lesson or a talk as FILE"),
+        (["a.png", "--step=2"], "--step: needs a lesson or a talk as FILE."),
+        (["a.png", "L5", "--step=1", "--set=scene=cube"], "--set scene: the steps of a lesson"),
         (["a.gif", "--orbit", "--stages"], "--orbit: cannot be used with --stages."),
         (["--orbit", "400", "a.gif"], "--orbit = 400: must be from -360 to 360 degrees, not 0."),
         (["a.gif", "--orbit=0"], "--orbit = 0: must be from -360 to 360 degrees, not 0."),
