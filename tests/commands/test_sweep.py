@@ -199,6 +199,7 @@ def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_pa
     middle = read(tmp_path / "1.png")
     assert middle.projection.lens.near == pytest.approx(2.0)  # of 4 and 1, as in the window
     assert middle.view.stage == pytest.approx(2.5)
+    assert set(middle.view.panes) == {"world"}, "which goes from one view to the other"
     for step, words in (
         ("1", "--transition: no step comes before --step 1."),
         ("3", "--transition: step 3 shows the same as the step before."),
