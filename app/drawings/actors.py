@@ -55,7 +55,7 @@ _NO_LINES = vtkPolyData()
 _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
-# In proportion to the distance, and less than lines are lifted from faces: or rounding would decide.
+# In proportion to the distance, and by less than lines are lifted from faces.
 _GROUND_END = "groundEnd"
 _BEFORE_GROUND = f"""
   if (gl_VertexID >= {_GROUND_END}) gl_Position.z -= 1e-4 * (gl_Position.w - gl_Position.z);"""
@@ -572,7 +572,8 @@ def _tilt_lines(actor: vtkActor) -> None:
     into, out = f"{name}VSOutput", f"{name}GSOutput"
     dec, impl = "//VTK::Picking::Dec", "//VTK::Picking::Impl"  # unused, and in every shader
     properties.AddVertexShaderReplacement(dec, True, f"out float {into};", False)
-    properties.AddGeometryShaderReplacement(dec, True, f"in float {into}[]; out float {out};", False)
+    both = f"in float {into}[]; out float {out};"
+    properties.AddGeometryShaderReplacement(dec, True, both, False)
     properties.AddGeometryShaderReplacement(impl, True, f"{out} = {into}[i];", False)
     properties.AddFragmentShaderReplacement(dec, True, f"in float {into};", False)
     properties.AddFragmentShaderReplacement("//VTK::Depth::Impl", True, _IN_PLANE, False)

@@ -278,7 +278,7 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
     found = [
         Area([[(10.0, 20.0), (30.0, 20.0), (30.0, 60.0)]], red, 0.5),
         Stroke([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
-        Picture(np.zeros((2, 2, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
+        Picture(np.zeros((25, 50, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
     ]
     content = pdf(found, (100, 100), "t")
     drawn = b"".join(streams_of(content))  # a pixel is 0.24 pt
@@ -286,6 +286,7 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
     assert b" 1.2 w " in drawn and b"0 0 m\n24 24 l\n\nS\n" in drawn
     assert re.search(rb"12 0 0 6 6 6 cm", drawn), drawn
     assert content.count(b"/Subtype /Image") == 1
+    assert b"/Width 50" in content and b"/Height 25" in content, "as fine as the figure"
 
 
 # --------------------------------------------------------------------------- what hides what
