@@ -410,8 +410,8 @@ class SceneActors:
             mapper: Any = actor.GetMapper()
             mapper.SetInputData(_NO_LINES if mesh is None else mesh)
         if _uniforms(self.lines).GetNumberOfUniforms():
-            ground = self._scene.ground_lines if kept is self._scene.lines else 0
-            _uniforms(self.lines).SetUniformi(_GROUND_END, 2 * ground)
+            ends = 2 * self._scene.ground_lines if kept is self._scene.lines else 0
+            _uniforms(self.lines).SetUniformi(_GROUND_END, ends)
 
 
 def _uniforms(actor: vtkActor) -> Any:

@@ -193,10 +193,10 @@ def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
     marks: list[Mark] = []
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         end = x + screen.image_size[0]
-        left, right = max(x, inner), min(end, width - inner)
-        corners = [(right, low), (left, low), (left, high), (right, high)]
+        first, last = max(x, inner), min(end, width - inner)
+        corners = [(last, low), (first, low), (first, high), (last, high)]
         if name == "right":  # each screen is open towards the join, which has its own line
-            corners = [(left, low), (right, low), (right, high), (left, high)]
+            corners = [(first, low), (last, low), (last, high), (first, high)]
         elif name == "window":
             corners.append(corners[0])
         marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
