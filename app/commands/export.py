@@ -8,9 +8,10 @@ import os
 import re
 import sys
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.commands import batch, sweep
+from app.commands import batch, page, sweep
 from app.commands.arguments import check_drawing, check_out, document_of, importing, load_scene
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
@@ -40,7 +41,10 @@ def run(arguments: Sequence[str]) -> int:
         for option in options:
             if not getattr(found, needed) and getattr(found, option) not in (None, False):
                 raise CliError(f"--{option}: needs --{needed}.")
-    warning = (_draw_moving if found.sweep else _draw)(found, out, files[0] if files else None)
+    draw = _draw_moving if found.sweep else _draw
+    if _ending(out) == ".html":
+        draw = _draw_page
+    warning = draw(found, out, files[0] if files else None)
     if warning:
         complain(warning, 0)
     return 0
@@ -83,6 +87,23 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     return next(filter(None, warnings), "")
 
 
+def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
+    """Draw a page for phones, of one state or of a sweep."""
+    _check(found, out, (".html",))
+    page.check(found)
+    if found.frames is None:
+        found.frames = page.FRAMES
+    order = sweep.order(found)
+    states = sweep.states(found, file) if found.sweep else [document_of(file, found.set)]
+    scene = load_scene(states[0].scene, states[0].mesh, file)
+    warnings = [_warning(state, scene) for state in states]
+    check_drawing()
+    told = _told(order[: len(states)])
+    with _of_options(found):
+        large = page.write(found, out, states, told, scene, partial(_options, found))
+    return next(filter(None, [large, *warnings]), "")
+
+
 def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
@@ -92,7 +113,7 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
             film = "; for a film add --sweep"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (".svg", ".pdf")
+    has_pixels = ending not in (".svg", ".pdf", ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:

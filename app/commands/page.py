@@ -1,0 +1,104 @@
+"""``export figure.html``: a page for phones, with a slider if ``--sweep`` makes several states."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+from collections.abc import Callable, Iterable, Sequence
+from functools import reduce
+from typing import TYPE_CHECKING, Any
+
+from app.commands.arguments import importing
+from app.commands.options import CliError
+from app.document.compare import Written, names_in
+from app.document.document import Document
+from app.document.field_names import FIELDS
+from app.document.files import write_bytes_atomically
+from app.document.lengths import Size
+from app.lecture.dependence import FIELDS as LETTERS
+from app.lecture.notation import in_letters
+from app.scenes.phenomena.readout import figure
+
+if TYPE_CHECKING:
+    from app.drawings.page import Drawn
+    from app.scenes.scene import Scene
+
+FRAMES = 21
+"""States under the slider, unless another number is asked for."""
+_TEXT_PT = 6.0
+"""Of letters, in a pane of 640 pixels that is as wide as a phone."""
+
+
+def check(found: argparse.Namespace) -> None:
+    """Refuse options that are of other figures."""
+    for option in ("crop", "transparent", "loop", "fps"):
+        if getattr(found, option):
+            raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
+
+
+def write(
+    found: argparse.Namespace,
+    out: str,
+    states: Sequence[Document],
+    told: Iterable[int],
+    scene: Scene,
+    options: Callable[[Document], dict[str, Any]],
+) -> str:
+    """Write the page of states; return a warning if it is large."""
+    with importing():
+        from app.drawings.describing import describe
+        from app.drawings.page import LARGEST, State, page
+    values = _values(states, scene, (found.sweep or "").partition("=")[0].strip())
+    shown = []
+    for number in told:
+        state = states[number]
+        about = describe(state, scene, re.split("[,/]", found.panes))
+        panes = [
+            _drawn(pane, said, state, scene, options(state)) for pane, said in about.panes.items()
+        ]
+        shown.append(State(values[number], panes, about.general, (*about.cut, *about.risky)))
+    content = page(about.title, shown, "/" in found.panes)
+    write_bytes_atomically(out, content)
+    if len(content) <= LARGEST:
+        return ""
+    name, fewer = os.path.basename(out), "--frames or --panes" if found.sweep else "--panes"
+    return (
+        f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
+        f" {LARGEST // 1000} kB: ask for fewer {fewer}."
+    )
+
+
+def _drawn(
+    pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]
+) -> Drawn:
+    """Draw a pane for a page: alone, for the page places the panes."""
+    from app.drawings.figures import PANE_PX, shapes
+    from app.drawings.page import Drawn
+
+    aspect = state.projection.aspect if pane == "image" else 1.0
+    if state.view.compare and not state.view.dividers:
+        aspect = 1.0
+    fitted = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
+    if options["size"] is None:
+        options["text_pt"] = options["text_pt"] or _TEXT_PT
+    options |= {"panes": [pane], "size": options["size"] or fitted}
+    return Drawn(*shapes(scene, state.projection, **options), said)
+
+
+def _values(states: Sequence[Document], scene: Scene, path: str) -> list[str]:
+    """Return what the slider changes, in each state: ``near n = 4``."""
+    letters = states[0].view.letters
+
+    def named(field: str) -> str:
+        letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
+        symbol = in_letters(f"{{{letter}}}", letters) if letter else ""
+        return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
+
+    written = Written(named, lambda text: in_letters(text, letters), lambda value: figure(value, 4))
+    settings = () if scene.phenomenon is None else scene.phenomenon.settings
+    found = names_in([""] * len(states), [each.state for each in states], settings, written)
+    if len(states) > 1 and not all(found):  # nothing that a picture compares, such as a stage
+        values = [reduce(getattr, path.split("."), each) for each in states]
+        found = [f"{path} = {value:.4g}" for value in values]
+    return found
