@@ -93,14 +93,12 @@ def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
     page.check(found)
     if found.frames is None:
         found.frames = page.FRAMES
-    order = sweep.order(found)
     states = sweep.states(found, file) if found.sweep else [document_of(file, found.set)]
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
     check_drawing()
-    told = _told(order[: len(states)])
     with _of_options(found):
-        large = page.write(found, out, states, told, scene, partial(_options, found))
+        large = page.write(found, out, _told(states), states, scene, partial(_options, found))
     return next(filter(None, [large, *warnings]), "")
 
 
@@ -112,12 +110,13 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
         if ending in _FILMS and not found.batch:
             film = "; for a film add --sweep"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        film += "" if found.batch else ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (".svg", ".pdf", ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf and .html, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)

@@ -33,31 +33,31 @@ _TEXT_PT = 6.0
 def check(found: argparse.Namespace) -> None:
     """Refuse options that are of other figures."""
     for option in ("crop", "transparent", "loop", "fps"):
-        if getattr(found, option):
+        if getattr(found, option) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 
 
 def write(
     found: argparse.Namespace,
     out: str,
+    told: Iterable[Document],
     states: Sequence[Document],
-    told: Iterable[int],
     scene: Scene,
     options: Callable[[Document], dict[str, Any]],
 ) -> str:
-    """Write the page of states; return a warning if it is large."""
+    """Write the page of states, which `told` yields too; return a warning if it is large."""
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, State, page
     values = _values(states, scene, (found.sweep or "").partition("=")[0].strip())
     shown = []
-    for number in told:
-        state = states[number]
+    for value, state in zip(values, told, strict=True):
         about = describe(state, scene, re.split("[,/]", found.panes))
         panes = [
-            _drawn(pane, said, state, scene, options(state)) for pane, said in about.panes.items()
+            _drawn(pane, said, state, scene, {**options(state), "hidden": found.hidden or "none"})
+            for pane, said in about.panes.items()
         ]
-        shown.append(State(values[number], panes, about.general, (*about.cut, *about.risky)))
+        shown.append(State(value, panes, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in found.panes)
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:

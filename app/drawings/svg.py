@@ -99,15 +99,17 @@ def _path(points: Sequence[tuple[float, float]]) -> str:
     """A path in tenths of a pixel, which are 8 micrometres on paper."""
     tenths = [(round(10.0 * x), round(10.0 * y)) for x, y in points]
     x, y = tenths[0]
-    data = f"M{_tenth(x)} {_tenth(y)}l"
+    data = f"M{_tenth(x)}{_tenth(y, ' ')}l"
     for number, (to_x, to_y) in enumerate(tenths[1:]):
-        data += f"{' ' if number else ''}{_tenth(to_x - x)} {_tenth(to_y - y)}"
+        data += _tenth(to_x - x, " " if number else "") + _tenth(to_y - y, " ")
         x, y = to_x, to_y
     return data
 
 
-def _tenth(tenths: int) -> str:
-    return f"{tenths / 10.0:g}"
+def _tenth(tenths: int, space: str = "") -> str:
+    """A number of tenths, after a space where a number before it would not end."""
+    text = f"{tenths / 10.0:g}".replace("0.", ".", int(abs(tenths) < 10))
+    return text if text.startswith("-") else space + text
 
 
 def _areas(areas: Sequence[Area]) -> str:
