@@ -227,7 +227,7 @@ def figure(
     Refusal
         For a value that is not possible.
     """
-    from app.drawings.figures import checked_size, checked_text
+    from app.drawings.figure_size import checked_size, checked_text
     from app.drawings.style import PALETTES
     from app.drawings.vectors import HIDDEN
 

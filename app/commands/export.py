@@ -148,7 +148,7 @@ def _write_film(
     found: argparse.Namespace, out: str, frames: Sequence[Document], scene: Scene
 ) -> None:
     with importing():
-        from app.drawings.figures import checked_size
+        from app.drawings.figure_size import checked_size
         from app.drawings.moving import WEBP_PX, encoded, moving
     panes, column = _panes(found), "/" in found.panes
     with _of_options(found):
@@ -197,7 +197,7 @@ def _pixels(found: argparse.Namespace, document: Document, scene: Scene) -> Pixe
 @contextlib.contextmanager
 def _of_options(found: argparse.Namespace) -> Iterator[None]:
     """Make a refusal of the drawing name the option that it is about."""
-    from app.drawings.figures import TEXT
+    from app.drawings.figure_size import TEXT
 
     try:
         yield

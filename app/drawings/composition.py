@@ -16,10 +16,10 @@ from app.document.document import Document
 from app.document.settings import pictured
 from app.drawings import Words
 from app.drawings.drawing import Drawing
-from app.drawings.figures import drawn_pane
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, pieces_of
 from app.drawings.off_screen import Pixels, pixels_of
+from app.drawings.one_pane import drawn_pane
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing

@@ -25,8 +25,9 @@ from app.bootstrap import ROOT
 from app.document.codec import parse, to_json
 from app.document.document import Document
 from app.document.files import read
+from app.document.lengths import DPI
 from app.document.view import PANES
-from app.drawings import WORDS, figures
+from app.drawings import WORDS, one_pane
 from app.drawings.figures import png_bytes, render, write_png
 from app.drawings.off_screen import off_screen, take_screen
 from app.drawings.stage import StageDrawing
@@ -325,7 +326,7 @@ def test_all_letters_of_a_figure_have_one_size(
 ) -> None:
     """8 points are 8/72 of an inch, at `DPI` pixels an inch, in every pane, however small."""
     sizes: dict[str, set[int]] = {}
-    original = figures.pixels_of
+    original = one_pane.pixels_of
 
     def noted(window: Any, *args: Any, **options: Any) -> Any:
         done = original(window, *args, **options)
@@ -334,10 +335,10 @@ def test_all_letters_of_a_figure_have_one_size(
                 sizes.setdefault(text, set()).add(round(label.em))
         return done
 
-    monkeypatch.setattr(figures, "pixels_of", noted)
+    monkeypatch.setattr(one_pane, "pixels_of", noted)
     shown = load(scene)
     render(shown, shown.start, PANES, (1500, 500), scale, text_pt=8.0)
     assert len(sizes) > 4
     (found,) = set().union(*sizes.values())
     # Several pixels are drawn for one of the figure's, along each side.
-    assert found / (8.0 * figures.DPI / 72.0 * scale) == pytest.approx(3.0, rel=0.01)
+    assert found / (8.0 * DPI / 72.0 * scale) == pytest.approx(3.0, rel=0.01)

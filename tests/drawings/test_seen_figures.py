@@ -12,14 +12,8 @@ from PIL import Image
 
 from app.document.lengths import DPI
 from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
-from app.drawings.figures import (
-    USUAL_TEXT,
-    checked_text,
-    png_bytes,
-    render,
-    usual_text_pt,
-    write_png,
-)
+from app.drawings.figure_size import USUAL_TEXT, checked_text
+from app.drawings.figures import png_bytes, render, write_png
 from app.drawings.style import LIGHT, rgb, tone
 from app.model.projection import Camera
 from app.model.refusal import Refusal
@@ -137,11 +131,11 @@ def test_letters_are_as_high_as_their_points_say() -> None:
 
 def test_usual_letters_are_a_share_of_the_pane_and_6_points_across_a_page() -> None:
     image = (1280, 720)
-    assert usual_text_pt(image, PANES, None) == pytest.approx(6.0)
+    assert checked_text(image, PANES, None) == pytest.approx(6.0)
     assert pytest.approx(162.56) == 3 * 640 / DPI * 25.4  # mm
-    assert usual_text_pt(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
-    assert usual_text_pt(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
-    text_pt = usual_text_pt(image, PANES, (3 * SIDE, HIGH))
+    assert checked_text(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
+    assert checked_text(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
+    text_pt = checked_text(image, PANES, (3 * SIDE, HIGH))
     once, asked = drawn(View()), drawn(View(), text_pt=text_pt)
     assert all((once[pane] == asked[pane]).all() for pane in PANES)
 

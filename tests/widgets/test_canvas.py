@@ -24,9 +24,9 @@ from pytestqt.qtbot import QtBot
 
 from app.bootstrap import ROOT
 from app.document.document import Document
-from app.drawings import figures
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import off_screen
+from app.drawings.off_screen import pixels_of as pixels_in
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
@@ -101,7 +101,7 @@ def test_both_show_the_pixels_that_a_figure_averages(
                 figure.show_highlight(frozenset(about))  # as figures do
                 figure.reset_view()
                 screen.render_window.Render()
-                drawn = figures.pixels_of(screen.render_window)[..., :3]
+                drawn = pixels_in(screen.render_window)[..., :3]
                 figure.remove()
             assert np.array_equal(drawn, first), (scene, name)
 

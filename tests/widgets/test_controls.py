@@ -35,7 +35,8 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.files import NO_FILE
-from app.drawings import figures
+from app.drawings.figure_size import SCALED_WIDTH
+from app.drawings.figures import render
 from app.model.limits import ABOVE, DISTINCT
 from app.model.projection import (
     AT_LEAST,
@@ -1522,7 +1523,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
             "must be greater than {0}": "mora biti veće od {0}",
             meshes.EMPTY: "{0}: datoteka je prazna.",
             scene.NEARLY_A_SCENE: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
-            figures.SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
+            SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
         }
 
         def translate(self, context: str, text: str, *_rest: object) -> str:
@@ -1549,7 +1550,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(Refusal.saying(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
         with pytest.raises(Refusal) as large:
-            figures.render(cube, cube.start, size=(9000, 600), scale=2.0)
+            render(cube, cube.start, size=(9000, 600), scale=2.0)
         said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
         assert sentence(large.value) == said
     finally:

@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
-from app.drawings.figures import checked_size, checked_text
+from app.drawings.figure_size import checked_size, checked_text
 from app.model.refusal import Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
