@@ -110,7 +110,7 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
         if ending in _FILMS and not found.batch:
             film = "; for a film add --sweep"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
-        film += "" if found.batch else ", or in .html for a page"
+        known += "" if found.batch else ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (".svg", ".pdf", ".html")
     if not has_pixels and found.scale != 1.0:

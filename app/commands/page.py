@@ -73,7 +73,8 @@ def _drawn(
     pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]
 ) -> Drawn:
     """Draw a pane for a page: alone, for the page places the panes."""
-    from app.drawings.figures import PANE_PX, shapes
+    from app.drawings.figure_size import PANE_PX
+    from app.drawings.figures import shapes
     from app.drawings.page import Drawn
 
     aspect = state.projection.aspect if pane == "image" else 1.0

@@ -14,7 +14,6 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import os
 import re
 from collections.abc import Iterable, Sequence
 from html import escape
@@ -118,6 +117,8 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
         for number, pane in enumerate(states[middle].panes)
     ]
     several = len(states) > 1
+    names = {state.value.partition(" =")[0] for state in states}
+    name = names.pop() if len(names) == 1 else title
     body = [
         f"<h1>{escaped(title)}</h1>",
         f'<div class="panes{" column" if column else ""}">',
@@ -131,18 +132,12 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
     slider = [
         '<form hidden autocomplete="off">',
         f'<output for="slider" aria-live="off" data-slot>{value}</output>',
-        f'<input type="range" id="slider" aria-label="{escaped(_common(states) or title)}"'
+        f'<input type="range" id="slider" aria-label="{escaped(name)}"'
         f' aria-valuetext="{value}" min="0" max="{len(states) - 1}" value="{middle}">',
         "</form>",
         f"<noscript><p>{value}. The other states need scripts.</p></noscript>",
     ]
     return document(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
-
-
-def _common(states: Sequence[State]) -> str:
-    """What all values begin with: ``near n``."""
-    common = os.path.commonprefix([state.value for state in states])
-    return common.rpartition(" ")[0].removesuffix(" =")
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:
