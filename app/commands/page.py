@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import argparse
 import os
-import re
+from argparse import Namespace
 from collections.abc import Callable, Iterable, Sequence
 from functools import reduce
 from typing import TYPE_CHECKING, Any
 
-from app.commands.arguments import importing
+from app.commands import sweep
+from app.commands.arguments import document_of, importing
 from app.commands.options import CliError
 from app.document.compare import Written, names_in
 from app.document.document import Document
@@ -18,6 +18,7 @@ from app.document.files import write_bytes_atomically
 from app.document.lengths import Size
 from app.lecture.dependence import FIELDS as LETTERS
 from app.lecture.notation import in_letters
+from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.readout import figure
 
 if TYPE_CHECKING:
@@ -30,15 +31,27 @@ _TEXT_PT = 6.0
 """Of letters, in a pane of 640 pixels that is as wide as a phone."""
 
 
-def check(found: argparse.Namespace) -> None:
+def check(found: Namespace) -> None:
     """Refuse options that are of other figures."""
     for option in ("crop", "transparent", "loop", "fps"):
         if getattr(found, option) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 
 
+def states(found: Namespace, file: str | None) -> list[Document]:
+    """Return the states of a page: one, or those of a motion, which does not rest at stages."""
+    if found.stages:
+        found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
+    if not found.sweep and found.orbit is None:
+        return [document_of(file, found.set)]
+    # The page has each pane alone.
+    alone = "world" if "world" in sweep.panes(found) else found.panes
+    frames = FRAMES if found.frames is None else found.frames
+    return sweep.states(Namespace(**vars(found) | {"panes": alone, "frames": frames}), file)
+
+
 def write(
-    found: argparse.Namespace,
+    found: Namespace,
     out: str,
     told: Iterable[Document],
     states: Sequence[Document],
@@ -49,10 +62,10 @@ def write(
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, State, page
-    values = _values(states, scene, (found.sweep or "").partition("=")[0].strip())
+    values = _values(found, states, scene)
     shown = []
     for value, state in zip(values, told, strict=True):
-        about = describe(state, scene, re.split("[,/]", found.panes))
+        about = describe(state, scene, sweep.panes(found))
         panes = [
             _drawn(pane, said, state, scene, {**options(state), "hidden": found.hidden or "none"})
             for pane, said in about.panes.items()
@@ -62,16 +75,14 @@ def write(
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
         return ""
-    name, fewer = os.path.basename(out), "--frames or --panes" if found.sweep else "--panes"
+    name, fewer = os.path.basename(out), "--frames or --panes" if len(states) > 1 else "--panes"
     return (
         f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
         f" {LARGEST // 1000} kB: ask for fewer {fewer}."
     )
 
 
-def _drawn(
-    pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]
-) -> Drawn:
+def _drawn(pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]) -> Drawn:
     """Draw a pane for a page: alone, for the page places the panes."""
     from app.drawings.figure_size import PANE_PX
     from app.drawings.figures import shapes
@@ -87,9 +98,12 @@ def _drawn(
     return Drawn(*shapes(scene, state.projection, **options), said)
 
 
-def _values(states: Sequence[Document], scene: Scene, path: str) -> list[str]:
+def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
-    letters = states[0].view.letters
+    if found.orbit is not None:
+        turns_deg = (found.orbit * k / (len(states) - 1) for k in range(len(states)))
+        return [f"angle = {turn_deg:.4g}°" for turn_deg in turns_deg]
+    path, letters = (found.sweep or "").partition("=")[0].strip(), states[0].view.letters
 
     def named(field: str) -> str:
         letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
@@ -98,8 +112,8 @@ def _values(states: Sequence[Document], scene: Scene, path: str) -> list[str]:
 
     written = Written(named, lambda text: in_letters(text, letters), lambda value: figure(value, 4))
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
-    found = names_in([""] * len(states), [each.state for each in states], settings, written)
-    if len(states) > 1 and not all(found):  # nothing that a picture compares, such as a stage
-        values = [reduce(getattr, path.split("."), each) for each in states]
-        found = [f"{path} = {value:.4g}" for value in values]
-    return found
+    values = names_in([""] * len(states), [each.state for each in states], settings, written)
+    if len(states) > 1 and not all(values):  # nothing that a picture compares, such as a stage
+        numbers = [reduce(getattr, path.split("."), each) for each in states]
+        values = [f"{path.rpartition('.')[2]} = {number:.4g}" for number in numbers]
+    return values

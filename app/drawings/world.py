@@ -504,6 +504,19 @@ class WorldDrawing(Drawing):
         self.own.reset(self._framed())
         self.reset_clipping_range()
 
+    def views(
+        self,
+        moments: Iterable[tuple[Projection, Illustration | None]],
+        turns_deg: Sequence[float],
+    ) -> list[Camera]:
+        """Return free views of several moments, one for each turn; see `from_all_sides`."""
+        self.show_fixed("")
+        framed = []
+        for moment in moments:
+            self.show_projection(*moment)
+            framed.append(self._framed())
+        return self.own.from_all_sides(framed, turns_deg)
+
     def _framed(self) -> Framed:
         at, frustum = self._standing, self.frustum
         corners = frustum.corners if frustum.seen else None
