@@ -7,9 +7,10 @@ import contextlib
 import os
 import sys
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.commands import batch, sweep
+from app.commands import batch, page, sweep
 from app.commands.arguments import check_drawing, check_out, document_of, importing, load_scene
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
@@ -49,7 +50,10 @@ def run(arguments: Sequence[str]) -> int:
         for option in options:
             if sweep.is_given(found, option):
                 raise CliError(f"--{option}: needs {needed}.")
-    warning = (_draw_moving if motions else _draw)(found, out, files[0] if files else None)
+    draw = _draw_moving if motions else _draw
+    if _ending(out) == ".html":
+        draw = _draw_page
+    warning = draw(found, out, files[0] if files else None)
     if warning:
         complain(warning, 0)
     return 0
@@ -100,6 +104,20 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     return next(filter(None, warnings), "")
 
 
+def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
+    """Draw a page for phones, of one state or of a sweep."""
+    _check(found, out, (".html",))
+    page.check(found)
+    with _of_options(found):
+        states = page.states(found, file)
+    scene = load_scene(states[0].scene, states[0].mesh, file)
+    warnings = [_warning(state, scene) for state in states]
+    check_drawing()
+    with _of_options(found):
+        large = page.write(found, out, _told(states), states, scene, partial(_options, found))
+    return next(filter(None, [large, *warnings]), "")
+
+
 def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
@@ -108,12 +126,14 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
         if ending in _FILMS and not found.batch:
             film = "; for a film add --sweep, --orbit, --stages or --transition"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        if endings is _ENDINGS and not found.batch:
+            known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (".svg", ".pdf")
+    has_pixels = ending not in (".svg", ".pdf", ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf and .html, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
