@@ -24,7 +24,8 @@ if TYPE_CHECKING:
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = (".png", ".svg", ".pdf")
+_SHAPES = (".svg", ".pdf", ".tex")
+_ENDINGS = (".png", *_SHAPES)
 _FILMS = (".gif", ".apng", ".webp")
 _NEEDED = {"batch": ("resume", "format"), "sweep": ("frames", "fps", "loop")}
 
@@ -92,11 +93,11 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
             film = "; for a film add --sweep"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (".svg", ".pdf")
+    has_pixels = ending not in _SHAPES
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg and .pdf, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf and .tex, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)

@@ -44,7 +44,7 @@ PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
 LOOPS = ("repeat", "once", "back-and-forth")
-FIGURE_FORMATS = ("png", "svg", "pdf")
+FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
 COSTS = ("time", "bytes")
@@ -303,9 +303,10 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the figure to write (.png; .svg or .pdf for shapes and text), and the document, picture "
-        "or mesh to draw (default: the letter F); with --batch, the folder of the figures; with "
-        "--sweep, a film (.gif, .apng or .webp), or a name with %%03d for a figure of each frame"
+        "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text), and the "
+        "document, picture or mesh to draw (default: the letter F); with --batch, the folder of "
+        "the figures; with --sweep, a film (.gif, .apng or .webp), or a name with %%03d for a "
+        "figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -339,7 +340,7 @@ def _export() -> Parser:
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(
-        "--hidden", HIDDEN, "in .svg and .pdf, lines behind faces: left out, dashed as in "
+        "--hidden", HIDDEN, "in .svg, .pdf and .tex, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_argument(

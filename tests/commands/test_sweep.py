@@ -93,7 +93,7 @@ def test_an_interrupted_film_leaves_the_old_one(
         (["a.gif", "--sweep=settings.light=1,2,3:0,0,0", "--set=scene=planar-shadow"], "light"),
         (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
         (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
-        (["a.gif"], "must end in .png, .svg or .pdf; for a film add --sweep."),
+        (["a.gif"], "must end in .png, .svg, .pdf or .tex; for a film add --sweep."),
         (["a.png", "--frames=4"], "--frames: needs --sweep."),
         (["a.gif", "--sweep=lens.near=1:2", "--batch=b"], "--sweep: cannot be used with --batch."),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=1"], "must be a whole number from 2 to 1000"),
