@@ -36,7 +36,9 @@ from app.strangers import printable
 LARGEST_LIST = 2**20
 """Most bytes of a list: some ten thousand figures."""
 INDEX = "index.html"
-_NOT_OF_A_LINE = ("batch", "resume", "format", "sweep", "frames", "fps", "loop", "help")
+_NOT_OF_A_LINE = (
+    "batch", "resume", "format", "sweep", "orbit", "stages", "frames", "fps", "loop", "help",
+)  # fmt: skip
 _YES = {"yes": True, "no": False}
 
 Draw = Callable[[argparse.Namespace, str, "str | None"], str]

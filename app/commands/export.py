@@ -5,12 +5,12 @@ from __future__ import annotations
 import argparse
 import contextlib
 import os
-import re
 import sys
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from app.commands import batch, sweep
+from app.commands import batch, page, sweep
 from app.commands.arguments import check_drawing, check_out, document_of, importing, load_scene
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
@@ -27,24 +27,34 @@ _Frame = TypeVar("_Frame")
 _SHAPES = (".svg", ".pdf", ".tex")
 _ENDINGS = (".png", *_SHAPES)
 _FILMS = (".gif", ".apng", ".webp")
-_NEEDED = {"batch": ("resume", "format"), "sweep": ("frames", "fps", "loop")}
+_OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
     found, (out, *files) = parser_of("export").read(arguments)
+    motions = [name for name in sweep.MOTIONS if _is_given(found, name)]
+    if motions and (len(motions) > 1 or found.batch is not None):
+        raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
     if found.batch is not None:
-        if found.sweep:
-            raise CliError("--sweep: cannot be used with --batch.")
         return batch.run(found, out, files, _draw)
-    for needed, options in _NEEDED.items():
+    moving = "--sweep, --orbit or --stages"
+    for options, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in options:
-            if not getattr(found, needed) and getattr(found, option) not in (None, False):
-                raise CliError(f"--{option}: needs --{needed}.")
-    warning = (_draw_moving if found.sweep else _draw)(found, out, files[0] if files else None)
+            if _is_given(found, option):
+                raise CliError(f"--{option}: needs {needed}.")
+    draw = _draw_moving if motions else _draw
+    if _ending(out) == ".html":
+        draw = _draw_page
+    warning = draw(found, out, files[0] if files else None)
     if warning:
         complain(warning, 0)
     return 0
+
+
+def _is_given(found: argparse.Namespace, option: str) -> bool:
+    value = getattr(found, option)
+    return value is not None and value is not False
 
 
 def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
@@ -58,7 +68,8 @@ def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
 
 
 def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
-    """Draw a sweep: a film, which is written whole or not at all, or a figure for each frame."""
+    """Draw a moving picture: a film, written whole or not at all, or a figure for each frame."""
+    found.loop = found.loop or sweep.usual_loop(found, numbered=bool(sweep.names(out, 1)))
     order, _ = sweep.order(found), sweep.speed(found)
     names = sweep.names(out, len(order))
     for name in names or [out]:
@@ -67,7 +78,8 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
         raise CliError("--crop: is for single figures; frames of a film have one size.")
     if out.lower().endswith(".gif") and found.transparent:
         raise CliError("--transparent: .gif has no smooth edges then; write .apng or .webp.")
-    states = sweep.states(found, file)
+    with _of_options(found):
+        states = sweep.states(found, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]  # or a `Refusal`, before any drawing
     check_drawing()
@@ -84,20 +96,36 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     return next(filter(None, warnings), "")
 
 
+def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
+    """Draw a page for phones, of one state or of a sweep."""
+    _check(found, out, (".html",))
+    page.check(found)
+    with _of_options(found):
+        states = page.states(found, file)
+    scene = load_scene(states[0].scene, states[0].mesh, file)
+    warnings = [_warning(state, scene) for state in states]
+    check_drawing()
+    with _of_options(found):
+        large = page.write(found, out, _told(states), states, scene, partial(_options, found))
+    return next(filter(None, [large, *warnings]), "")
+
+
 def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
         if ending in _FILMS and not found.batch:
-            film = "; for a film add --sweep"
+            film = "; for a film add --sweep, --orbit or --stages"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        if endings is _ENDINGS and not found.batch:
+            known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in _SHAPES
+    has_pixels = ending not in (*_SHAPES, ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg, .pdf and .tex, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
@@ -120,7 +148,7 @@ def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene
         return
     options = _options(found, document)
     with _of_options(found):
-        about = describe(document, scene, _panes(found))
+        about = describe(document, scene, sweep.panes(found))
         hidden = found.hidden or "none"
         write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
 
@@ -131,7 +159,7 @@ def _write_film(
     with importing():
         from app.drawings.figure_size import checked_size
         from app.drawings.moving import WEBP_PX, encoded, moving
-    panes, column = _panes(found), "/" in found.panes
+    panes, column = sweep.panes(found), "/" in found.panes
     with _of_options(found):
         sizes = {
             checked_size(frame.projection.image_size, panes, found.size, found.scale, column)
@@ -188,16 +216,12 @@ def _of_options(found: argparse.Namespace) -> Iterator[None]:
         raise CliError(f"{'--size ' if of_size else ''}{text}") from error
 
 
-def _panes(found: argparse.Namespace) -> list[str]:
-    return re.split("[,/]", found.panes)
-
-
 def _options(found: argparse.Namespace, document: Document) -> dict[str, Any]:
     """Return the parameters that `render` and `write_shapes` share."""
     from app.drawings.style import PALETTES
 
     return {
-        "panes": _panes(found),
+        "panes": sweep.panes(found),
         "column": "/" in found.panes,
         "crop": found.crop,
         "size": found.size,

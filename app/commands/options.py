@@ -26,7 +26,7 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 SUMMARIES = {
-    "export": "draw a figure as PNG, SVG or PDF, without a window or display",
+    "export": "draw a figure as PNG, SVG, PDF or HTML, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
@@ -43,6 +43,8 @@ CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
+FULL_TURN = 360.0
+"""Of an orbit, in degrees."""
 LOOPS = ("repeat", "once", "back-and-forth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
@@ -146,7 +148,7 @@ class Parser(argparse.ArgumentParser):
         """Parse options and words in any order; refuse too few words and too many."""
         # After -- all words are names; argparse loses that when options and names are mixed.
         end = arguments.index("--") if "--" in arguments else len(arguments)
-        found, extra = self.parse_known_intermixed_args(arguments[:end])
+        found, extra = self.parse_known_intermixed_args(self._with_usual(arguments[:end]))
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
@@ -163,6 +165,16 @@ class Parser(argparse.ArgumentParser):
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
         return found, words
+
+    def _with_usual(self, arguments: Sequence[str]) -> list[str]:
+        """Give options whose number may be left out their usual one, and not the next word."""
+        usual = {action.option_strings[0]: action.const for action in self.options()
+                 if action.nargs == "?"}  # fmt: skip
+        found = list[str]()
+        for word, after in zip(arguments, [*arguments, ""][1:], strict=True):
+            is_bare = word in usual and not _is_number(after)
+            found.append(f"{word}={usual[word]:g}" if is_bare else word)
+        return found
 
     def options(self) -> list[argparse.Action]:
         """Return what begins with dashes."""
@@ -210,6 +222,14 @@ def parse_number(text: str) -> float:
     if "_" in text:
         raise ValueError(text)
     return float(text)
+
+
+def _is_number(text: str) -> bool:
+    try:
+        parse_number(text)
+    except ValueError:
+        return False
+    return True
 
 
 def check_file(word: str) -> None:
@@ -303,10 +323,11 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text), and the "
-        "document, picture or mesh to draw (default: the letter F); with --batch, the folder of "
-        "the figures; with --sweep, a film (.gif, .apng or .webp), or a name with %%03d for a "
-        "figure of each frame"
+        "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
+        "page that phones show), and the document, picture or mesh to draw (default: the letter "
+        "F); with --batch, the folder of the figures; with --sweep, --orbit or --stages, a film "
+        "(.gif, .apng or .webp), a page with a slider (.html), or a name with %%03d for a figure "
+        "of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -321,7 +342,8 @@ def _export() -> Parser:
         type=_length,
         metavar="WIDTHxHEIGHT",
         help="size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
-        "inch (default: 640x640 for each pane, or its own size for the image alone)",
+        "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
+        "each pane",
     )
     parser.add_argument(
         "--crop", action="store_true",
@@ -336,11 +358,11 @@ def _export() -> Parser:
     )
     parser.add_argument(
         "--text-size", type=_points, metavar="PT",
-        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
+        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 7 "
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(
-        "--hidden", HIDDEN, "in .svg, .pdf and .tex, lines behind faces: left out, dashed as in "
+        "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_argument(
@@ -367,16 +389,28 @@ def _export() -> Parser:
         help="draw a moving picture: a value of --set changes from FIRST to LAST",
     )  # fmt: skip
     parser.add_argument(
+        "--orbit", type=_number("--orbit", "a number of degrees"), nargs="?", const=FULL_TURN,
+        metavar="DEGREES",
+        help="draw a moving picture: the world is seen from all round, or as far round as DEGREES "
+        "say, and back; the camera stays where it is",
+    )  # fmt: skip
+    parser.add_argument(
+        "--stages", action="store_true",
+        help="draw a moving picture: the ndc pane goes from the world through all stages to the "
+        "image, and back",
+    )  # fmt: skip
+    parser.add_argument(
         "--frames", type=_whole, metavar="COUNT",
-        help="of --sweep: how many frames (default: 48)",
+        help="of a moving picture: how many frames (default: 48; of --stages 120; in .html 21)",
     )  # fmt: skip
     parser.add_argument(
         "--fps", type=_number("--fps", "a finite number"), metavar="COUNT",
-        help="of --sweep: how many frames a second (default: 12)",
+        help="of a moving picture: how many frames a second (default: 12)",
     )  # fmt: skip
     parser.add_choice(
-        "--loop", LOOPS, "of --sweep: from the last frame to the first, not at all, or there and "
-        "back in all frames together (default: repeat)",
+        "--loop", LOOPS, "of a moving picture: from the last frame to the first, not at all, or "
+        "there and back in all frames together (default: repeat where nothing jumps then, and for "
+        "--sweep; else back-and-forth, for numbered files once)",
     )  # fmt: skip
     parser.add_set()
     return parser

@@ -38,6 +38,10 @@ _PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a 
         for turn in turns
     ]
 )
+_BESIDE = np.array(  # which point of a line, how far from it, in em, and on which side
+    [(i, gap, way) for gap in (0.35, 1.6) for way in (1, -1) for i in range(5)]
+    + [(0, gap, way) for gap in (3.0, 5.0) for way in (1, -1)]
+)
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
 # What a place costs.
@@ -161,13 +165,31 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
     outs = np.stack([-across[:, 1], across[:, 0]], axis=1)
     outs[((mids - middle) * outs).sum(axis=1) < 0.0] *= -1.0
     is_turned = (np.abs(turns) <= _STEEPEST) & (lengths > size[0])
-    away = np.where(is_turned, size[1] / 2.0, _reach(outs, size)) + 0.35 * em
+    half = np.abs(outs) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
+    away = np.where(is_turned, size[1] / 2.0, half) + 0.35 * em
     anchors = np.concatenate([ends[:, 0] + part * ways for part in (0.5, 0.2, 0.8)])
     count = len(anchors)
     centres = anchors + np.tile(away[:, None] * outs, (3, 1))
     turns = np.tile(np.where(is_turned, turns, 0.0), 3)
     places = Places(centres, turns, anchors, np.full(count, 0.35 * em))
     return joined(places, round_mids)
+
+
+def flanking(
+    spots: ArrayLike, out: Spot, size: tuple[float, float], em: float, rim: float
+) -> Places:
+    """Beside a line through points, first on the side of `out`; round a line that is a point."""
+    points = np.asarray(spots, dtype=np.float64)
+    way = points[-1] - points[0]
+    length = math.hypot(*way)
+    if length < em:
+        return around(points[:1], size, em, rim, out)
+    across = np.array((-way[1], way[0])) / length
+    across *= math.copysign(1.0, across @ np.array(out))
+    at = points[_BESIDE[:, 0].astype(int) % len(points)]
+    outs, gaps = across * _BESIDE[:, 2:], em * _BESIDE[:, 1]
+    half = np.abs(across) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
+    return Places(at + outs * (half + gaps)[:, None], np.zeros(len(at)), at, gaps)
 
 
 def joined(*places: Places) -> Places:

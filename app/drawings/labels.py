@@ -26,6 +26,7 @@ from app.drawings.label_placement import (
     around,
     beyond,
     clipped,
+    flanking,
     joined,
     on,
     place,
@@ -45,6 +46,8 @@ DOT_EM = 0.4
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
 _LINE_EM = 0.14  # the width of the lines round the camera's body
+_ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
+"""Where on a side of the window its name may stand."""
 _MOST_INSIDE = 6  # places on a plane that are tried
 
 
@@ -323,20 +326,22 @@ class Labels:
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
     def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
-        """Ask for places outside the window, beside each side, at its middle if that is free."""
+        """Ask for a place beside each side of the window, outside it or inside."""
         board, em = self._board, self._board.em
-        middle = pane.seen(near.mean(axis=0)[None])[0]
-        ways = np.roll(near, -1, axis=0) - near
-        spots = pane.seen(np.concatenate([near + part * ways for part in (0.5, 0.3, 0.7)]))
+        corners = np.roll(near, -1, axis=0)
+        sides = near[:, None] + _ON_SIDE[:, None] * (corners - near)[:, None]
+        middle, *spots = pane.seen(np.vstack([near.mean(axis=0), sides.reshape(-1, 3)]))
         for (letter, side), value in zip(WINDOW.items(), named.window, strict=True):
-            if letter not in named.without:
-                self.named[side].set_text(self.side(letter, value))
-                beside = spots[SIDES.index(side) :: len(SIDES)]
-                marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
-                way = beside[0][0] - middle[0], beside[0][1] - middle[1]
-                size, rim = board.label(letter).size_px, DOT_EM * em
-                places = partial(around, marks, size, em, rim, way if any(way) else None)
-                board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
+            if letter in named.without:
+                continue
+            self.named[side].set_text(self.side(letter, value))
+            first = SIDES.index(side) * len(_ON_SIDE)
+            beside = spots[first : first + len(_ON_SIDE)]
+            marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
+            out = beside[0][0] - middle[0], beside[0][1] - middle[1]
+            size, rim = board.label(letter).size_px, DOT_EM * em
+            places = partial(flanking, marks, out, size, em, rim)
+            board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
 
     def side(self, letter: str, value: float) -> str:
         """The text at a side of the window."""

@@ -16,7 +16,7 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
 from typing import NamedTuple
 
@@ -28,6 +28,7 @@ from app.drawings.camera import AROUND_PX, SIX_WAYS
 from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
+from app.model.limits import cos_sin_deg
 from app.model.projection import Array, Camera
 from app.picking.picking import Sight
 
@@ -142,7 +143,7 @@ class OwnView(PaneCamera):
         self._framed = self._framed_first = framed
         self._was_shifted = False
         if not self.fixed:
-            self._direction = _clearest(framed)
+            self._direction = _clearest([framed])
         self.place(framed)
 
     def refit(self, framed: Framed) -> bool:
@@ -199,7 +200,8 @@ class OwnView(PaneCamera):
             return
         assert self._framed is not None
         self._see_by_perspective()
-        self._stand_at(*self._stand(self._framed))
+        position, focus, _ = self._stand(self._framed)
+        self._stand_at(position, focus)
         self._placed = self._now
 
     def _see_by_perspective(self) -> None:
@@ -213,28 +215,74 @@ class OwnView(PaneCamera):
         beside = (TITLE_EM + below_em) * self._em
         return (max(0.5, (wide - margin) / wide), max(0.5, (high - margin - beside) / high))
 
-    def _stand(self, framed: Framed) -> tuple[Array, Array]:
-        """Return the camera's place for these points, and its focal point: (3,) each."""
+    def _slopes(self) -> tuple[tuple[float, float], float]:
+        """How steeply the free view sees to the sides and up, and how far it stands lower."""
+        half, size_px = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)), self.size_px
+        wide, high = self._room(0.0)
+        lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
+        return (half * wide * size_px[0] / size_px[1], half * high), lower
+
+    def _stand(self, framed: Framed) -> tuple[Array, Array, Array]:
+        """Return the camera's place, its focal point, (3,) each, and what is in view, (n, 3)."""
         out, size_px, eye = self._direction, self.size_px, framed.eye
         axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
-        wide, high = self._room(0.0)
-        slopes = half * wide * size_px[0] / size_px[1], half * high
-        lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
+        slopes, lower = self._slopes()
         for share in _SHARES:
-            points = framed.shared(share)
+            points = shown = framed.shared(share)
             position = _stand_back(axes, points, slopes, lower)
             for _ in range(2):  # camera's body and axes are as large as the pane makes them
                 unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
                 around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
                 body = eye + around * SIX_WAYS if around else np.empty((0, 3))
-                position = _stand_back(axes, np.vstack([points, body]), slopes, lower)
+                shown = np.vstack([points, body])
+                position = _stand_back(axes, shown, slopes, lower)
             x, y, away = axes @ (framed.core - position).T
             across, up = np.ptp(x / away) / (2.0 * half), np.ptp(y / away) / (2.0 * half)
             if _is_large(float(across) * size_px[1] / size_px[0], float(up)):
                 break
         # Ahead of the pane's camera, even if the model's eye is behind it.
         middle = (float(self._middle @ out) + min(float(eye @ out), float(position @ out))) / 2.0
-        return position, position + (middle - float(position @ out)) * out
+        return position, position + (middle - float(position @ out)) * out, shown
+
+    def from_all_sides(self, moments: Sequence[Framed], turns_deg: Sequence[float]) -> list[Camera]:
+        """Return free views that show all of several moments, in world coordinates.
+
+        Several of them go round the middle of what they show, and keep all of it in view.
+        """
+        core = np.vstack([each.core for each in moments])
+        beside = np.vstack([each.beside for each in moments])
+        self._direction = _clearest(moments)
+        framed = moments[0]._replace(core=core, beside=beside)
+        if len(turns_deg) > 1:
+            focus, positions = self._round(framed, turns_deg)
+        else:
+            position, focus, _ = self._stand(framed)
+            positions = [position]
+        target = tuple(self._origin + focus)
+        return [Camera(tuple(self._origin + place), target) for place in positions]
+
+    def _round(self, framed: Framed, turns_deg: Sequence[float]) -> tuple[Array, list[Array]]:
+        """Return the middle of what is framed, and the places around it that show all of it."""
+        points = framed.shared(1.0)
+        focus = (points.min(axis=0) + points.max(axis=0)) / 2.0
+        ways = [_turned(self._direction, turn_deg) for turn_deg in turns_deg]
+        all_axes = [_axes_from(way) for way in ways]
+        (across, up), lower = self._slopes()
+
+        def needed() -> tuple[float, float, float]:
+            x, y, toward = np.stack([axes @ (points - focus).T for axes in all_axes], axis=1)
+            sides = np.abs(x) / across, y / (up - lower), -y / (up + lower)
+            beside, above, below = (float((side - toward).max()) for side in sides)
+            return beside, above, below
+
+        body_px = self.around * AROUND_PX * min(self.size_px)
+        unit = 2.0 * math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)) / self.size_px[1]
+        if body_px:
+            points = np.vstack([points, framed.eye + body_px * unit * max(needed()) * SIX_WAYS])
+        for _ in range(4):  # as high as makes it nearest
+            _, above, below = needed()
+            focus[1] += 0.5 * up * (above - below)
+        return focus, [focus + max(needed()) * way for way in ways]
 
     # -- fixed views
 
@@ -338,6 +386,20 @@ class OwnView(PaneCamera):
         camera.SetClippingRange(nearest, farthest)
         return nearest
 
+    def slope_of_depth(self, face: Array) -> tuple[float, float]:
+        """How depth in NDC changes along x and y of NDC on a plane, of which a face is (4, 3)."""
+        pane, (nearest, farthest) = self.pane, self._camera.GetClippingRange()
+        normal = pane.axes @ np.cross(face[1] - face[0], face[3] - face[0])
+        wide, high = pane.size_px
+        per_ndc = normal[:2] * (pane.slope or pane.flat) * (wide / high, 1.0)
+        if pane.flat:
+            per_ndc *= 2.0 / (farthest - nearest) / normal[2]
+        else:
+            away = normal @ pane.axes @ (face.mean(axis=0) - pane.eye)
+            per_ndc *= 2.0 / (1.0 / nearest - 1.0 / farthest) / away
+        x, y = (-per_ndc).tolist()
+        return x, y
+
     def lifted(self, times: float) -> Array:
         """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""
         lift, pane = np.eye(4), self.pane
@@ -385,6 +447,13 @@ def _axes_from(out: Array) -> Array:
     return np.stack([right, np.cross(out, right), -out])
 
 
+def _turned(out: Array, turn_deg: float) -> Array:
+    """A direction after a turn about the vertical, (3,)."""
+    x, y, z = out
+    cos, sin = cos_sin_deg(turn_deg)
+    return np.array([cos * x + sin * z, y, cos * z - sin * x])
+
+
 def _stand_back(
     axes: Array, points: Array, slopes: tuple[float, float], lower: float = 0.0
 ) -> Array:
@@ -419,39 +488,45 @@ def _directions(frame: Array, sides: Iterable[tuple[float, float]]) -> Iterator[
         yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
 
 
-def _clearest(framed: Framed) -> Array:
+def _clearest(moments: Sequence[Framed]) -> Array:
     """The direction that shows eye, near plane, objects and far plane best, (3,).
 
     It maximises the product of the parts of a square pane that each of the four takes alone, and
-    that all of them take together. The result does not depend on the pane's proportions.
+    that all of them take together. The result does not depend on the pane's proportions. Of several
+    moments the worst decides.
     """
+    best, found = -math.inf, None
+    for framed in moments:
+        sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
+        for out in _directions(framed.camera.frame, sides):
+            shown = min(_parts_shown(each, out) for each in moments)
+            if shown > best:
+                best, found = shown, out
+    assert found is not None
+    return found
+
+
+def _parts_shown(framed: Framed, out: Array) -> float:
     half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
     eye = framed.eye[None]
     corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
-    best, found = -math.inf, None
-    sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
-    for out in _directions(framed.camera.frame, sides):
-        axes = _axes_from(out)
-        position = _stand_back(axes, np.vstack([framed.shared(_NEARBY), eye]), (half, half))
-        x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
-        spots = np.stack([x, y], axis=1) / (half * away)[:, None]
-        eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
-        near, far, *walls = _inside(frustum[_SIDES])
-        thing = _inside(objects[_SIDES]).any(axis=0)
-        whole = np.logical_or.reduce([near, far, thing, *walls])
-        at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
-        parts = (
-            near & ~thing & ~at_eye,
-            thing & ~near & ~at_eye,
-            far & ~thing & ~near & ~at_eye,
-            at_eye & ~near & ~far & ~thing,
-            whole,
-        )
-        shown = math.prod(max(0.5, float(part.sum())) for part in parts)
-        if shown > best:
-            best, found = shown, out
-    assert found is not None
-    return found
+    axes = _axes_from(out)
+    position = _stand_back(axes, np.vstack([framed.shared(_NEARBY), eye]), (half, half))
+    x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
+    spots = np.stack([x, y], axis=1) / (half * away)[:, None]
+    eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
+    near, far, *walls = _inside(frustum[_SIDES])
+    thing = _inside(objects[_SIDES]).any(axis=0)
+    whole = np.logical_or.reduce([near, far, thing, *walls])
+    at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
+    parts = (
+        near & ~thing & ~at_eye,
+        thing & ~near & ~at_eye,
+        far & ~thing & ~near & ~at_eye,
+        at_eye & ~near & ~far & ~thing,
+        whole,
+    )
+    return math.prod(max(0.5, float(part.sum())) for part in parts)
 
 
 _STEPS = (np.arange(_GRID) + 0.5) * (2.0 / _GRID) - 1.0

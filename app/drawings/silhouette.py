@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import cache
 
 import numpy as np
 
@@ -36,26 +37,28 @@ class Silhouette:
 
     def ink(self, ground: Ground, spots: Array) -> None:
         """Tell the ground where the triangles are: pixels, (n, 3, 2); NaN behind the camera."""
-        shape, square = ground.shape, self._square_px
-        held = np.zeros(shape, dtype=np.bool_)
-        spots = spots[np.isfinite(spots).all(axis=(1, 2))] / square
-        if len(spots):
-            low, high = spots.min(axis=1), spots.max(axis=1)
-            spots = spots[((high >= 0.0) & (low <= shape)).all(axis=1)]
-            sides = np.ptp(spots, axis=1).max(axis=1)
+        columns, rows = (side + 2 for side in ground.shape)  # with a rim that takes what is outside
+        limit = np.array([[columns - 1.0], [rows - 1.0]])
+        held = np.zeros(columns * rows, dtype=np.bool_)
+        corners = np.ascontiguousarray(np.transpose(spots, (1, 2, 0))) / self._square_px + 1.0
+        low, high = corners.min(axis=0), corners.max(axis=0)
+        with np.errstate(invalid="ignore"):
+            sides = (high - low).max(axis=0)
+        seen = np.isfinite(sides) & (high >= 1.0).all(axis=0) & (low <= limit).all(axis=0)
+        if seen.any():
+            corners, sides = corners[:, :, seen], sides[seen]
             steps = 2 ** np.ceil(np.log2(np.clip(sides, 1.0, _MOST_STEPS))).astype(np.int64)
             places = int(((steps + 1) * (steps + 2) // 2).sum())
             coarser = math.ceil(math.log(max(places / _MOST_PLACES, 1.0), 4.0))
             steps = np.maximum(steps >> coarser, 1)
             for count in sorted(set(steps.tolist())):
-                some = spots[steps == count]
-                spread = np.tensordot(_lattice(count), some, axes=(1, 1)).reshape(-1, 2)
-                at = np.floor(np.clip(spread, -1.0, max(shape))).astype(np.int64)
-                at = at[((at >= 0) & (at < shape)).all(axis=1)]
-                held[at[:, 0], at[:, 1]] = True
-        ground.ink(held)
+                spread = _lattice(count) @ np.moveaxis(corners[:, :, steps == count], 1, 0)
+                x, y = np.clip(spread, 0.0, limit[:, None]).astype(np.int64)
+                held[x * rows + y] = True
+        ground.ink(held.reshape(columns, rows)[1:-1, 1:-1])
 
 
+@cache
 def _lattice(count: int) -> Array:
     """Weights of a triangle's corners at evenly spread places, (m, 3)."""
     one, two = np.meshgrid(np.arange(count + 1), np.arange(count + 1))

@@ -46,29 +46,32 @@ def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
         f"<title>{escape(title)}</title>",
         *([f"<desc>{escape(text)}</desc>"] if text else ()),
     ]
+    return "\n".join([*lines, *elements(shapes), "</svg>", ""]).encode()
+
+
+def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
+    """Yield the elements of shapes; the ids of labels begin with `name`."""
     number = 0
-    for kind, group in groupby(shapes, key=kind_of):
+    for _, group in groupby(shapes, key=kind_of):
         same = list(group)
         first = same[0]
         if isinstance(first, Area):
-            lines.append(_areas([each for each in same if isinstance(each, Area)]))
+            yield _areas([each for each in same if isinstance(each, Area)])
         elif isinstance(first, Stroke):
-            lines.append(_strokes([each for each in same if isinstance(each, Stroke)]))
+            yield _strokes([each for each in same if isinstance(each, Stroke)])
         else:
             for shape in same:
                 if isinstance(shape, Disc):
                     x, y = shape.centre
-                    lines.append(
+                    yield (
                         f'<circle cx="{_n(x)}" cy="{_n(y)}" r="{_n(shape.radius)}"'
                         f' fill="{_hex(shape.colour)}"{_faint("fill", shape.opacity)}/>'
                     )
                 elif isinstance(shape, Picture):
-                    lines.append(_image(shape))
+                    yield _image(shape)
                 elif isinstance(shape, Text):
                     number += 1
-                    lines.extend(_text(shape, f"t{number}"))
-        del kind
-    return "\n".join([*lines, "</svg>", ""]).encode()
+                    yield from _text(shape, f"{name}{number}")
 
 
 def kind_of(shape: Shape) -> object:
@@ -97,15 +100,17 @@ def _path(points: Sequence[tuple[float, float]]) -> str:
     """A path in tenths of a pixel, which are 8 micrometres on paper."""
     tenths = [(round(10.0 * x), round(10.0 * y)) for x, y in points]
     x, y = tenths[0]
-    data = f"M{_tenth(x)} {_tenth(y)}l"
+    data = f"M{_tenth(x)}{_tenth(y, ' ')}l"
     for number, (to_x, to_y) in enumerate(tenths[1:]):
-        data += f"{' ' if number else ''}{_tenth(to_x - x)} {_tenth(to_y - y)}"
+        data += _tenth(to_x - x, " " if number else "") + _tenth(to_y - y, " ")
         x, y = to_x, to_y
     return data
 
 
-def _tenth(tenths: int) -> str:
-    return f"{tenths / 10.0:g}"
+def _tenth(tenths: int, space: str = "") -> str:
+    """A number of tenths, after a space where a number before it would not end."""
+    text = f"{tenths / 10.0:g}".replace("0.", ".", int(abs(tenths) < 10))
+    return text if text.startswith("-") else space + text
 
 
 def _areas(areas: Sequence[Area]) -> str:

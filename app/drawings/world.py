@@ -504,6 +504,19 @@ class WorldDrawing(Drawing):
         self.own.reset(self._framed())
         self.reset_clipping_range()
 
+    def views(
+        self,
+        moments: Iterable[tuple[Projection, Illustration | None]],
+        turns_deg: Sequence[float],
+    ) -> list[Camera]:
+        """Return free views of several moments, one for each turn; see `from_all_sides`."""
+        self.show_fixed("")
+        framed = []
+        for moment in moments:
+            self.show_projection(*moment)
+            framed.append(self._framed())
+        return self.own.from_all_sides(framed, turns_deg)
+
     def _framed(self) -> Framed:
         at, frustum = self._standing, self.frustum
         corners = frustum.corners if frustum.seen else None
@@ -657,11 +670,11 @@ class WorldDrawing(Drawing):
         self._place_handles()
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
-        self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
         frustum.turn_breaks(pane)
         depths = self.camera.depths(pane)
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
+        self.picture.show(self._projection, at, frustum, self.own, self._local_from_object)
         self.camera.come_before(pane, depths, near)
         if self._probes.probes:
             self._place_probes()

@@ -1270,7 +1270,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex."),
+        (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex, or in .html"),
         (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
         (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
@@ -1296,7 +1296,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
-        (["figure.png", "--hidden=grey"], "--hidden: is for .svg, .pdf and .tex"),
+        (["figure.png", "--hidden=grey"], "--hidden: is for .svg, .pdf"),
         (["figure.png", "--palette=pink"], "must be one of screen, print, dark, contrast"),
         ([], "export takes OUT [FILE], and 0 names were given"),
     ],

@@ -19,6 +19,7 @@ from app.drawings.label_placement import (
     around,
     beyond,
     clipped,
+    flanking,
     on,
     place,
 )
@@ -147,6 +148,16 @@ def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
     x, y = places.centres[0].tolist()
     assert y > 220.0 + 0.2 * (x - 100.0)  # above the upper edge
     assert places.turns[0] == pytest.approx(math.atan2(40.0, 200.0))
+
+
+def test_a_side_is_named_clear_of_its_line_and_first_outside() -> None:
+    spots, normal = [(100.0, 100.0), (200.0, 150.0)], np.array([-1.0, 2.0]) / math.sqrt(5.0)
+    places = flanking(spots, (-5.0, 8.0), (60.0, 14.0), EM, 6.0)
+    corners = np.array([(x, y) for x in (-30.0, 30.0) for y in (-7.0, 7.0)])
+    apart = (places.centres[:, None] + corners - spots[0]) @ normal  # of each box's corners
+    assert (np.sign(apart) == np.sign(apart[:, :1])).all()
+    assert (apart[:5] > 0.0).all() and (apart < 0.0).any()
+    assert np.abs(apart).min(axis=1) == pytest.approx(places.away)
 
 
 def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:

@@ -1,0 +1,119 @@
+"""``export figure.html``: a page for phones, with a slider if ``--sweep`` makes several states."""
+
+from __future__ import annotations
+
+import os
+from argparse import Namespace
+from collections.abc import Callable, Iterable, Sequence
+from functools import reduce
+from typing import TYPE_CHECKING, Any
+
+from app.commands import sweep
+from app.commands.arguments import document_of, importing
+from app.commands.options import CliError
+from app.document.compare import Written, names_in
+from app.document.document import Document
+from app.document.field_names import FIELDS
+from app.document.files import write_bytes_atomically
+from app.document.lengths import Size
+from app.lecture.dependence import FIELDS as LETTERS
+from app.lecture.notation import in_letters
+from app.lecture.stages import IMAGE, WORLD
+from app.scenes.phenomena.readout import figure
+
+if TYPE_CHECKING:
+    from app.drawings.page import Drawn
+    from app.scenes.scene import Scene
+
+FRAMES = 21
+"""States under the slider, unless another number is asked for."""
+_TEXT_PT = 6.0
+"""Of letters, in a pane of 640 pixels that is as wide as a phone."""
+
+
+def check(found: Namespace) -> None:
+    """Refuse options that are of other figures."""
+    for option in ("crop", "transparent", "loop", "fps"):
+        if getattr(found, option) not in (None, False):
+            raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
+
+
+def states(found: Namespace, file: str | None) -> list[Document]:
+    """Return the states of a page: one, or those of a motion, which does not rest at stages."""
+    if found.stages:
+        found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
+    if not found.sweep and found.orbit is None:
+        return [document_of(file, found.set)]
+    # The page has each pane alone.
+    alone = "world" if "world" in sweep.panes(found) else found.panes
+    frames = FRAMES if found.frames is None else found.frames
+    return sweep.states(Namespace(**vars(found) | {"panes": alone, "frames": frames}), file)
+
+
+def write(
+    found: Namespace,
+    out: str,
+    told: Iterable[Document],
+    states: Sequence[Document],
+    scene: Scene,
+    options: Callable[[Document], dict[str, Any]],
+) -> str:
+    """Write the page of states, which `told` yields too; return a warning if it is large."""
+    with importing():
+        from app.drawings.describing import describe
+        from app.drawings.page import LARGEST, State, page
+    values = _values(found, states, scene)
+    shown = []
+    for value, state in zip(values, told, strict=True):
+        about = describe(state, scene, sweep.panes(found))
+        panes = [
+            _drawn(pane, said, state, scene, {**options(state), "hidden": found.hidden or "none"})
+            for pane, said in about.panes.items()
+        ]
+        shown.append(State(value, panes, about.general, (*about.cut, *about.risky)))
+    content = page(about.title, shown, "/" in found.panes)
+    write_bytes_atomically(out, content)
+    if len(content) <= LARGEST:
+        return ""
+    name, fewer = os.path.basename(out), "--frames or --panes" if len(states) > 1 else "--panes"
+    return (
+        f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
+        f" {LARGEST // 1000} kB: ask for fewer {fewer}."
+    )
+
+
+def _drawn(pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]) -> Drawn:
+    """Draw a pane for a page: alone, for the page places the panes."""
+    from app.drawings.figure_size import PANE_PX
+    from app.drawings.figures import shapes
+    from app.drawings.page import Drawn
+
+    aspect = state.projection.aspect if pane == "image" else 1.0
+    if state.view.compare and not state.view.dividers:
+        aspect = 1.0
+    fitted = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
+    if options["size"] is None:
+        options["text_pt"] = options["text_pt"] or _TEXT_PT
+    options |= {"panes": [pane], "size": options["size"] or fitted}
+    return Drawn(*shapes(scene, state.projection, **options), said)
+
+
+def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
+    """Return what the slider changes, in each state: ``near n = 4``."""
+    if found.orbit is not None:
+        turns_deg = (found.orbit * k / (len(states) - 1) for k in range(len(states)))
+        return [f"angle = {turn_deg:.4g}°" for turn_deg in turns_deg]
+    path, letters = (found.sweep or "").partition("=")[0].strip(), states[0].view.letters
+
+    def named(field: str) -> str:
+        letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
+        symbol = in_letters(f"{{{letter}}}", letters) if letter else ""
+        return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
+
+    written = Written(named, lambda text: in_letters(text, letters), lambda value: figure(value, 4))
+    settings = () if scene.phenomenon is None else scene.phenomenon.settings
+    values = names_in([""] * len(states), [each.state for each in states], settings, written)
+    if len(states) > 1 and not all(values):  # nothing that a picture compares, such as a stage
+        numbers = [reduce(getattr, path.split("."), each) for each in states]
+        values = [f"{path.rpartition('.')[2]} = {number:.4g}" for number in numbers]
+    return values

@@ -1,0 +1,239 @@
+"""A figure as one HTML file for phones: the pictures of its states under a slider, and words.
+
+The file refers to no other and to no network. It holds the state in the middle as it stands, which
+is what a reader without scripts sees and what is printed. For the others the script puts together
+parts that are stored once: most elements of a state occur in its neighbours, too::
+
+    parts    each on a line: an element, one outline of a path, or a sentence
+    states   each on a line; its slots between semicolons; a slot is runs of parts, in base 36
+
+Texts of documents are escaped before they become parts.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import re
+from collections.abc import Iterable, Sequence
+from html import escape
+from typing import NamedTuple
+
+from app.drawings.style import DARK, LIGHT
+from app.drawings.svg import elements
+from app.drawings.vectors import Shape
+from app.strangers import printable
+
+LARGEST = 500_000
+"""Most bytes of a page that opens at once where the network is slow."""
+
+_PART = re.compile(r'<path[^>]* d="|M[^M"<]*|"/>|<[^>]*>|[^<]+')
+_STYLE = f"""
+:root{{color-scheme:light dark}}
+body{{margin:0 auto;max-width:90rem;padding:0 1rem 1rem;font:100%/1.45 system-ui,sans-serif;\
+background:{LIGHT.background};color:{LIGHT.ink}}}
+h1{{font-size:1.3rem;margin:.8rem 0 .4rem}}
+p{{max-width:45rem;margin:.5rem 0}}
+.panes{{display:flex;flex-wrap:wrap;gap:.8rem}}
+.column{{flex-direction:column}}
+figure{{flex-basis:0;min-width:min(100%,19rem);margin:0}}
+figure svg{{display:block;width:100%;height:auto;max-height:85vh;border-radius:4px;\
+outline:1px solid {LIGHT.leader}}}
+figcaption{{font-size:.9rem;color:{LIGHT.muted};margin:.2rem 0}}
+form{{position:sticky;bottom:0;margin:0 -1rem;padding:.3rem 1rem .5rem;\
+background:{LIGHT.background};border-top:1px solid {LIGHT.leader}}}
+form[hidden]{{display:none}}
+output{{font-weight:600;font-variant-numeric:tabular-nums}}
+input{{display:block;width:100%;height:2.75rem;margin:0;accent-color:{LIGHT.n};touch-action:pan-y}}
+input:focus-visible{{outline:3px solid {LIGHT.n};outline-offset:-3px;border-radius:4px}}
+@media screen and (prefers-color-scheme:dark){{
+body,form{{background:{DARK.background};color:{DARK.ink}}}
+figcaption{{color:{DARK.muted}}}
+figure svg{{filter:brightness(.88)}}
+input{{accent-color:{DARK.n}}}
+input:focus-visible{{outline-color:{DARK.n}}}
+}}
+@media print{{form{{position:static;border:0}}input{{display:none}}figure{{break-inside:avoid}}}}
+"""
+_SCRIPT = """
+"use strict";
+(() => {
+  const lines = (id) => document.getElementById(id).textContent.split("\\n").slice(1);
+  const parts = lines("parts"), states = lines("states");
+  const slots = document.querySelectorAll("[data-slot]");
+  const slider = document.querySelector("input"), value = document.querySelector("output");
+  const shown = states[slider.defaultValue].split(";");
+  const show = () => {
+    states[slider.value].split(";").forEach((runs, slot) => {
+      if (shown[slot] === runs) return;
+      shown[slot] = runs;
+      slots[slot].innerHTML = runs.split(",").map((run) => {
+        const [first, last] = run.split("-").map((end) => parseInt(end, 36));
+        return parts.slice(first, (last ?? first) + 1).join("");
+      }).join("");
+    });
+    slider.setAttribute("aria-valuetext", value.textContent);
+  };
+  slider.addEventListener("input", show);
+  slider.form.hidden = false;
+  show();
+})();
+"""
+
+
+class Drawn(NamedTuple):
+    """A pane's shapes, its size in pixels, and the sentence that says what it is."""
+
+    size: tuple[float, float]
+    shapes: Sequence[Shape]
+    said: str
+
+
+class State(NamedTuple):
+    """One position of the slider."""
+
+    value: str
+    """With its name and unit."""
+    panes: Sequence[Drawn]
+    general: Sequence[str]
+    """Sentences that a screen reader reads on demand."""
+    heard: Sequence[str]
+    """Sentences that it reads as soon as one of them changes."""
+
+
+def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
+    """Return the file of one state, or of several under a slider."""
+    middle = len(states) // 2
+    slots = [[_slot(*slot) for slot in _slots(state)] for state in states]
+    aspects = [pane.size[0] / pane.size[1] for pane in states[0].panes]
+    style = _STYLE + "".join(
+        f".p{number}{{flex-grow:{aspect:.3f}}}\n" for number, aspect in enumerate(aspects)
+    )
+    *drawn, value, general, heard = ("".join(parts) for parts in slots[middle])
+    figures = [
+        f'<figure class="p{number}">'
+        + picture(pane.size, drawn[2 * number], f' aria-labelledby="c{number}" data-slot')
+        + f'<figcaption id="c{number}" data-slot>{drawn[2 * number + 1]}</figcaption></figure>'
+        for number, pane in enumerate(states[middle].panes)
+    ]
+    several = len(states) > 1
+    names = {state.value.partition(" =")[0] for state in states}
+    name = names.pop() if len(names) == 1 else title
+    body = [
+        f"<h1>{escaped(title)}</h1>",
+        f'<div class="panes{" column" if column else ""}">',
+        *figures,
+        "</div>",
+    ]
+    texts = [f"<p data-slot>{general}</p>", f'<p aria-live="polite" data-slot>{heard}</p>']
+    if not several:
+        return document(title, style, [*body, *texts])
+    # Before the texts, so that it stays in sight at the foot of the window.
+    slider = [
+        '<form hidden autocomplete="off">',
+        f'<output for="slider" aria-live="off" data-slot>{value}</output>',
+        f'<input type="range" id="slider" aria-label="{escaped(name)}"'
+        f' aria-valuetext="{value}" min="0" max="{len(states) - 1}" value="{middle}">',
+        "</form>",
+        f"<noscript><p>{value}. The other states need scripts.</p></noscript>",
+    ]
+    return document(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
+
+
+def picture(size: tuple[float, float], inner: str, attributes: str) -> str:
+    """Return an SVG element that is part of a page."""
+    width, height = (f"{side:g}" for side in size)
+    return (
+        f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
+        f' stroke-linecap="round" stroke-linejoin="round"{attributes}>{inner}</svg>'
+    )
+
+
+def drawing(shapes: Sequence[Shape], name: str) -> str:
+    """Return the elements of shapes on one line; `name` begins the ids of their labels."""
+    return "".join(elements(shapes, name)).replace("\n", " ")
+
+
+def escaped(text: str) -> str:
+    """Return a text of a document for HTML."""
+    return escape(printable(text))
+
+
+def document(title: str, style: str, body: Iterable[str], script: str = "") -> bytes:
+    """Return an HTML file that runs nothing but its own script, and loads nothing."""
+    policy = f"default-src 'none'; img-src data:; style-src {_hash(style)}"
+    if script:
+        policy += f"; script-src {_hash(script)}"
+    lines = [
+        "<!doctype html>",
+        '<html lang="en">',
+        '<meta charset="utf-8">',
+        '<meta http-equiv="Content-Security-Policy"'
+        f" content=\"{policy}; base-uri 'none'; form-action 'none'\">",
+        '<meta name="viewport" content="width=device-width, initial-scale=1">',
+        f"<title>{escaped(title)}</title>",
+        f"<style>{style}</style>",
+        *body,
+        *([f"<script>{script}</script>"] if script else ()),
+        "</html>",
+        "",
+    ]
+    return "\n".join(lines).encode()
+
+
+def _hash(text: str) -> str:
+    return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
+
+
+def _slots(state: State) -> Iterable[tuple[str, bool]]:
+    """Yield the texts of a page that change, in its order, and whether each is drawn."""
+    for number, pane in enumerate(state.panes):
+        yield drawing(pane.shapes, f"p{number}t"), True
+        yield escaped(pane.said), False
+    yield escaped(state.value), False
+    for sentences in (state.general, state.heard):
+        yield "\n".join(map(escaped, sentences)), False
+
+
+def _slot(text: str, is_drawn: bool) -> list[str]:
+    if is_drawn:
+        return _PART.findall(text)
+    *lines, last = text.split("\n")
+    return [*(f"{line} " for line in lines), last]
+
+
+def _stored(slots: Sequence[Sequence[Sequence[str]]]) -> list[str]:
+    """Return the elements with all parts, each once, and with the states that are made of them."""
+    places: dict[str, int] = {}
+    states = []
+    for state in slots:
+        runs = []
+        for slot in state:
+            runs.append(_runs([places.setdefault(part, len(places)) for part in slot]))
+        states.append(";".join(runs))
+    return [
+        '<script type="text/plain" id="parts">', *places, "</script>",
+        '<script type="text/plain" id="states">', *states, "</script>",
+    ]  # fmt: skip
+
+
+def _runs(places: Sequence[int]) -> str:
+    found: list[list[int]] = []
+    for place in places:
+        if found and found[-1][1] == place - 1:
+            found[-1][1] = place
+        else:
+            found.append([place, place])
+    return ",".join(
+        _base_36(first) if first == last else f"{_base_36(first)}-{_base_36(last)}"
+        for first, last in found
+    )
+
+
+def _base_36(number: int) -> str:
+    digits = "0123456789abcdefghijklmnopqrstuvwxyz"
+    text = ""
+    while number or not text:
+        number, digit = divmod(number, 36)
+        text = digits[digit] + text
+    return text

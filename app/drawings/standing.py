@@ -1,0 +1,54 @@
+"""From where the world of a moving picture is seen.
+
+The free view of a figure depends on what it shows. In a moving picture it would jump about; so
+one place shows all of the frames, or a round of places shows one state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from app.document.document import Document
+from app.drawings.drawing import Drawing
+from app.drawings.figures import render
+from app.drawings.world import WorldDrawing
+from app.model.projection import Camera, Projection
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.scene import Scene
+
+_MOST_MOMENTS = 9
+
+
+def standing(
+    scene: Scene, states: Sequence[Document], turns_deg: Sequence[float], **options: Any
+) -> list[Camera]:
+    """Return the views of the world that show all of the states, one for each turn.
+
+    `options` are those of `render`, as far as they matter for the size of the panes.
+    """
+    found: list[list[Camera]] = []
+    last = len(states) - 1
+    chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
+    moments = [_moment(scene, states[place]) for place in chosen]
+
+    def seen(drawing: Drawing, _factor: int) -> None:
+        if isinstance(drawing, WorldDrawing):
+            found.append(drawing.views(moments, turns_deg))
+
+    first = states[0]
+    render(
+        scene, first.projection, view=first.view, settings=first.settings, quality=first.quality,
+        seen=seen, **options,
+    )  # fmt: skip
+    # Compared pictures have a world each.
+    return max(found, key=lambda views: views[0].distance)
+
+
+def _moment(scene: Scene, state: Document) -> tuple[Projection, Illustration | None]:
+    if scene.phenomenon is None:
+        return state.projection, None
+    settings = scene.phenomenon.checked(state.settings)
+    return state.projection, scene.phenomenon.illustration(
+        state.projection, settings, scene.subject
+    )
