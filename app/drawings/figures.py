@@ -248,20 +248,24 @@ def write_shapes(
     scene: Scene,
     projection: Projection,
     about: Description | None = None,
+    progress: Callable[[float], bool] | None = None,
     **options: Any,
 ) -> None:
     """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`.
 
     `about` says what it shows to those who do not see it.
     """
+    tell = progress or (lambda _part: True)
     try:
-        size, found = shapes(scene, projection, **options)
+        size, found = shapes(scene, projection, progress=lambda part: tell(part / 2.0), **options)
     except Refusal as error:
         if error.bound != TOO_MANY:
             raise
         png = os.path.splitext(os.path.basename(path))[0] + ".png"
         raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
-    write = pdf if path.lower().endswith(".pdf") else svg
+    watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
+    watch.begin(0)
+    write = partial(pdf, watch=watch) if path.lower().endswith(".pdf") else svg
     said = (scene.title, "") if about is None else (about.title, about.text)
     write_bytes_atomically(path, write(found, size, *said))
 
