@@ -281,8 +281,8 @@ def _page(title: str, entries: Sequence[tuple[str, str]]) -> bytes:
         shown = f'<img src="{link}" alt="{name}">'
         if wrong:
             shown = f"<p>{html.escape(printable(wrong))}</p>"
-        elif out.lower().endswith(".pdf"):
-            shown = "PDF"
+        elif out.lower().endswith((".pdf", ".tex")):
+            shown = "PDF" if out.lower().endswith(".pdf") else "TikZ"
         caption = name if wrong else f'<a href="{link}">{name}</a>'
         figures.append(f"<figure>{shown}<figcaption>{caption}</figcaption></figure>\n")
     return (

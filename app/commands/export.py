@@ -30,7 +30,8 @@ if TYPE_CHECKING:
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = (".png", ".svg", ".pdf")
+_SHAPES = (".svg", ".pdf", ".tex")
+_ENDINGS = (".png", *_SHAPES)
 _FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
@@ -129,11 +130,11 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
         if endings is _ENDINGS and not found.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (".svg", ".pdf", ".html")
+    has_pixels = ending not in (*_SHAPES, ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg, .pdf and .html, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)

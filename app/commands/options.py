@@ -46,7 +46,7 @@ MATRIX_FORMATS = ("text", "json", "latex")
 FULL_TURN = 360.0
 """Of an orbit, in degrees."""
 LOOPS = ("repeat", "once", "back-and-forth")
-FIGURE_FORMATS = ("png", "svg", "pdf")
+FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
 COSTS = ("time", "bytes")
@@ -323,11 +323,11 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the figure to write (.png; .svg or .pdf for shapes and text; .html for a page that phones "
-        "show), and the document, picture, mesh, lesson or talk to draw (default: the letter F); "
-        "with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, "
-        "a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name "
-        "with %%03d for a figure of each frame"
+        "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
+        "page that phones show), and the document, picture, mesh, lesson or talk to draw (default: "
+        "the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages "
+        "or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider "
+        "(.html), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -362,7 +362,7 @@ def _export() -> Parser:
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(
-        "--hidden", HIDDEN, "in .svg, .pdf and .html, lines behind faces: left out, dashed as in "
+        "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_argument(
