@@ -170,6 +170,7 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
         ("f tan(\u03b1/2)", "f tan(\u03b1/2)"),
         ("P'", "P\u2032"),
         ("$\\frac{a}{b}$", None),
+        ("$\\write18$", "$\\write18$"),
     ],
 )
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
