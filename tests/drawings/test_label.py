@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.drawings.label import HALO_EM, LARGER, Label, drawn, laid, pieces_of, rim_px, size_px
+from app.drawings.label import HALO_EM, Label, drawn, laid, pieces_of, rim_px, size_px
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
 from app.model.formula import ARROW
 from app.scenes.scene import BUILT_IN, load
