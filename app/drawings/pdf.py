@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,10 +25,20 @@ from app.lessons.text import FONT
 _SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI
 _LARGE = 1e3
+_WATCHED = 50  # shapes from one call of the watch to the next
 
 
-def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
-    """Return the file of a figure of a size in pixels; its subject is a `text` about it."""
+def pdf(
+    shapes: Sequence[Shape],
+    size: tuple[float, float],
+    title: str,
+    text: str = "",
+    watch: Callable[[], object] | None = None,
+) -> bytes:
+    """Return the file of a figure of a size in pixels; its subject is a `text` about it.
+
+    `watch` is called for every shape and while matplotlib draws; what it raises ends that.
+    """
     from matplotlib import rc_context
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.figure import Figure
@@ -38,8 +48,12 @@ def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
     writer = _Writer(figure, size)
     buffer = io.BytesIO()
     with rc_context({"pdf.fonttype": 42, "path.simplify": False}):
-        for shape in shapes:
+        for number, shape in enumerate(shapes):
             writer.add(shape)
+            if watch is not None:
+                watch()
+                if not number % _WATCHED:
+                    writer.call(watch)
         metadata = {
             "Title": title,
             "Subject": text or None,
@@ -76,6 +90,16 @@ class _Writer:
             self._image(shape)
         else:
             self._text(shape)
+
+    def call(self, watch: Callable[[], object]) -> None:
+        """Call `watch` when matplotlib draws what was added last."""
+        from matplotlib.artist import Artist
+
+        class Watcher(Artist):
+            def draw(self, renderer: Any) -> None:
+                watch()
+
+        self._figure.add_artist(Watcher()).set_zorder(self._above())
 
     def _above(self) -> int:
         self._number += 1

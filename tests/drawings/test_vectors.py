@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import re
 import zlib
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -442,6 +443,38 @@ def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPat
     with pytest.raises(Cancelled):
         shapes(scene, scene.start, ["image"], (100, 100), progress=go_on)
     assert len(told) == 5 and sorted(told) == told and 0.0 < told[-1] < 1.0
+
+
+def test_a_pdf_is_cancelled_while_matplotlib_draws_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    monkeypatch.setattr("app.drawings.pdf._WATCHED", 2)
+    areas = [Area([[(0.0, 0.0), (9.0, 0.0), (9.0, float(k))]], (0, 0, 0), 1.0) for k in range(1, 9)]
+    calls: list[int] = []
+    content = pdf(areas, (10, 10), "t", watch=lambda: calls.append(len(calls)))
+    assert content == pdf(areas, (10, 10), "t"), "nothing of it is in the file"
+    assert len(calls) == 8 + 4, "for each shape, and then for every second"
+
+    told = list[float]()
+
+    def go_on(fraction: float) -> bool:
+        told.append(fraction)
+        return len(told) < ends_at
+
+    scene, ends_at = load("cube"), 10**6
+    write_shapes(
+        str(tmp_path / "a.pdf"), scene, scene.start, panes=["image"], size=(64, 64), progress=go_on
+    )
+    assert sorted(told) == told and told[0] == 0.0 and 0.5 < told[-1] < 1.0
+    ends_at = len(told)
+    told.clear()
+    with pytest.raises(Cancelled):
+        write_shapes(
+            str(tmp_path / "b.pdf"), scene, scene.start, panes=["image"], size=(64, 64),
+            progress=go_on,
+        )  # fmt: skip
+    assert not (tmp_path / "b.pdf").exists()
 
 
 def test_too_many_faces_are_refused_with_the_file_to_write_instead(
