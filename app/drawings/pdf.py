@@ -61,8 +61,7 @@ def pdf(
             "Producer": None,
             "CreationDate": None,
         }
-        # Pictures have the figure's pixels; all else is in points.
-        figure.savefig(buffer, format="pdf", metadata=metadata, dpi=DPI)
+        figure.savefig(buffer, format="pdf", metadata=metadata)
     return buffer.getvalue()
 
 
@@ -139,15 +138,12 @@ class _Writer:
         self._figure.add_artist(line)
 
     def _image(self, picture: Picture) -> None:
-        from matplotlib.image import BboxImage
-        from matplotlib.transforms import Bbox
-
         left, top, wide, high = picture.place
-        low = self._size[1] - top - high
-        box = Bbox.from_bounds(*(_PT_PER_PX * side for side in (left, low, wide, high)))
-        image: Any = BboxImage(box, zorder=self._above(), interpolation="none")
-        image.set_data(picture.pixels)
-        self._figure.add_artist(image)
+        width, height = self._size
+        place = left / width, 1.0 - (top + high) / height, wide / width, high / height
+        axes: Any = self._figure.add_axes(place, zorder=self._above(), frameon=False)
+        axes.set_axis_off()
+        axes.imshow(picture.pixels, aspect="auto", interpolation="none")  # its own pixels
 
     def _text(self, text: Text) -> None:
         from matplotlib.font_manager import FontProperties

@@ -170,6 +170,7 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
         ("f tan(\u03b1/2)", "f tan(\u03b1/2)"),
         ("P'", "P\u2032"),
         ("$\\frac{a}{b}$", None),
+        ("$\\write18$", "$\\write18$"),
     ],
 )
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
@@ -285,9 +286,9 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
     drawn = b"".join(streams_of(content))  # a pixel is 0.24 pt
     assert b"2.4 19.2 m\n7.2 19.2 l\n7.2 9.6 l\n" in drawn
     assert b" 1.2 w " in drawn and b"0 0 m\n24 24 l\n\nS\n" in drawn
-    assert re.search(rb"12 0 0 6 6 6 cm", drawn), drawn
+    assert b"1 0 0 1 6 6 cm 12 0 0 -6 0 6 cm" in drawn, "exactly there: it would hide a frame"
     assert content.count(b"/Subtype /Image") == 1
-    assert b"/Width 50" in content and b"/Height 25" in content, "as fine as the figure"
+    assert b"/Width 50" in content and b"/Height 25" in content, "its own pixels"
 
 
 # --------------------------------------------------------------------------- what hides what
