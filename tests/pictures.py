@@ -40,7 +40,7 @@ _PANES = {"view-volumes": "world,ndc", "clipping": "world,ndc", "affine-depth": 
 
 def _figure(panes: str, size: str, *values: str) -> tuple[str, ...]:
     sets = [part for value in values for part in ("--set", value)]
-    return ("export", "--panes", panes, "--size", size, *sets)
+    return ("export", "--panes", panes, "--size", size, "--text-size", "3", *sets)
 
 
 PICTURES: dict[str, tuple[str, ...]] = {

@@ -357,7 +357,7 @@ def _export() -> Parser:
     )
     parser.add_argument(
         "--text-size", type=_points, metavar="PT",
-        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 6 "
+        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 7 "
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(

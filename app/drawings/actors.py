@@ -55,6 +55,10 @@ _NO_LINES = vtkPolyData()
 _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
+# In proportion to the distance, and by less than lines are lifted from faces.
+_GROUND_END = "groundEnd"
+_BEFORE_GROUND = f"""
+  if (gl_VertexID >= {_GROUND_END}) gl_Position.z -= 1e-4 * (gl_Position.w - gl_Position.z);"""
 # VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
 _IN_FRONT = """
 vec4 inFront(vec4 end, vec4 other)
@@ -63,6 +67,12 @@ vec4 inFront(vec4 end, vec4 other)
   if (end.w >= least || other.w < least) return end;
   return mix(end, other, (least - end.w) / (other.w - end.w));
 }"""
+# A wide line has one depth from side to side. On a plane that is seen askew, faces would eat it.
+_ABOVE_PLANE = """
+  abovePlaneVSOutput = gl_Position.z - dot(slope, gl_Position.xy);"""
+_IN_PLANE = """
+  gl_FragDepth = 0.5 + 0.5 * (abovePlaneVSOutput * gl_FragCoord.w
+    + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
 PAPER = 0.7
 """Share of the paper's colour in a pale silhouette."""
 _LIFT = 2e-3  # of the distance
@@ -328,9 +338,13 @@ class SceneActors:
     The ground's lines belong to the lines until the objects move (`is_moved`). Then they are an
     actor of their own, which stays. Each of the three actors, None if it has nothing, has its own
     4x4 in `spaces`. `clip` are planes in the pane's own world, behind which nothing is drawn.
+    Objects' edges cover the ground's lines in the same place. If all lies almost in one plane
+    (`in_plane`), they cannot; instead call `show_slope`.
     """
 
-    def __init__(self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = ()) -> None:
+    def __init__(
+        self, scene: Scene, style: Style, clip: Iterable[vtkPlane] = (), *, in_plane: bool = False
+    ) -> None:
         self._scene, self._has_grid, self._is_pale, self.is_moved = scene, True, False, False
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
@@ -342,7 +356,11 @@ class SceneActors:
         for lines in (self.lines, self.ground):
             if lines is not None:
                 lines.GetProperty().SetLineWidth(style.line_width / 2.0)
-                _after_position(lines, _KEEP_OFF_ZERO)
+                if in_plane:
+                    _tilt_lines(lines)
+                elif lines is self.lines:
+                    _uniforms(lines).SetUniformi(_GROUND_END, 0)
+                _after_position(lines, _KEEP_OFF_ZERO + (_ABOVE_PLANE if in_plane else ""))
                 if not planes:  # a clipped line would need another cut
                     _cut_behind(lines)
         self._share_out()
@@ -371,6 +389,15 @@ class SceneActors:
             self.is_moved = moved
             self._share_out()
 
+    def show_slope(self, slope: tuple[float, float], size_px: tuple[int, int]) -> None:
+        """Say how depth changes along x and y in NDC of the pane's camera, and the pane's size."""
+        for lines in (self.lines, self.ground):
+            if lines is not None:
+                properties: Any = lines.GetShaderProperty()
+                properties.GetVertexCustomUniforms().SetUniform2f("slope", slope)
+                properties.GetFragmentCustomUniforms().SetUniform2f("slope", slope)
+                properties.GetFragmentCustomUniforms().SetUniform2f("windowSize", size_px)
+
     def _share_out(self) -> None:
         if self.lines is None or self.ground is None:
             return
@@ -382,6 +409,13 @@ class SceneActors:
         for actor, mesh in ((self.lines, kept), (self.ground, left)):
             mapper: Any = actor.GetMapper()
             mapper.SetInputData(_NO_LINES if mesh is None else mesh)
+        if _uniforms(self.lines).GetNumberOfUniforms():
+            ends = 2 * self._scene.ground_lines if kept is self._scene.lines else 0
+            _uniforms(self.lines).SetUniformi(_GROUND_END, ends)
+
+
+def _uniforms(actor: vtkActor) -> Any:
+    return actor.GetShaderProperty().GetVertexCustomUniforms()
 
 
 def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
@@ -532,6 +566,19 @@ def put_behind(actor: vtkActor) -> None:
     _after_position(actor, f"gl_Position.z = {_AT_THE_END} * gl_Position.w;")
 
 
+def _tilt_lines(actor: vtkActor) -> None:
+    """Give wide lines the depth of a plane from side to side, whichever shader makes them wide."""
+    properties, name = actor.GetShaderProperty(), "abovePlane"
+    into, out = f"{name}VSOutput", f"{name}GSOutput"
+    dec, impl = "//VTK::Picking::Dec", "//VTK::Picking::Impl"  # unused, and in every shader
+    properties.AddVertexShaderReplacement(dec, True, f"out float {into};", False)
+    both = f"in float {into}[]; out float {out};"
+    properties.AddGeometryShaderReplacement(dec, True, both, False)
+    properties.AddGeometryShaderReplacement(impl, True, f"{out} = {into}[i];", False)
+    properties.AddFragmentShaderReplacement(dec, True, f"in float {into};", False)
+    properties.AddFragmentShaderReplacement("//VTK::Depth::Impl", True, _IN_PLANE, False)
+
+
 def _cut_behind(actor: vtkActor) -> None:
     """Cut wide lines where they run behind the eye, before they become ribbons.
 
@@ -551,6 +598,8 @@ def _cut_behind(actor: vtkActor) -> None:
 def _after_position(actor: vtkActor, statement: str) -> None:
     """Append a statement to those of VTK's vertex shader that set `gl_Position`."""
     position = "//VTK::PositionVC::Impl"
+    if _uniforms(actor).GetNumberOfUniforms():
+        statement += _BEFORE_GROUND
     actor.GetShaderProperty().AddVertexShaderReplacement(
         position, True, f"{position}\n  {statement}\n", False
     )

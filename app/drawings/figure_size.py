@@ -16,9 +16,9 @@ PANE_PX = 640
 """Default side of a pane."""
 SMALLEST_PANE_PX = 32
 """Smallest side of a pane with labels."""
-USUAL_TEXT = 25 / PANE_PX
+USUAL_TEXT = 7.0 * DPI / 72.0 / PANE_PX
 """Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
-of `PANE_PX`, across a page, that is 6 points, which can be read there and on a slide (13 pixels, as
+of `PANE_PX`, across a page, that is 7 points, which can be read there and on a slide (13 pixels, as
 in the window, would be 3); other figures look alike."""
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side

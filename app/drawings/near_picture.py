@@ -18,6 +18,7 @@ from app.drawings import actors
 from app.drawings.actors import Canvas
 from app.drawings.camera import Standing
 from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
+from app.drawings.own_view import OwnView
 from app.drawings.pane_view import PaneView
 from app.model.projection import Array, Projection
 from app.scenes.scene import Scene
@@ -37,7 +38,7 @@ class NearPicture:
     def __init__(self, canvas: Canvas, scene: Scene) -> None:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
-        self.actors = actors.SceneActors(scene, canvas.style, self._planes)
+        self.actors = actors.SceneActors(scene, canvas.style, self._planes, in_plane=True)
         for actor in self.actors:
             actors.flat(actor).is_drawing = True
         self.faces = self.actors.surface
@@ -49,11 +50,11 @@ class NearPicture:
         projection: Projection,
         standing: Standing,
         frustum: FrustumDrawing,
-        pane: PaneView,
+        own: OwnView,
         local_from_object: Array,
     ) -> None:
-        """Lay the scene onto the near plane of a frustum, as the pane's camera sees it."""
-        lens, reach, depths = projection.lens, frustum.reach, standing.depths
+        """Lay the scene onto the near plane of a frustum, as the pane's own camera sees it."""
+        lens, reach, depths, pane = projection.lens, frustum.reach, standing.depths, own.pane
         left_bottom, right_top = frustum.corners[0], frustum.corners[2]
         px = pane.unit(math.dist(pane.eye, left_bottom))
         across = math.dist(left_bottom, right_top)
@@ -72,6 +73,7 @@ class NearPicture:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
         toward = SLAB * thick * toward_viewer(pane, frustum.corners[:4].mean(axis=0))
+        self.actors.show_slope(own.slope_of_depth(frustum.corners[:4]), pane.size_px)
         if reach is None:
             film = flatten_free(projection, standing.origin, toward)
         else:

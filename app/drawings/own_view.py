@@ -386,6 +386,20 @@ class OwnView(PaneCamera):
         camera.SetClippingRange(nearest, farthest)
         return nearest
 
+    def slope_of_depth(self, face: Array) -> tuple[float, float]:
+        """How depth in NDC changes along x and y of NDC on a plane, of which a face is (4, 3)."""
+        pane, (nearest, farthest) = self.pane, self._camera.GetClippingRange()
+        normal = pane.axes @ np.cross(face[1] - face[0], face[3] - face[0])
+        wide, high = pane.size_px
+        per_ndc = normal[:2] * (pane.slope or pane.flat) * (wide / high, 1.0)
+        if pane.flat:
+            per_ndc *= 2.0 / (farthest - nearest) / normal[2]
+        else:
+            away = normal @ pane.axes @ (face.mean(axis=0) - pane.eye)
+            per_ndc *= 2.0 / (1.0 / nearest - 1.0 / farthest) / away
+        x, y = (-per_ndc).tolist()
+        return x, y
+
     def lifted(self, times: float) -> Array:
         """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""
         lift, pane = np.eye(4), self.pane

@@ -47,7 +47,8 @@ def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
             "Producer": None,
             "CreationDate": None,
         }
-        figure.savefig(buffer, format="pdf", metadata=metadata)
+        # Pictures have the figure's pixels; all else is in points.
+        figure.savefig(buffer, format="pdf", metadata=metadata, dpi=DPI)
     return buffer.getvalue()
 
 

@@ -670,11 +670,11 @@ class WorldDrawing(Drawing):
         self._place_handles()
         # From the eye the planes cover all of the picture, and one another.
         frustum.tint(pane, 0.0 if self.own.sees_from_eye else self._light)
-        self.picture.show(self._projection, at, frustum, pane, self._local_from_object)
         frustum.turn_breaks(pane)
         depths = self.camera.depths(pane)
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
+        self.picture.show(self._projection, at, frustum, self.own, self._local_from_object)
         self.camera.come_before(pane, depths, near)
         if self._probes.probes:
             self._place_probes()

@@ -286,6 +286,11 @@ class Scene:
         return self._box(low, high)
 
     @cached_property
+    def ground_lines(self) -> int:
+        """How many of `lines` are a ground's; they are the first ones."""
+        return 0 if self.lines is None else int(is_grid(self.lines.cell_data["rgb"]).sum())
+
+    @cached_property
     def apart(self) -> tuple[Scene, Scene]:
         """The objects alone and the ground alone, as scenes with the same origin."""
         surface, lines = (self.__dict__[name] for name in ("surface", "lines"))

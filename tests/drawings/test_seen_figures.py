@@ -129,9 +129,9 @@ def test_letters_are_as_high_as_their_points_say() -> None:
     assert 0.7 < heights[40] / 40.0 < 0.9  # from the line to the top of the highest letter
 
 
-def test_usual_letters_are_a_share_of_the_pane_and_6_points_across_a_page() -> None:
+def test_usual_letters_are_a_share_of_the_pane_and_7_points_across_a_page() -> None:
     image = (1280, 720)
-    assert checked_text(image, PANES, None) == pytest.approx(6.0)
+    assert checked_text(image, PANES, None) == pytest.approx(7.0)
     assert pytest.approx(162.56) == 3 * 640 / DPI * 25.4  # mm
     assert checked_text(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
     assert checked_text(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)

@@ -27,6 +27,7 @@ WORDS = Words("off-axis-window")
 
 
 _NAMES, _COLOURS = ("left", "right"), ("u", "n")
+_INSET = 0.004  # of the picture: half of a frame's line
 _SAMPLE = 100  # about so many vertices are compared at every step
 
 
@@ -185,14 +186,17 @@ def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
 
 
 def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
+    """The screens' frames in the picture, so far inside that its border does not cut them."""
     width, height = projection.image_size
-    x = 0.0
+    x, inner = 0.0, _INSET * max(width, height)
+    low, high = inner, height - inner
     marks: list[Mark] = []
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         end = x + screen.image_size[0]
-        corners = [(end, 0.0), (x, 0.0), (x, height), (end, height)]
+        first, last = max(x, inner), min(end, width - inner)
+        corners = [(last, low), (first, low), (first, high), (last, high)]
         if name == "right":  # each screen is open towards the join, which has its own line
-            corners = [(x, 0.0), (end, 0.0), (end, height), (x, height)]
+            corners = [(first, low), (last, low), (last, high), (first, high)]
         elif name == "window":
             corners.append(corners[0])
         marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
