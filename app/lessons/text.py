@@ -223,6 +223,7 @@ _WORDS = {
 _SPOKEN = {"=": "equals", "+": "plus", "-": "minus", "/": "over", "'": "prime", "\u00b0": "degrees"}
 _OF_BRACES = (
     (r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r" (\1) / (\2) "),
+    (r"\^\{?\\circ\}?", " degrees "),
     (r"\\(?:math|text)[a-z]*\{([^{}]*)\}", r"\1"),
     (r"\\vec\s*(?:\{([^{}]*)\}|(\w))", r" vector \1\2 "),
     (r"\\sqrt\{([^{}]*)\}", r" root of (\1) "),
