@@ -73,7 +73,7 @@ Source: TypeAlias = Document | Projection
 A_SIZE = QT_TRANSLATE_NOOP(
     "Refusal", "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm."
 )
-AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf or .png.")
+AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
 
 
 def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
@@ -296,7 +296,7 @@ class Figure:
         return self.svg
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a .svg, .pdf or .png file, whole or not at all.
+        """Write a .svg, .pdf, .tex (TikZ) or .png file, whole or not at all.
 
         The PNG contains the document: dropped on the window, it brings its state back.
 
@@ -313,7 +313,7 @@ class Figure:
         if name.lower().endswith(".png"):
             pixels = render(self._scene(), projection, **self._options)
             write_png(name, pixels, picture_json(self.document))
-        elif name.lower().endswith((".svg", ".pdf")):
+        elif name.lower().endswith((".svg", ".pdf", ".tex")):
             scene = self._scene()
             about = self._about(scene)
             write_shapes(name, scene, projection, about, hidden=self.hidden, **self._options)

@@ -123,9 +123,11 @@ def cut(value: Fraction) -> Fraction:
     """The number cut to `BITS` bits, so that rationals do not grow without end."""
     if value == 0:
         return value
-    shift = BITS - (value.numerator.bit_length() - value.denominator.bit_length())
-    scaled = value * Fraction(2) ** shift
-    return Fraction(scaled.numerator // scaled.denominator) / Fraction(2) ** shift
+    above, below = value.numerator, value.denominator
+    shift = BITS - (above.bit_length() - below.bit_length())
+    if shift < 0:
+        return Fraction(above // (below << -shift) << -shift)
+    return Fraction((above << shift) // below, 1 << shift)
 
 
 @cache
@@ -145,16 +147,20 @@ def _pi() -> Fraction:
 
 
 def _cosine_and_ratio(x: Fraction) -> tuple[Fraction, Fraction]:
-    """``cos(x)`` and ``sin(x)/x`` of at most pi/4, to about `BITS` bits: Taylor's series."""
-    square = cut(x * x)
-    term = cos = over_x = Fraction(1)
-    k = 0
-    while abs(term) * (1 << (BITS + 16)) > 1:
-        k += 2
-        term = cut(-term * square / ((k - 1) * k))
-        cos += term
-        over_x += term / (k + 1)
-    return cos, over_x
+    """``cos(x)`` and ``sin(x)/x`` of at most pi/4, to more than `BITS` bits: Taylor's series.
+
+    Integers count units of ``1 / one``: rationals would take ten times as long.
+    """
+    one = 1 << (BITS + 64)
+    square = one * x.numerator**2 // x.denominator**2
+    term = cos = over_x = one
+    k, sign = 0, 1
+    while term:
+        k, sign = k + 2, -sign
+        term = term * square // (one * (k - 1) * k)
+        cos += sign * term
+        over_x += sign * (term // (k + 1))
+    return Fraction(cos, one), Fraction(over_x, one)
 
 
 def cotangent_deg(angle_deg: Fraction) -> Fraction:

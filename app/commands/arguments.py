@@ -7,17 +7,20 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import difflib
 import functools
 import os
+import re
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
 from app.commands.options import CANNOT_DRAW, CliError, check_file
 from app.document.document import Document, is_mesh
-from app.document.files import read
+from app.document.files import UNREADABLE, blamed_on, read
 from app.document.settings import set_values
 from app.document.view import View
+from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import (
     NOT_THE_EYE,
@@ -27,28 +30,68 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 
 if TYPE_CHECKING:
+    from app.lessons.course import Course
     from app.scenes.scene import Scene
 
 
-def document_of(file: str | None, assignments: Sequence[str]) -> Document:
+def document_of(file: str | None, assignments: Sequence[str], step: str | None = None) -> Document:
     """Return the document of a FILE, with the values of ``--set``."""
-    return with_values(document_before(file, assignments), assignments)
+    return with_values(document_before(file, assignments, step), assignments)
 
 
-def first_state(lesson: str) -> Document:
-    """Return the first state of a lesson or a talk."""
+def lesson_file(name: str) -> str:
+    """Return the file of a lesson or a talk, which may have a name of its own: ``L5``, ``001``."""
+    from app.lessons.course import file_of
+
+    return str(file_of(name))
+
+
+def course_of(lesson: str) -> Course:
+    """Return the steps of a lesson or a talk."""
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 
-    return Course(read_lesson(os.path.abspath(lesson))).shown(0).document
+    return Course(read_lesson(full_path(lesson_file(lesson))))
 
 
-def document_before(file: str | None, assignments: Sequence[str]) -> Document:
+def place_of(course: Course, step: str | None) -> int:
+    """Return the place, from 0, of a step that ``--step`` names or counts; the first without."""
+    if step is None:
+        return 0
+    names = [each.name for each in course.lesson.steps]
+    if step in names:
+        return names.index(step)
+    if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
+        near = max(names, key=lambda name: difflib.SequenceMatcher(None, step, name).ratio())
+        raise CliError(
+            f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a step;"
+            f" the nearest is {near}."
+        )
+    return int(step) - 1
+
+
+def state_at(course: Course, place: int) -> Document:
+    """Return a step's document; a refusal names the lesson's file."""
+    with blamed_on(course.lesson.path, UNREADABLE):
+        return course.shown(place).document
+
+
+def document_before(
+    file: str | None, assignments: Sequence[str], step: str | None = None
+) -> Document:
     """Return the document of a FILE (a document, picture or mesh) before ``--set``.
 
-    Without a FILE, ``scene=NAME`` opens that scene with its own camera, as the menu does.
+    With a step, FILE is a lesson or a talk. Without a FILE, ``scene=NAME`` opens that scene with
+    its own camera, as the menu does.
     """
     scene = _texts(assignments).get("scene")
+    if step is not None and file is None:
+        raise CliError("--step: needs a lesson or a talk as FILE.")
+    if file is not None and (step is not None or is_lesson(file)):
+        if scene:
+            raise CliError("--set scene: the steps of a lesson have scenes of their own.")
+        course = course_of(file)
+        return state_at(course, place_of(course, step))
     if file is None:
         return Document() if scene is None else _opened(scene)
     document = _open(file)

@@ -1,4 +1,4 @@
-"""The figures of a list or of a folder, in one process, with a page that shows them.
+"""The figures of a list, a folder or a lesson, in one process, with a page that shows them.
 
 A list is CSV from anyone: its size is limited, and no line writes outside the folder of the
 figures. A line that cannot be drawn does not keep the others from it.
@@ -7,6 +7,8 @@ figures. A line that cannot be drawn does not keep the others from it.
 from __future__ import annotations
 
 import argparse
+import codecs
+import contextlib
 import csv
 import difflib
 import html
@@ -17,7 +19,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
-from app.commands.arguments import full_path
+from app.commands import sweep
+from app.commands.arguments import course_of, full_path, lesson_file
 from app.commands.options import (
     BAD_INPUT,
     CANNOT_DRAW,
@@ -30,14 +33,16 @@ from app.commands.options import (
 )
 from app.document.document import is_mesh
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
+from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal, shown_name
-from app.strangers import printable
+from app.strangers import open_regular, printable
 
 LARGEST_LIST = 2**20
 """Most bytes of a list: some ten thousand figures."""
 INDEX = "index.html"
 _NOT_OF_A_LINE = (
-    "batch", "resume", "format", "sweep", "orbit", "stages", "frames", "fps", "loop", "help",
+    "batch", "resume", "format", "sweep", "orbit", "stages", "transition", "frames", "fps", "loop",
+    "help",
 )  # fmt: skip
 _YES = {"yes": True, "no": False}
 
@@ -49,8 +54,8 @@ class Line(NamedTuple):
 
     where: str
     cells: dict[str, str]
-    source: str
-    """The list, or the document in a folder."""
+    sources: tuple[str, ...] = ()
+    """The list, the document or the files of the lesson that it is made of."""
     wrong: str = ""
 
 
@@ -68,7 +73,7 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
                 raise CliError(line.wrong)
             target = _target(folder, line.cells["out"], line.where, taken)
             asked, file = _asked(parser, found, line)
-            if found.resume and _is_new(target, line.source, file):
+            if found.resume and _is_new(target, *line.sources, file):
                 said = " is there already"
             elif warning := draw(asked, target, file):
                 complain(f"{line.where}: {warning}", 0)
@@ -88,21 +93,71 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
 
 
 def _lines(found: argparse.Namespace) -> Iterator[Line]:
-    source = found.batch
-    if not os.path.isdir(source):
-        if found.format:
-            raise CliError("--format: is for a folder; in a list the endings of out decide.")
-        yield from _of_list(source)
+    source, ending = found.batch, found.format or "png"
+    if os.path.isdir(source):
+        with blamed_on(source, UNREADABLE):
+            paths = [os.path.join(source, name) for name in sorted(os.listdir(source))]
+        paths = list(filter(_is_drawn, paths))
+        if not paths:
+            raise CliError(f"--batch = {source!r}: has no documents (.json, .md) and no meshes.")
+        for path in paths:
+            stem = os.path.splitext(os.path.basename(path))[0]
+            if is_lesson(path):
+                yield from _of_steps(path, Line(path, {"file": path}, (path,)), ending)
+            else:
+                yield Line(path, {"out": f"{stem}.{ending}", "file": path}, (path,))
         return
-    with blamed_on(source, UNREADABLE):
-        names = sorted(os.listdir(source))
-    documents = [name for name in names if name.lower().endswith(".json") or is_mesh(name)]
-    if not documents:
-        raise CliError(f"--batch = {source!r}: has no documents (.json) and no meshes.")
-    for name in documents:
-        path = os.path.join(source, name)
-        out = f"{os.path.splitext(name)[0]}.{found.format or 'png'}"
-        yield Line(path, {"out": out, "file": path}, path)
+    if is_lesson(lesson := lesson_file(source)):
+        yield from _of_steps(lesson, Line(lesson, {"file": lesson}, (lesson,)), ending)
+        return
+    if found.format:
+        raise CliError("--format: is for a folder or a lesson; in a list the endings decide.")
+    for line in _of_list(source):
+        if file := line.cells.get("file"):
+            file = os.path.join(os.path.dirname(source), file)
+            line = line._replace(cells=line.cells | {"file": file})
+        if file and is_lesson(file) and not line.cells.get("step") and not line.wrong:
+            yield from _of_steps(file, line)
+        else:
+            yield line
+
+
+def _is_drawn(path: str) -> bool:
+    """Whether a file of a folder is a document, a mesh or a lesson; a README is none."""
+    if not is_lesson(path):
+        return path.lower().endswith(".json") or is_mesh(path)
+    with contextlib.suppress(OSError, Refusal), open_regular(path) as file:
+        return file.read(6).removeprefix(codecs.BOM_UTF8).startswith(b"---")
+    return True
+
+
+def _of_steps(lesson: str, line: Line, ending: str = "") -> Iterator[Line]:
+    """Yield a line for each step of a lesson.
+
+    Its figure is named by lesson and step if there is an ending, else by a number in the column
+    out.
+    """
+    stem, out = os.path.splitext(os.path.basename(lesson))[0], line.cells.get("out", "")
+    try:
+        course = course_of(lesson)
+        names = [step.name for step in course.lesson.steps]
+        outs = sweep.names(out, len(names) + 1)[1:]
+        if ending:
+            outs = [f"{stem}-{place:02}-{name}.{ending}" for place, name in enumerate(names, 1)]
+        elif not outs:
+            raise CliError(
+                f"file = {os.path.basename(lesson)!r}: is a lesson; name its step in a column step,"
+                f" or write a number such as %02d in out = {out!r}."
+            )
+    except (CliError, Refusal) as error:
+        yield line._replace(cells=line.cells | {"out": out or stem}, wrong=str(error))
+        return
+    folder = str(course.folder)
+    files = tuple(os.path.join(folder, name) for name in course.files)
+    for place, out in enumerate(outs, 1):
+        cells = line.cells | {"out": out, "step": str(place)}
+        where = f"{line.where}, step {place}"
+        yield Line(where, cells, (*line.sources, *files))
 
 
 def _of_list(source: str) -> Iterator[Line]:
@@ -128,7 +183,7 @@ def _of_list(source: str) -> Iterator[Line]:
             wrong = ""
             if len(cells) > len(columns):
                 wrong = f"has {len(cells)} columns, but the first row names {len(columns)}."
-            yield Line(where, named, source, wrong)
+            yield Line(where, named, (source,), wrong)
     except csv.Error as error:
         raise CliError(f"{source}, line {begin}: is not CSV ({error}).") from error
     if is_empty:
@@ -183,12 +238,7 @@ def _asked(
             asked.set = [*value, *asked.set]
         elif name not in given:
             setattr(asked, name, value)
-    file = line.cells.get("file")
-    if file:
-        # The list names documents beside it; a folder's own are named as the folder is.
-        beside = os.path.dirname(line.source) if file != line.source else ""
-        file = os.path.join(beside, file)
-    return asked, file or None
+    return asked, line.cells.get("file") or None
 
 
 # --------------------------------------------------------------------------- writing
@@ -231,8 +281,8 @@ def _page(title: str, entries: Sequence[tuple[str, str]]) -> bytes:
         shown = f'<img src="{link}" alt="{name}">'
         if wrong:
             shown = f"<p>{html.escape(printable(wrong))}</p>"
-        elif out.lower().endswith(".pdf"):
-            shown = "PDF"
+        elif out.lower().endswith((".pdf", ".tex")):
+            shown = "PDF" if out.lower().endswith(".pdf") else "TikZ"
         caption = name if wrong else f'<a href="{link}">{name}</a>'
         figures.append(f"<figure>{shown}<figcaption>{caption}</figcaption></figure>\n")
     return (

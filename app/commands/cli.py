@@ -16,7 +16,6 @@ from app.commands import doctor, export, matrices, project
 from app.commands.arguments import (
     check_out,
     document_before,
-    first_state,
     importing,
     load_scene,
     with_values,
@@ -82,7 +81,7 @@ def _window(arguments: Sequence[str]) -> int:
     lesson = file is not None and is_lesson(file)
     if lesson and found.set:
         raise CliError(f"--set {found.set[0]}: {file} is a lesson, whose steps set what is shown.")
-    saved = first_state(file) if file and lesson else document_before(file, found.set)
+    saved = document_before(file, found.set)
     document = with_values(saved, found.set)
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh, file) if from_file else None

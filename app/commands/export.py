@@ -15,7 +15,13 @@ from app.commands.arguments import check_drawing, check_out, document_of, import
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
 from app.document.document import Document
-from app.document.files import LARGEST_PICTURE, content_of, write_bytes_atomically
+from app.document.files import (
+    LARGEST_PICTURE,
+    UNWRITABLE,
+    blamed_on,
+    content_of,
+    write_bytes_atomically,
+)
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -24,23 +30,26 @@ if TYPE_CHECKING:
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = (".png", ".svg", ".pdf")
-_FILMS = (".gif", ".apng", ".webp")
+_SHAPES = (".svg", ".pdf", ".tex")
+_ENDINGS = (".png", *_SHAPES)
+_FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
     found, (out, *files) = parser_of("export").read(arguments)
-    motions = [name for name in sweep.MOTIONS if _is_given(found, name)]
+    motions = sweep.motions(found)
     if motions and (len(motions) > 1 or found.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
     if found.batch is not None:
+        if found.step is not None:
+            raise CliError("--step: is a column of the list of --batch.")
         return batch.run(found, out, files, _draw)
-    moving = "--sweep, --orbit or --stages"
+    moving = "--sweep, --orbit, --stages or --transition"
     for options, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in options:
-            if _is_given(found, option):
+            if sweep.is_given(found, option):
                 raise CliError(f"--{option}: needs {needed}.")
     draw = _draw_moving if motions else _draw
     if _ending(out) == ".html":
@@ -51,15 +60,10 @@ def run(arguments: Sequence[str]) -> int:
     return 0
 
 
-def _is_given(found: argparse.Namespace, option: str) -> bool:
-    value = getattr(found, option)
-    return value is not None and value is not False
-
-
 def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
     _check(found, out, _ENDINGS)
-    document = document_of(file, found.set)
+    document = document_of(file, found.set, found.step)
     scene = load_scene(document.scene, document.mesh, file)
     check_drawing()
     _write(found, out, document, scene)
@@ -75,8 +79,14 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
         _check(found, name, _ENDINGS if names else _FILMS)
     if not names and found.crop:
         raise CliError("--crop: is for single figures; frames of a film have one size.")
-    if out.lower().endswith(".gif") and found.transparent:
-        raise CliError("--transparent: .gif has no smooth edges then; write .apng or .webp.")
+    if found.transparent and _ending(out) in (".gif", ".mp4"):
+        lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
+        raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
+    if _ending(out) == ".mp4":
+        with importing(), blamed_on(out, UNWRITABLE):
+            from app.drawings.mp4 import program
+
+            program()
     with _of_options(found):
         states = sweep.states(found, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
@@ -115,16 +125,16 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
         if ending in _FILMS and not found.batch:
-            film = "; for a film add --sweep, --orbit or --stages"
+            film = "; for a film add --sweep, --orbit, --stages or --transition"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         if endings is _ENDINGS and not found.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (".svg", ".pdf", ".html")
+    has_pixels = ending not in (*_SHAPES, ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
-        raise CliError("--hidden: is for .svg, .pdf and .html, whose lines are shapes.")
+        raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
@@ -165,10 +175,13 @@ def _write_film(
             for frame in frames
         }
     if len(sizes) > 1:
-        raise CliError(f"--sweep = {found.sweep!r}: frames of a film have one size; set --size.")
+        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
     size = sizes.pop()
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
+    if _ending(out) == ".mp4" and (size[0] % 2 or size[1] % 2):
+        sides = "x".join(map(str, size))
+        raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {sides}; set --size.")
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
     for frame in _told(frames):
@@ -178,7 +191,9 @@ def _write_film(
             done[id(frame)] = encoded(pixels, _ending(out), json, found.scale)
     parts = [done[id(frame)] for frame in frames]
     once, fps = found.loop == "once", sweep.speed(found)
-    write_bytes_atomically(out, moving(parts, _ending(out), size, fps, once))
+    with blamed_on(out, UNWRITABLE):
+        film = moving(parts, _ending(out), size, fps, once)
+    write_bytes_atomically(out, film)
 
 
 def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:

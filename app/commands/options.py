@@ -46,7 +46,7 @@ MATRIX_FORMATS = ("text", "json", "latex")
 FULL_TURN = 360.0
 """Of an orbit, in degrees."""
 LOOPS = ("repeat", "once", "back-and-forth")
-FIGURE_FORMATS = ("png", "svg", "pdf")
+FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail")
 COSTS = ("time", "bytes")
@@ -323,10 +323,11 @@ def _window() -> Parser:
 
 def _export() -> Parser:
     text = (
-        "the figure to write (.png; .svg or .pdf for shapes and text; .html for a page that phones "
-        "show), and the document, picture or mesh to draw (default: the letter F); with --batch, "
-        "the folder of the figures; with --sweep, --orbit or --stages, a film (.gif, .apng or "
-        ".webp), a page with a slider (.html), or a name with %%03d for a figure of each frame"
+        "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
+        "page that phones show), and the document, picture, mesh, lesson or talk to draw (default: "
+        "the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages "
+        "or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider "
+        "(.html), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -361,7 +362,7 @@ def _export() -> Parser:
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(
-        "--hidden", HIDDEN, "in .svg, .pdf and .html, lines behind faces: left out, dashed as in "
+        "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_argument(
@@ -374,14 +375,17 @@ def _export() -> Parser:
     parser.add_argument(
         "--batch", metavar="LIST",
         help="draw many figures: a CSV file with a line for each, whose columns are out, file, the "
-        "options without their dashes, and names of --set; or each document of a folder",
+        "options without their dashes, and names of --set; each document, and each step of the "
+        "lessons and talks, of a folder; or each step of one lesson",
     )  # fmt: skip
     parser.add_argument(
         "--resume", action="store_true",
         help="of --batch: leave out figures that are newer than the list and their document",
     )  # fmt: skip
     parser.add_choice(
-        "--format", FIGURE_FORMATS, "of --batch with a folder: what to write (default: png)"
+        "--format",
+        FIGURE_FORMATS,
+        "of --batch with a folder or a lesson: what to write (default: png)",
     )
     parser.add_argument(
         "--sweep", metavar="NAME=FIRST:LAST",
@@ -399,8 +403,17 @@ def _export() -> Parser:
         "image, and back",
     )  # fmt: skip
     parser.add_argument(
+        "--step", metavar="STEP",
+        help="the step of a lesson or a talk to draw, its number or its name (default: the first)",
+    )  # fmt: skip
+    parser.add_argument(
+        "--transition", action="store_true",
+        help="draw a moving picture: how --step follows from the step before",
+    )  # fmt: skip
+    parser.add_argument(
         "--frames", type=_whole, metavar="COUNT",
-        help="of a moving picture: how many frames (default: 48; of --stages 120; in .html 21)",
+        help="of a moving picture: how many frames (default: 48; of --stages 120, of --transition "
+        "24; in .html 21)",
     )  # fmt: skip
     parser.add_argument(
         "--fps", type=_number("--fps", "a finite number"), metavar="COUNT",
@@ -408,8 +421,8 @@ def _export() -> Parser:
     )  # fmt: skip
     parser.add_choice(
         "--loop", LOOPS, "of a moving picture: from the last frame to the first, not at all, or "
-        "there and back in all frames together (default: repeat where nothing jumps then, and for "
-        "--sweep; else back-and-forth, for numbered files once)",
+        "there and back in all frames together (default: repeat for --sweep and all round, once "
+        "for --transition and numbered files, else back-and-forth)",
     )  # fmt: skip
     parser.add_set()
     return parser

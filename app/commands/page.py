@@ -38,8 +38,8 @@ def states(found: Namespace, file: str | None) -> list[Document]:
     """Return the states of a page: one, or those of a motion, which does not rest at stages."""
     if found.stages:
         found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
-    if not found.sweep and found.orbit is None:
-        return [document_of(file, found.set)]
+    if not sweep.motions(found):
+        return [document_of(file, found.set, found.step)]
     # The page has each pane alone.
     alone = "world" if "world" in sweep.panes(found) else found.panes
     frames = FRAMES if found.frames is None else found.frames
@@ -81,6 +81,8 @@ def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[
     if found.orbit is not None:
         turns_deg = (found.orbit * k / (len(states) - 1) for k in range(len(states)))
         return [f"angle = {turn_deg:.4g}°" for turn_deg in turns_deg]
+    if found.transition:
+        return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
     path, letters = (found.sweep or "").partition("=")[0].strip(), states[0].view.letters
 
     def named(field: str) -> str:

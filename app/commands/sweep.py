@@ -1,7 +1,8 @@
 """The states of a moving picture: a document that changes from frame to frame.
 
-``--sweep`` changes a value, ``--orbit`` the place from which the world is seen, and ``--stages``
-the stage of the NDC pane. The world pane's own view stands still, or goes round.
+``--sweep`` changes a value, ``--orbit`` the place from which the world is seen, ``--stages`` the
+stage of the NDC pane, and ``--transition`` goes from one step of a talk to the next. The world
+pane's own view stands still, or goes round.
 """
 
 from __future__ import annotations
@@ -15,9 +16,12 @@ from dataclasses import replace
 
 from app.commands.arguments import (
     check_drawing,
+    course_of,
     document_before,
     importing,
     load_scene,
+    place_of,
+    state_at,
     with_values,
 )
 from app.commands.options import FULL_TURN, CliError, parse_number
@@ -25,9 +29,10 @@ from app.document.document import Document
 from app.lecture.stages import IMAGE
 from app.model.projection import Camera
 
-MOTIONS = ("sweep", "orbit", "stages")
+MOTIONS = ("sweep", "orbit", "stages", "transition")
 """The options that make a picture move; one at a time."""
-FRAMES, FRAMES_OF_STAGES, FPS = 48, 120, 12.0
+FRAMES = {"sweep": 48, "orbit": 48, "stages": 120, "transition": 24}
+FPS = 12.0
 """Frames, and frames a second, unless others are asked for."""
 _RESTING = 0.5  # of the time, at the stops of the stages
 MOST_FRAMES = 1000
@@ -36,12 +41,23 @@ FASTEST = 50
 _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 
+def motions(found: argparse.Namespace) -> list[str]:
+    """Return which of `MOTIONS` are asked for."""
+    return [name for name in MOTIONS if is_given(found, name)]
+
+
+def is_given(found: argparse.Namespace, option: str) -> bool:
+    """Whether an option is there, even with the number 0."""
+    value = getattr(found, option)
+    return value is not None and value is not False
+
+
 def order(found: argparse.Namespace) -> list[int]:
     """Return the number of the state that each frame shows; refuse impossible frames.
 
     There and back, neither the first nor the last state comes twice in a row.
     """
-    usual = FRAMES_OF_STAGES if found.stages else FRAMES
+    usual = next((FRAMES[name] for name in motions(found)), FRAMES["sweep"])
     frames = usual if found.frames is None else found.frames
     is_back = found.loop == "back-and-forth"
     if not 2 <= frames <= MOST_FRAMES:
@@ -61,7 +77,10 @@ def speed(found: argparse.Namespace) -> float:
 
 def states(found: argparse.Namespace, file: str | None) -> list[Document]:
     """Return the states, from the first value to the last; a `Refusal` if one is impossible."""
-    before, count = document_before(file, found.set), max(order(found)) + 1
+    count = max(order(found)) + 1
+    if found.transition:
+        return _transition(found, file, count)
+    before = document_before(file, found.set, found.step)
     if found.orbit is not None:
         return _orbit(found, file, with_values(before, found.set), count)
     parts = [step / (count - 1) for step in range(count)]
@@ -88,14 +107,65 @@ def usual_loop(found: argparse.Namespace, *, numbered: bool) -> str:
     goes_round = found.orbit is not None and abs(found.orbit) == FULL_TURN
     if found.sweep or goes_round:
         return "repeat"
-    return "once" if numbered else "back-and-forth"
+    return "once" if numbered or found.transition else "back-and-forth"
 
 
 def _position(part: float) -> float:
     """Return the position on the stage strip at a part of the way, which rests at each stop."""
     stop = min(int(part * IMAGE), IMAGE - 1)
     way = (part * IMAGE - stop - _RESTING / 2.0) / (1.0 - _RESTING)
-    return round(stop + 0.5 - 0.5 * math.cos(math.pi * min(1.0, max(0.0, way))), 9)
+    return round(stop + _eased(min(1.0, max(0.0, way))), 9)
+
+
+def _eased(part: float) -> float:
+    """Return how far something is on a way that it begins and ends slowly, as in the window."""
+    return 0.5 - 0.5 * math.cos(math.pi * part)
+
+
+def _transition(found: argparse.Namespace, file: str | None, count: int) -> list[Document]:
+    """Return the states on the way to a step from the one before it.
+
+    Where the straight way leads through an impossible state, the last possible one stays.
+    """
+    from app.lessons import transition
+
+    if file is None or found.step is None:
+        raise CliError("--transition: needs a lesson or a talk as FILE, and --step.")
+    course = course_of(file)
+    place = place_of(course, found.step)
+    if not place:
+        raise CliError(f"--transition: no step comes before --step {found.step}.")
+    start, end = (with_values(state_at(course, at), found.set) for at in (place - 1, place))
+    moves = transition.can_move(start, end)
+    if not moves and start != end:
+        raise CliError(
+            f"--transition: step {place + 1} shows another scene or another kind of lens than the"
+            " step before; nothing moves from one to the other."
+        )
+    stages, views = (start.view.stage, end.view.stage), _views_of(found, file, start, end)
+    if not moves and stages[0] == stages[1] and (views is None or views[0] == views[1]):
+        raise CliError(f"--transition: step {place + 1} shows the same as the step before.")
+    states = list[Document]()
+    for step in range(count):
+        part = _eased(step / (count - 1))
+        state = transition.between(start, end, part) if moves and part < 1.0 else end
+        state = state or states[-1]
+        stage = (1.0 - part) * stages[0] + part * stages[1]
+        if views is not None:
+            state = _seen(state, transition.camera_between(views[0], views[1], part))
+        states.append(replace(state, view=replace(state.view, stage=stage)))
+    return states
+
+
+def _views_of(
+    found: argparse.Namespace, file: str | None, *states: Document
+) -> list[Camera] | None:
+    """Return from where the world of each state is seen; None if one is seen from a fixed view."""
+    if any(_is_fixed(state, file) for state in states):
+        return None
+    moments = [still(found, file, [state])[0].view.panes.get("world") for state in states]
+    views = [view for view in moments if view is not None]
+    return views if len(views) == len(states) else None
 
 
 # --------------------------------------------------------------------------- the world's view
@@ -104,14 +174,18 @@ def _position(part: float) -> float:
 def still(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
     """Return states whose world is seen from one place, as in the window while a value changes."""
     first = states[0]
-    scene = load_scene(first.scene, first.mesh, file)
-    with importing():
-        from app.document.naming import seen_from
-    is_free = not seen_from(first.view, scene) and "world" not in first.view.panes
-    if "world" not in panes(found) or not is_free:
+    if "world" not in panes(found) or "world" in first.view.panes or _is_fixed(first, file):
         return states
     (view,) = _standing(found, file, states, [0.0])
     return [_seen(state, view) for state in states]
+
+
+def _is_fixed(state: Document, file: str | None) -> bool:
+    """Whether the world is seen from a viewpoint that moves with the camera."""
+    scene = load_scene(state.scene, state.mesh, file)
+    with importing():
+        from app.document.naming import seen_from
+    return bool(seen_from(state.view, scene))
 
 
 def _orbit(

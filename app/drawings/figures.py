@@ -9,6 +9,7 @@ from __future__ import annotations
 import io
 import math
 import os
+import re
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import replace
@@ -35,6 +36,7 @@ from app.drawings.shades import printed
 from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.svg import svg
+from app.drawings.tikz import tikz
 from app.drawings.vectors import TOO_MANY, Area, Shape, box_of, moved
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -49,6 +51,11 @@ _Part = TypeVar("_Part")
 TOO_MANY_FOR = QT_TRANSLATE_NOOP(
     "Refusal",
     "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
+)
+A_LINK = QT_TRANSLATE_NOOP("Refusal", "{0}: is a link, where a picture of the figure would be.")
+NOT_FOUND_BY_TEX = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: reads pictures beside it, which TeX finds by ASCII letters, digits and . _ + = - alone.",
 )
 
 
@@ -250,20 +257,31 @@ def write_shapes(
     about: Description | None = None,
     **options: Any,
 ) -> None:
-    """Write a figure as SVG or PDF, whole or not at all; `options` are those of `shapes`.
+    """Write a figure as SVG, PDF or TikZ, whole or not at all; `options` are those of `shapes`.
 
-    `about` says what it shows to those who do not see it.
+    `about` says what it shows to those who do not see it. TikZ reads PNG files beside it, if any.
     """
+    name, ending = os.path.splitext(os.path.basename(path))
     try:
         size, found = shapes(scene, projection, **options)
     except Refusal as error:
         if error.bound != TOO_MANY:
             raise
-        png = os.path.splitext(os.path.basename(path))[0] + ".png"
+        png = f"{name}.png"
         raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
-    write = pdf if path.lower().endswith(".pdf") else svg
     said = (scene.title, "") if about is None else (about.title, about.text)
-    write_bytes_atomically(path, write(found, size, *said))
+    if ending.lower() == ".tex":
+        content, pictures = tikz(found, size, *said, name)
+        if pictures and not re.fullmatch(r"[\w.+=-]+", name, re.ASCII):
+            raise Refusal.saying(NOT_FOUND_BY_TEX, path)
+        beside = {os.path.join(os.path.dirname(path), each): each for each in pictures}
+        if any(map(os.path.islink, beside)):  # a stranger's list of figures chooses the name
+            raise Refusal.saying(A_LINK, next(filter(os.path.islink, beside)))
+        for place, each in beside.items():
+            write_bytes_atomically(place, pictures[each])
+    else:
+        content = (pdf if ending.lower() == ".pdf" else svg)(found, size, *said)
+    write_bytes_atomically(path, content)
 
 
 def write_png(

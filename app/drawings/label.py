@@ -261,6 +261,8 @@ class Written(NamedTuple):
     halo: str
     opacity: float
     underlined: bool
+    anchor: int = 0
+    """What stays where it is in another font: -1 the left end, 0 the middle, 1 the right end."""
 
 
 class LabelActor(vtkTexturedActor2D):
@@ -405,7 +407,7 @@ class Label:
         widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
         return Written(
             self._text, label.pieces, widths, place, turn, self.em, self._tone,
-            self._style.background, self._opacity * self._light, self._underlined,
+            self._style.background, self._opacity * self._light, self._underlined, to_right,
         )  # fmt: skip
 
     @property

@@ -292,23 +292,24 @@ class Labels:
     def want(self, ground: Ground, pane: PaneView, named: Named) -> None:
         """Ask for the places of all that is named."""
         board, em = self._board, self._board.em
-        x, y, depth = np.array(pane.seen(named.body)).T
+        points = named.body, [named.eye, named.target], named.ends.reshape(-1, 3)
+        spots = pane.seen(np.concatenate(points))
+        x, y, depth = np.array(spots[: len(named.body)]).T
+        eye, target, *ends = spots[len(named.body) :]
         if depth.min() > 0.0:
             line = _LINE_EM * em
             ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
-        eye, target = pane.seen(np.stack([named.eye, named.target]))
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
             if name not in named.without:
                 if spot[2] > 0.0:
                     ground.keep([spot], DOT_EM * em)
                 board.want_beside(name, spot, rank, (0.0, -1.0))
-        starts, tips = (pane.seen(ends) for ends in np.moveaxis(named.ends, 1, 0))
-        for name, start, tip in zip(named.arrows, starts, tips, strict=True):
+        for name, start, tip in zip(named.arrows, ends[::2], ends[1::2], strict=True):
             if tip[2] > 0.0:
                 way = tip[0] - start[0], tip[1] - start[1]
                 size = board.label(name).size_px
                 board.want(name, [tip[:2]], partial(beyond, tip[:2], way, size, em), AXIS)
-        if named.near is not None:
+        if named.near is not None and not named.without.issuperset(WINDOW):
             self._want_sides(pane, named, named.near)
         if named.corners is None:
             return

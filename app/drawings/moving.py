@@ -1,4 +1,4 @@
-"""Moving pictures: GIF, APNG and WebP of frames that are encoded one by one.
+"""Moving pictures: GIF, APNG, WebP and MP4 of frames that are encoded one by one.
 
 Pillow encodes the frames. Its own writers of animations join frames that are equal, and keep all
 pixels in memory; here a file has exactly the frames that it is given.
@@ -16,6 +16,7 @@ from PIL import GifImagePlugin, Image
 
 from app.document.files import chunks
 from app.drawings.figures import png_bytes
+from app.drawings.mp4 import mp4
 from app.drawings.off_screen import Pixels
 
 WEBP_PX = 16383
@@ -25,8 +26,8 @@ _GIF_COLOURS = 256
 
 def encoded(pixels: Pixels, ending: str, document_json: str, scale: float) -> bytes:
     """Return a frame as `moving` takes it; as APNG it carries a document, as a figure does."""
-    if ending == ".apng":
-        return png_bytes(pixels, document_json, scale)
+    if ending in (".apng", ".mp4"):
+        return png_bytes(pixels, document_json if ending == ".apng" else None, scale)
     if ending == ".gif":
         return b"".join(GifImagePlugin.getdata(_indexed(pixels), include_color_table=True))
     buffer = io.BytesIO()
@@ -37,7 +38,12 @@ def encoded(pixels: Pixels, ending: str, document_json: str, scale: float) -> by
 def moving(
     frames: Sequence[bytes], ending: str, size: tuple[int, int], fps: float, once: bool
 ) -> bytes:
-    """Return the file of `encoded` frames of a size in pixels; it repeats unless `once`."""
+    """Return the file of `encoded` frames of a size in pixels; it repeats unless `once`.
+
+    MP4 cannot say whether it repeats.
+    """
+    if ending == ".mp4":
+        return mp4(frames, fps)
     if ending == ".apng":
         return _apng(frames, size, fps, once)
     return (_gif if ending == ".gif" else _webp)(frames, size, fps, once)

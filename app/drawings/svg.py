@@ -6,7 +6,7 @@ import base64
 import io
 import math
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import groupby
 from xml.sax.saxutils import escape, quoteattr
 
@@ -20,17 +20,18 @@ from app.lessons.text import outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
 SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
-_SEAM_PX = 0.4  # of an opaque face's own colour round it: no seam shows between neighbours
+SEAM_PX = 0.4
+"""Of an opaque face's own colour round it: no seam shows between neighbours."""
 _LOWER_EM, _LOWERED = 0.22, 0.7  # a subscript: how far below the line, and its size
-_TEX = re.compile(
+TEX = re.compile(
     r"(?P<arrow>\\vec\{)?(?:\\mathrm\{(?P<word>\w+)\}|\\(?P<sign>[a-z]+) ?|(?P<letter>[^\W\d_]))"
     r"(?(arrow)\})(?:_(?:\{(?:\\mathrm\{(?P<sub>\w+)\}|(?P<low>\w))\}))?(?P<prime>['\u2032]*)"
 )
-_GREEK = dict(zip((
+GREEK = dict(zip((
     "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
     "phi", "omega",
 ), "αβγδεθλμπρσφω", strict=True))  # fmt: skip
-_FUNCTIONS = ("tan", "sin", "cos", "log")
+FUNCTIONS = ("tan", "sin", "cos", "log")
 
 
 def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
@@ -51,7 +52,7 @@ def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
 def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
     """Yield the elements of shapes; the ids of labels begin with `name`."""
     number = 0
-    for _, group in groupby(shapes, key=_kind):
+    for _, group in groupby(shapes, key=kind_of):
         same = list(group)
         first = same[0]
         if isinstance(first, Area):
@@ -73,7 +74,7 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
                     yield from _text(shape, f"{name}{number}")
 
 
-def _kind(shape: Shape) -> object:
+def kind_of(shape: Shape) -> object:
     """What shapes that follow each other have in common if they are one element."""
     if isinstance(shape, Area):
         return "area", shape.colour, shape.opacity, shape.opacity < 1.0 and id(shape)
@@ -114,25 +115,30 @@ def _tenth(tenths: int, space: str = "") -> str:
 
 def _areas(areas: Sequence[Area]) -> str:
     colour, opacity = _hex(areas[0].colour), areas[0].opacity
-    seam = f' stroke="{colour}" stroke-width="{_SEAM_PX}"' if opacity >= 1.0 else ""
-    data = "".join(f"{_path(_turned(ring))}Z" for area in areas for ring in area.rings)
+    seam = f' stroke="{colour}" stroke-width="{SEAM_PX}"' if opacity >= 1.0 else ""
+    data = "".join(f"{_path(turned(ring))}Z" for area in areas for ring in area.rings)
     return f'<path fill="{colour}"{_faint("fill", opacity)}{seam} d="{data}"/>'
 
 
-def _turned(ring: Points) -> Points:
+def turned(ring: Points) -> Points:
     """A polygon with its corners in the one order: overlaps of two orders would be holes."""
     ends = zip(ring, [*ring[1:], ring[0]], strict=True)
     return ring if sum(x * t - y * s for (x, y), (s, t) in ends) < 0.0 else ring[::-1]
 
 
-def _strokes(strokes: Sequence[Stroke]) -> str:
-    chains: list[list[tuple[float, float]]] = []
+def chained(strokes: Iterable[Stroke]) -> list[Points]:
+    """Return lines, those that follow each other as one."""
+    chains: list[Points] = []
     for stroke in strokes:
         if chains and chains[-1][-1] == stroke.points[0]:
             chains[-1] += stroke.points[1:]
         else:
             chains.append([*stroke.points])
-    data = "".join(map(_path, chains))
+    return chains
+
+
+def _strokes(strokes: Sequence[Stroke]) -> str:
+    data = "".join(map(_path, chained(strokes)))
     first = strokes[0]
     dash = "" if first.dash is None else (
         f' stroke-linecap="butt" stroke-dasharray="{" ".join(map(_n, first.dash))}"'
@@ -172,10 +178,10 @@ def _text(text: Text, name: str) -> Iterator[str]:
             font = "" if is_set_in_words(piece) else f' font-family="{SIGNS_FONT}"'
             spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
             continue
-        found = _TEX.fullmatch(piece)
+        found = TEX.fullmatch(piece)
         base = "" if found is None else found["letter"] or found["word"] or ""
         if found is not None and found["sign"]:
-            base = _GREEK.get(found["sign"], found["sign"] if found["sign"] in _FUNCTIONS else "")
+            base = GREEK.get(found["sign"], found["sign"] if found["sign"] in FUNCTIONS else "")
         if found is None or not base:
             spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
             outlines.append(outlined(piece, at * em, size * em))

@@ -118,7 +118,7 @@ class Morph:
     @cached_property
     def _canonical(self) -> tuple[Array, Array]:
         """The matrix from view space to the lens' canonical volume, and M_pp."""
-        first, m_pp = self.projection.stages[2:4]
+        first, m_pp, *_ = self.projection.lens_stages
         return first.matrix, m_pp.matrix
 
     # -- frames
@@ -260,7 +260,7 @@ class Morph:
     def _evening(self, stop: int) -> float:
         if stop <= CANONICAL_PERSPECTIVE:
             return 1.0
-        unit = 1.0 if stop >= NDC else float(self.projection.stages[-2].exact[3][3])
+        unit = 1.0 if stop >= NDC else float(self.projection.lens_stages[-1].exact[3][3])
         return float(unit / self._lens.w(self._middle_depth))
 
     def _turned(self, part: float) -> Array:

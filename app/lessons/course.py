@@ -90,6 +90,21 @@ class Course:
             fields.add("letters")
         return frozenset(fields) & frozenset(FIELDS)  # a mistyped one is refused at its own step
 
+    @property
+    def files(self) -> list[str]:
+        """Return the names of the documents and meshes beside the lesson that its steps use."""
+        found = []
+        for step in self.lesson.steps:
+            if step.state is not None:
+                found.append(step.state.document)
+                parts = (text.partition("=") for _, text in step.state.values)
+                found += (
+                    value.strip()
+                    for path, _, value in parts
+                    if path.strip() in ("scene", "mesh") and is_mesh(value.strip())
+                )
+        return list(filter(None, found))
+
     def shown(self, place: int) -> Shown:
         """Return what a step shows, counted from 0; a `Refusal` names the line."""
         begin = place

@@ -32,7 +32,7 @@ def between(start: Document, end: Document, part: float) -> Document | None:
     one, other = start.projection, end.projection
     try:
         projection = Projection(
-            _camera(one.camera, other.camera, part),
+            camera_between(one.camera, other.camera, part),
             _fields(one.lens, other.lens, part),
             other.image_size,
             other.depth,
@@ -71,8 +71,8 @@ def _fields(one: Owner, other: Owner, part: float) -> Owner:
     return replace(other, **mixed)
 
 
-def _camera(one: Camera, other: Camera, part: float) -> Camera:
-    """Move the eye around its target, along the shorter arc."""
+def camera_between(one: Camera, other: Camera, part: float) -> Camera:
+    """Return a camera between two, whose eye moves around its target along the shorter arc."""
     a, b = one.orbit, other.orbit
     turn, roll = (
         math.remainder(after - before, 360.0)

@@ -337,9 +337,13 @@ class Pipeline:
         -1 to 1 and z from 0 at near to -1 at far. Every number is computed in rationals and
         rounded once.
         """
-        steps = (self.placement.step, *self.lens.table.steps, VIEWPORT)
-        first, *rest = map(self.staged, steps)
-        return (first, self._view_stage, *rest)
+        placed, viewport = map(self.staged, (self.placement.step, VIEWPORT))
+        return placed, self._view_stage, *self.lens_stages, viewport
+
+    @cached_property
+    def lens_stages(self) -> tuple[Stage, ...]:
+        """The `stages` from view to clip space; none if the lens has only a whole matrix."""
+        return tuple(map(self.staged, self.lens.table.steps))
 
     def staged(self, step: Step) -> Stage:
         """Return a step of a table in this projection's numbers."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import sys
 from pathlib import Path
 
 import pytest
@@ -45,7 +46,7 @@ def test_a_list_gives_the_figures_of_single_commands_and_names_each_line_that_fa
         f"{of_line} 9: --palette = 'pink': must be one of screen, print, dark, contrast.",
         f"{of_line} 10: has 7 columns, but the first row names 6.",
         f"{of_line} 11: crop = 'maybe': must be yes or no.",
-        f"{of_line} 12: OUT = '{out / 'h.gif'}': must end in .png, .svg or .pdf.",
+        f"{of_line} 12: OUT = '{out / 'h.gif'}': must end in .png, .svg, .pdf or .tex.",
     ]
     assert done.stdout.splitlines()[:3] == ["1/9 a.png", "2/9 b&b.svg", "3/9 c.png failed"]
     assert sorted(os.listdir(out)) == ["a.png", "b&b.svg", "index.html"]
@@ -76,6 +77,102 @@ def test_a_folder_gives_a_figure_of_each_document(tmp_path: Path) -> None:
     done = run_here("export", out, "--batch", documents, *SMALL, "--format=svg")
     assert (done.returncode, done.stderr.count("three.json")) == (2, 2)
     assert sorted(os.listdir(out)) == ["index.html", "one.svg", "two.svg"]
+
+
+LESSON = """\
+---
+title: Three
+---
+# One {#one}
+```state
+scene=cube
+```
+---
+# Two {#two}
+```state
+lens.near=99
+```
+---
+# Three {#three}
+```state
+document: kept.json
+```
+"""
+
+
+def test_lessons_give_a_figure_of_each_step(tmp_path: Path) -> None:
+    lecture, out = tmp_path / "lecture", tmp_path / "out"
+    lecture.mkdir()
+    (lecture / "three.md").write_text(LESSON)
+    (lecture / "wrong.md").write_text("---\n")
+    (lecture / "README.md").write_text("# Not a lesson\n")
+    write(Document("letter-f"), lecture / "kept.json")
+    done = run_here("export", out, "--batch", lecture, *SMALL)
+    assert done.returncode == 2
+    assert done.stdout.splitlines() == [
+        "1/5 kept.png",
+        "2/5 three-01-one.png",
+        "3/5 three-02-two.png failed",
+        "4/5 three-03-three.png",
+        "5/5 wrong failed",
+    ]
+    two, wrong = done.stderr.splitlines()
+    assert two.startswith(f"{lecture / 'three.md'}, step 2: ") and "line 11" in two
+    assert wrong.startswith(f"{lecture / 'wrong.md'}: ") and "title" in wrong
+    assert sorted(os.listdir(out)) == [
+        "index.html", "kept.png", "three-01-one.png", "three-03-three.png",
+    ]  # fmt: skip
+    alone = tmp_path / "alone.png"
+    assert run_here("export", alone, lecture / "three.md", "--step=one", *SMALL).returncode == 0
+    assert alone.read_bytes() == (out / "three-01-one.png").read_bytes()
+
+    os.utime(lecture / "kept.json")  # newer than the figures; the third step shows it
+    again = run_here("export", out, "--batch", lecture / "three.md", *SMALL, "--resume")
+    assert [line.partition("png")[2] for line in again.stdout.splitlines()] == ["", " failed", ""]
+    os.utime(lecture / "kept.json", (1, 1))
+    again = run_here("export", out, "--batch", lecture / "three.md", *SMALL, "--resume")
+    assert again.stdout.splitlines()[2] == "3/3 three-03-three.png is there already"
+
+
+def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
+    source, out = tmp_path / "list.csv", tmp_path / "out"
+    (tmp_path / "three.md").write_text(LESSON)
+    write(Document("letter-f"), tmp_path / "kept.json")
+    rows = "a.png,three.md,three", "b%02d.png,three.md,", "c.png,three.md,", "d.png,three.md,9"
+    source.write_text("\n".join(("out,file,step", *rows)))
+    done = run_here("export", out, "--batch", source, *SMALL)
+    assert done.returncode == 2
+    assert sorted(os.listdir(out)) == ["a.png", "b01.png", "b03.png", "index.html"]
+    assert (out / "a.png").read_bytes() == (out / "b03.png").read_bytes()
+    _, whole, none = done.stderr.splitlines()
+    assert whole.startswith(f"{source}, line 4: file = 'three.md': is a lesson; name its step")
+    assert none.startswith(f"{source}, line 5: --step = '9': must be a number from 1 to 3")
+    assert "is a column of the list" in refused("export", out, "--batch", source, "--step=1")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no limit of a file's size")
+def test_a_full_disk_leaves_nothing_half_written(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    import resource
+
+    source, out, film = tmp_path / "list.csv", tmp_path / "out", tmp_path / "film.gif"
+    source.write_text("out,panes,size\na.png,image,9x9\nb.png,world,99x99\nc.png,image,9x9\n")
+    film.write_bytes(b"old")
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (4000, limits[1]))
+    try:
+        done = run_here("export", out, "--batch", source)
+        moving = run_here("export", film, "--orbit", "--frames=2", "--panes=world", "--size=99x99")
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert done.returncode == moving.returncode == 2
+    words = "cannot be written: File too large."
+    assert done.stderr == f"{source}, line 3: {out / 'b.png'} {words}\n"
+    assert moving.stderr == f"{film} {words}\n"
+    assert sorted(os.listdir(out)) == ["a.png", "c.png", "index.html"]
+    assert film.read_bytes() == b"old"
+    assert sorted(os.listdir(tmp_path)) == ["film.gif", "list.csv", "out"]
 
 
 @pytest.mark.parametrize(

@@ -1270,7 +1270,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg or .pdf, or in .html"),
+        (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex, or in .html"),
         (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
         (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),

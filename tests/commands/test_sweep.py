@@ -1,8 +1,12 @@
-"""Moving pictures: ``export --sweep``, ``--orbit`` and ``--stages``."""
+"""Moving pictures: ``export --sweep``, ``--orbit``, ``--stages`` and ``--transition``."""
 
 from __future__ import annotations
 
 import os
+import shutil
+import subprocess
+import sys
+import tempfile
 from itertools import pairwise
 from pathlib import Path
 from typing import Any
@@ -154,6 +158,58 @@ def test_the_world_stands_still_while_a_value_changes(tmp_path: Path) -> None:
     assert not read(tmp_path / "0.png").view.panes
 
 
+TALK = """\
+---
+title: Two steps
+---
+# One {#one}
+```state
+scene=letter-f
+view.stage=view
+```
+```note
+```
+---
+# Two {#two}
+```state
+lens.near=1
+view.stage=ndc
+```
+---
+# Three {#three}
+---
+# Four {#four}
+```state
+scene=cube
+```
+"""
+
+
+def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_path: Path) -> None:
+    talk = tmp_path / "talk.md"
+    talk.write_text(TALK)
+    small = ("--size=96x48", "--panes=world,ndc")
+    way = ("--step=two", "--transition", "--frames=3", *small)
+    assert run_here("export", tmp_path / "%d.png", talk, *way).returncode == 0
+    for number, step in ((0, "one"), (2, "2")):
+        alone = tmp_path / "alone.png"
+        assert run_here("export", alone, talk, "--step", step, *small).returncode == 0
+        (frame,), (figure,) = frames_of(tmp_path / f"{number}.png"), frames_of(alone)
+        assert (frame == figure).all(axis=2).mean() > 0.98, "the view of the world is rounded"
+    middle = read(tmp_path / "1.png")
+    assert middle.projection.lens.near == pytest.approx(2.0)  # of 4 and 1, as in the window
+    assert middle.view.stage == pytest.approx(2.5)
+    assert set(middle.view.panes) == {"world"}, "which goes from one view to the other"
+    for step, words in (
+        ("1", "--transition: no step comes before --step 1."),
+        ("3", "--transition: step 3 shows the same as the step before."),
+        ("four", "--transition: step 4 shows another scene or another kind of lens"),
+        ("5", "--step = '5': must be a number from 1 to 4, or the name of a step"),
+        ("tow", "or the name of a step; the nearest is two."),
+    ):
+        assert words in refused("export", "a.gif", talk, "--transition", "--step", step)
+
+
 def test_an_interrupted_film_leaves_the_old_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -172,6 +228,52 @@ def test_an_interrupted_film_leaves_the_old_one(
     assert film.read_bytes() == b"old" and os.listdir(tmp_path) == ["film.gif"] and drawn
 
 
+@pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="needs ffmpeg")
+def test_an_mp4_has_the_frames_of_the_numbered_figures(tmp_path: Path) -> None:
+    orbit = ("--orbit=90", "--frames=4", "--size=64x48", "--panes=world", "--loop=once")
+    assert run_here("export", tmp_path / "%d.png", *orbit).returncode == 0
+    film = tmp_path / "-film.mp4"
+    done = run_here("export", *orbit, "--", film)
+    assert (done.returncode, done.stderr) == (0, "")
+    decode = ["ffmpeg", "-v", "error", "-i", str(film), "-vf", "scale=in_color_matrix=bt709"]
+    found = subprocess.run(
+        [*decode, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"], capture_output=True, check=True
+    )
+    frames = np.frombuffer(found.stdout, np.uint8).reshape(-1, 48, 64, 3)
+    true = [frames_of(tmp_path / f"{number}.png")[0] for number in range(4)]
+    for frame, figure in zip(frames, true, strict=True):
+        error = frame.astype(float) - figure
+        assert 10.0 * np.log10(255.0**2 / (error**2).mean()) > 25.0, "half the colours"
+        assert abs(error.mean()) < 1.5
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script stands for ffmpeg")
+def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    film, ffmpeg, own = tmp_path / "film.mp4", tmp_path / "bin" / "ffmpeg", tmp_path / "own"
+    ffmpeg.parent.mkdir()
+    own.mkdir()
+    monkeypatch.setattr(tempfile, "tempdir", str(own))
+    command = ("export", film, "--sweep=lens.far=15:17", "--frames=2", *SMALL)
+
+    monkeypatch.setenv("PATH", str(ffmpeg.parent))
+    words = "needs the program ffmpeg, which is not on the PATH: write .webp instead."
+    assert refused(*command) == f"{film} {words}\n"
+
+    ffmpeg.write_text("#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n")
+    ffmpeg.chmod(0o755)
+    assert refused(*command) == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
+
+    pid = tmp_path / "pid"
+    interrupted = "read first_line\nkill -INT $PPID\nexec /bin/sleep 60\n"
+    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}")
+    assert run_here(*command).returncode == 130
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(pid.read_text()), 0)
+    assert not os.listdir(own) and not film.exists()
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
@@ -182,11 +284,16 @@ def test_an_interrupted_film_leaves_the_old_one(
         (["a.gif", "--sweep=camera.eye=1,2,3:4,5"], "must be NAME=FIRST:LAST"),
         (["a.gif", "--sweep=scene=1:2"], "There is no scene"),
         (["a.gif", "--sweep=settings.light=1,2,3:0,0,0", "--set=scene=planar-shadow"], "light"),
-        (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
-        (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng or .webp, or have one"),
-        (["a.gif"], "for a film add --sweep, --orbit or --stages."),
-        (["a.png", "--frames=4"], "--frames: needs --sweep, --orbit or --stages."),
+        (["a.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
+        (["a%d%d.png", "--sweep=lens.near=1:2"], "must end in .gif, .apng, .webp or .mp4, or have"),
+        (["a.gif"], "for a film add --sweep, --orbit, --stages or"),
+        (["a.png", "--frames=4"], "--frames: needs --sweep, --orbit, --stages or --transition."),
         (["a.gif", "--sweep=lens.near=1:2", "--batch=b"], "--sweep: cannot be used with --batch."),
+        (["a.mp4", "--orbit", "--size=65x48", "--panes=world"], "even sides in pixels, not 65x48"),
+        (["a.mp4", "--orbit", "--transparent"], "--transparent: .mp4 has no transparency"),
+        (["a.gif", "--transition", "--step=2"], "--transition: needs a lesson or a talk as FILE"),
+        (["a.png", "--step=2"], "--step: needs a lesson or a talk as FILE."),
+        (["a.png", "L5", "--step=1", "--set=scene=cube"], "--set scene: the steps of a lesson"),
         (["a.gif", "--orbit", "--stages"], "--orbit: cannot be used with --stages."),
         (["--orbit", "400", "a.gif"], "--orbit = 400: must be from -360 to 360 degrees, not 0."),
         (["a.gif", "--orbit=0"], "--orbit = 0: must be from -360 to 360 degrees, not 0."),

@@ -91,7 +91,7 @@ class Actions(QObject):
         )  # fmt: skip
         self.export = self._action(
             self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
-            self.tr("Export panes as PNG, SVG or PDF; a PNG contains the document"),
+            self.tr("Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document"),
         )  # fmt: skip
         self._make_file_menu()
         self.undo = self._action(self.tr("&Undo"), None, keys.Undo)

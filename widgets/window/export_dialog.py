@@ -28,7 +28,7 @@ from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import Label, set_tip
 
-ENDINGS = ("png", "svg", "pdf")
+ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
 
@@ -81,7 +81,7 @@ class ExportDialog(QDialog):
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
         self._ending = self._combo(
-            self.tr("The file's format; SVG and PDF have shapes and text instead of pixels"),
+            self.tr("The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels"),
             {ending.upper(): ending for ending in ENDINGS},
         )
         self._column = self._combo(
@@ -113,7 +113,7 @@ class ExportDialog(QDialog):
             },
         )
         self._hidden = self._combo(
-            self.tr("What becomes of lines behind faces, in SVG and PDF"),
+            self.tr("What becomes of lines behind faces, in SVG, PDF and TEX"),
             {
                 self.tr("left out"): "none",
                 self.tr("dashed"): "dashed",

@@ -1,0 +1,177 @@
+"""TikZ figures: every shape as its command, and no text that is a command."""
+
+import os
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.drawings.figures import write_shapes
+from app.drawings.label import laid, piece_of
+from app.drawings.tikz import tikz
+from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text, Written
+from app.model.refusal import Refusal
+from app.scenes.scene import load
+
+BLUE, RED = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+SIZE = 1000.0, 500.0  # in pixels, 300 an inch: 240 by 120 units of 1/72 inch
+PALE = np.full((2, 3, 3), 200, dtype=np.uint8)
+
+
+def label(text: str, anchor: int = 0, turn: float = 0.0, *, plain: bool = False) -> Text:
+    pieces = laid(text, plain).pieces
+    widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
+    place = (100.0, 200.0)
+    written = Written(
+        text, pieces, widths, place, turn, 25.0, "#ff0000", "#ffffff", 1.0, False, anchor
+    )
+    return Text(written, place, 25.0)
+
+
+def body(*shapes: Shape, title: str = "t") -> list[str]:
+    """The lines of the shapes, after those that name colours and styles."""
+    lines = tikz(shapes, SIZE, title)[0].decode().splitlines()
+    assert lines[-1] == r"\end{tikzpicture}%"
+    (clip,) = [place for place, line in enumerate(lines) if line.startswith(r"\clip")]
+    assert lines[clip] == r"\clip (0,0) rectangle (240,120);"
+    return lines[clip + 1 : -1]
+
+
+def said(text: str, *, plain: bool = False) -> str:
+    (line,) = body(label(text, plain=plain))
+    return line[line.index("{") + 1 : line.rindex("}")]
+
+
+TRIANGLE = [(0.0, 0.0), (100.0, 0.0), (100.0, 50.0)]
+
+
+@pytest.mark.parametrize(
+    ("shape", "expected"),
+    [
+        (
+            Area([TRIANGLE], BLUE, 1.0),
+            r"\path[fill=c1,draw=c1,line width=0.1bp] (24,108)--(24,120)--(0,120)--cycle;",
+        ),
+        (
+            Area([TRIANGLE[::-1]], BLUE, 0.25),
+            r"\path[fill=c1,fill opacity=0.25] (24,108)--(24,120)--(0,120)--cycle;",
+        ),
+        (
+            Stroke(TRIANGLE, BLUE, 1.0, 5.0),
+            r"\path[draw=c1,line width=1.2bp] (0,120)--(24,120)--(24,108);",
+        ),
+        (
+            Stroke(TRIANGLE[:2], BLUE, 0.5, 2.5, (20.0, 10.0)),
+            r"\path[draw=c1,line width=0.6bp,line cap=butt,dash pattern=on 4.8bp off 2.4bp"
+            r",draw opacity=0.5] (0,120)--(24,120);",
+        ),
+        (Disc((100.0, 50.0), 10.0, BLUE, 1.0), r"\path[fill=c1] (24,108) circle[radius=2.4];"),
+        (
+            Picture(PALE, (100.0, 0.0, 500.0, 250.0)),
+            r"\node[anchor=north west,inner sep=0bp] at (24,120)"
+            r" {\includegraphics[width=120bp,height=60bp]{g-pixels1.png}};",
+        ),
+        (label("eye", -1), r"\node[t1,text=c2,anchor=base west] at (24,72) {eye};"),
+        (label("eye", -1, np.pi / 2), r"\node[t1,text=c2,anchor=base west,rotate=90.00]"
+                                      r" at (24,72) {eye};"),
+    ],
+)  # fmt: skip
+def test_a_shape_is_the_command_that_an_author_would_write(shape: Shape, expected: str) -> None:
+    assert body(shape) == [expected]
+
+
+def test_a_label_stays_at_its_anchor_and_has_the_size_that_was_asked_for() -> None:
+    """TeX's words have another width: 25 pixels are 6/72 inch, or 6.0225 points of TeX."""
+    left, middle, right = (
+        float(re.findall(r"\(([\d.]+),72\)", body(label("eye", anchor))[0])[0])
+        for anchor in (-1, 0, 1)
+    )
+    width = piece_of("eye", False).width * 6.0
+    assert (middle - left, right - left) == pytest.approx((width / 2.0, width), abs=0.01)
+    text = tikz([label("eye")], SIZE, "t")[0].decode()
+    assert r"font=\fontsize{10}{10}\selectfont,scale=0.6022" in text
+
+
+def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None:
+    areas = [Area([TRIANGLE], BLUE, 1.0)] * 3
+    assert len(body(*areas)) == 1 and len(body(*areas, Area([TRIANGLE], RED, 1.0))) == 2
+    lines = body(*[Area([TRIANGLE], BLUE, 1.0)] * 1000)
+    assert sum(line.count("cycle") for line in lines) == 1000
+    assert max(line.count("--") for line in lines) <= 500
+
+
+def test_a_line_through_several_cells_has_no_ends_inside() -> None:
+    one, two = Stroke(TRIANGLE[:2], BLUE, 1.0, 5.0), Stroke(TRIANGLE[1:], BLUE, 1.0, 5.0)
+    assert body(one, two) == body(Stroke(TRIANGLE, BLUE, 1.0, 5.0))
+
+
+@pytest.mark.parametrize(
+    ("text", "tex"),
+    [
+        ("near n = 4", "near $n=4$"),
+        ("far −10", "far $-10$"),
+        ("fov_x = 30°", r"${\mathrm{fov}_{x}}=30^\circ$"),
+        ("A + B / z", "$A+B/z$"),
+        ("4 m", r"$4\ m$"),
+        ("u\u20d7", r"${\vec{u}}$"),
+        ("P\u2032", "${P'}$"),
+        ("z = ∞", r"$z=\infty$"),
+        ("глаз_п", r"глаз\textsubscript{п}"),
+        ("$\\frac{a}{b}$", r"${\frac{a}{b}}$"),
+    ],
+)
+def test_formulas_are_formulas_of_tex(text: str, tex: str) -> None:
+    assert said(text) == tex
+
+
+HOSTILE = [
+    r"\input{/etc/passwd}", r"\write18{rm -rf}", r"$\input{a}$", r"$\catcode`\%=12$",
+    "$x^^5cinput$", "^^5cinput{a}", "100 % of #1 & ~x_1 {a", "}}\\end{tikzpicture}",
+    "a\nb\r\\input{x}", "$$", "$a$$",
+    r"\mathrm{a}_{\input{b}}", "$\\mathrm{\u0444}$", "a -- b ,, c << `d' \"e\"", "$x$\\immediate",
+    "\ue000\\\ue001", r"$\frac{a}{\csname input\endcsname}$", "\u2028%\u2028\\input{a}", r"\\[1em]",
+]  # fmt: skip
+KNOWN = {
+    "char", "textbackslash", "textasciitilde", "textasciicircum", "textsubscript", "mathrm",
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("plain", [False, True])
+@pytest.mark.parametrize("text", HOSTILE)
+def test_nothing_that_a_document_says_is_a_command(text: str, plain: bool) -> None:
+    tex = said(text, plain=plain)
+    assert set(re.findall(r"\\([a-zA-Z]+)", tex)) <= KNOWN
+    without = re.sub(r"\\[^a-zA-Z]", "", tex)
+    assert not re.search(r"[%#&~\n\r]|\^\^", without)
+    depth = 0
+    for sign in without:
+        depth += (sign == "{") - (sign == "}")
+        assert depth >= 0
+    assert depth == 0 and without.count("$") % 2 == 0
+    for line in tikz([], SIZE, text, text)[0].decode().split("\n")[:2]:
+        assert line.startswith("% ") and "\r" not in line
+
+
+def test_the_head_says_how_the_figure_is_used() -> None:
+    head = tikz([label("eye")], SIZE, "Letter F", "The eye is here.")[0].decode().splitlines()
+    assert head[:2] == ["% Letter F", "% The eye is here."]
+    assert r"\input" in head[2] and r"\usepackage{tikz}" in head[2] and "T2A" not in head[3]
+    assert "T2A" in tikz([label("глаз")], SIZE, "t")[0].decode()
+
+
+def test_pixels_lie_beside_the_figure(tmp_path: Path) -> None:
+    scene = load("interpolation")
+    options = {"panes": ["image"], "size": (96, 54)}
+    write_shapes(str(tmp_path / "g.tex"), scene, scene.start, **options)
+    text = (tmp_path / "g.tex").read_bytes()
+    assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex"]
+    assert b"]{g-pixels1.png}" in text and rb"\graphicspath" in text
+    write_shapes(str(tmp_path / "g.tex"), scene, scene.start, **options)
+    assert (tmp_path / "g.tex").read_bytes() == text
+    with pytest.raises(Refusal, match="which TeX finds by ASCII letters"):
+        write_shapes(str(tmp_path / "a}^^5c.tex"), scene, scene.start, **options)
+    (tmp_path / "h-pixels1.png").symlink_to(tmp_path / "elsewhere")
+    with pytest.raises(Refusal, match=r"h-pixels1\.png: is a link"):
+        write_shapes(str(tmp_path / "h.tex"), scene, scene.start, **options)
+    assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex", "h-pixels1.png"]
