@@ -1022,7 +1022,7 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
         f"reads\n\n| | |\n|---|---|\n| 1 | 2 |\n\n{too_high}\n\nThis": ("reads", "| 1 | 2 |"),
         "reads **this**.\n\n" + "More. " * 60: ("The class reads this.", "More."),
         "reads **this**.\n\n" + "More. " * 60 + "\n\n$$\\frac{a}{b} = c$$\n\n": (
-            "\\frac{a}{b} = c",
+            "a over b equals c",
             "The class reads",
         ),
     }

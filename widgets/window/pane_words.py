@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
-from PySide6.QtCore import QCoreApplication, QObject, QTimer
+from PySide6.QtCore import QObject, QTimer
 from PySide6.QtGui import QAccessible
 
 from app.document.store import Store
 from app.drawings.describing import describe
 from app.scenes.scene import Scene
 from widgets.panes.pane import Pane
+from widgets.parts.messages import translated
 from widgets.window.status_line import RESTS_AFTER_MS
 
 
@@ -41,7 +42,7 @@ class PaneWords(QObject):
         about = describe(
             self._store.seen,
             self._scene(),
-            translate=lambda text, context: QCoreApplication.translate(context, text),
+            translate=translated,
         )
         for name, pane in self._panes.items():
             said = about.panes[name] if self._hidden else about.of_pane(name)
