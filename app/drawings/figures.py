@@ -256,20 +256,24 @@ def write_shapes(
     scene: Scene,
     projection: Projection,
     about: Description | None = None,
+    progress: Callable[[float], bool] | None = None,
     **options: Any,
 ) -> None:
     """Write a figure as SVG, PDF or TikZ, whole or not at all; `options` are those of `shapes`.
 
     `about` says what it shows to those who do not see it. TikZ reads PNG files beside it, if any.
     """
+    tell = progress or (lambda _part: True)
     name, ending = os.path.splitext(os.path.basename(path))
     try:
-        size, found = shapes(scene, projection, **options)
+        size, found = shapes(scene, projection, progress=lambda part: tell(part / 2.0), **options)
     except Refusal as error:
         if error.bound != TOO_MANY:
             raise
         png = f"{name}.png"
         raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
+    watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
+    watch.begin(0)
     said = (scene.title, "") if about is None else (about.title, about.text)
     if ending.lower() == ".tex":
         content, pictures = tikz(found, size, *said, name)
@@ -281,7 +285,8 @@ def write_shapes(
         for place, each in beside.items():
             write_bytes_atomically(place, pictures[each])
     else:
-        content = (pdf if ending.lower() == ".pdf" else svg)(found, size, *said)
+        write = partial(pdf, watch=watch) if ending.lower() == ".pdf" else svg
+        content = write(found, size, *said)
     write_bytes_atomically(path, content)
 
 
