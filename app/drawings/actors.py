@@ -55,10 +55,11 @@ _NO_LINES = vtkPolyData()
 _KEEP_OFF_ZERO = """
   float least = 1e-9 * (abs(gl_Position.x) + abs(gl_Position.y));
   if (abs(gl_Position.w) < least) gl_Position.w = gl_Position.w < 0.0 ? -least : least;"""
-# In proportion to the distance, and by less than lines are lifted from faces.
+# By less than lines are lifted from faces; nothing leaves what is seen.
 _GROUND_END = "groundEnd"
 _BEFORE_GROUND = f"""
-  if (gl_VertexID >= {_GROUND_END}) gl_Position.z -= 1e-4 * (gl_Position.w - gl_Position.z);"""
+  if (gl_VertexID >= {_GROUND_END})
+    gl_Position.z -= 1e-4 * max(0.0, gl_Position.w - abs(gl_Position.z));"""
 # VTK's wide lines divide by the w of both ends: a line that ends exactly beside the eye is lost.
 _IN_FRONT = """
 vec4 inFront(vec4 end, vec4 other)

@@ -43,6 +43,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
+from app.strangers import printable
 
 CROP_PX = 2.0 * PX_PER["mm"]
 """Margin of a figure that is cropped."""
@@ -255,20 +256,24 @@ def write_shapes(
     scene: Scene,
     projection: Projection,
     about: Description | None = None,
+    progress: Callable[[float], bool] | None = None,
     **options: Any,
 ) -> None:
     """Write a figure as SVG, PDF or TikZ, whole or not at all; `options` are those of `shapes`.
 
     `about` says what it shows to those who do not see it. TikZ reads PNG files beside it, if any.
     """
+    tell = progress or (lambda _part: True)
     name, ending = os.path.splitext(os.path.basename(path))
     try:
-        size, found = shapes(scene, projection, **options)
+        size, found = shapes(scene, projection, progress=lambda part: tell(part / 2.0), **options)
     except Refusal as error:
         if error.bound != TOO_MANY:
             raise
         png = f"{name}.png"
         raise Refusal.in_document(TOO_MANY_FOR, *error.limits, png, field=error.field) from error
+    watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
+    watch.begin(0)
     said = (scene.title, "") if about is None else (about.title, about.text)
     if ending.lower() == ".tex":
         content, pictures = tikz(found, size, *said, name)
@@ -280,7 +285,8 @@ def write_shapes(
         for place, each in beside.items():
             write_bytes_atomically(place, pictures[each])
     else:
-        content = (pdf if ending.lower() == ".pdf" else svg)(found, size, *said)
+        write = partial(pdf, watch=watch) if ending.lower() == ".pdf" else svg
+        content = write(found, size, *said)
     write_bytes_atomically(path, content)
 
 
@@ -289,20 +295,30 @@ def write_png(
     pixels: Pixels,
     document_json: str | None = None,
     scale: float = 1.0,
+    about: Description | None = None,
 ) -> None:
     """Write a figure, whole or not at all.
 
     Dropped on the window, the file brings `document_json` back. `scale` sets its dots per inch.
+    `about` says what it shows to those who do not see it.
     """
-    write_bytes_atomically(path, png_bytes(pixels, document_json, scale))
+    write_bytes_atomically(path, png_bytes(pixels, document_json, scale, about))
 
 
-def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1.0) -> bytes:
+def png_bytes(
+    pixels: Pixels,
+    document_json: str | None = None,
+    scale: float = 1.0,
+    about: Description | None = None,
+) -> bytes:
     """Return the file that `write_png` writes, for a clipboard."""
     buffer = io.BytesIO()
     dpi = max(1.0, DPI * scale)
     info = PngImagePlugin.PngInfo()
     if document_json is not None:
         info.add_itxt(FORMAT, document_json)
+    if about is not None:
+        info.add_itxt("Title", printable(about.title))
+        info.add_itxt("Description", printable(about.text))
     Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi), pnginfo=info)
     return buffer.getvalue()

@@ -33,7 +33,6 @@ CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _BEYOND = 1.5  # how far the frustum is drawn, relative to the depth of the objects
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
-_NEAR_TINT, _FAR_TINT = 0.3, 0.16  # opacities
 _FADE_FROM, _FADED = (
     0.6,
     0.15,
@@ -97,15 +96,16 @@ class FrustumDrawing:
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
-        far_face = actors.face_actor(CUBE, [FAR_FACE], style.far, _FAR_TINT)
+        near_tint, far_tint = style.tints
+        far_face = actors.face_actor(CUBE, [FAR_FACE], style.far, far_tint)
         walls = actors.face_actor(CUBE, [FACES[side] for side in SIDES], style.frustum, 0.05)
-        near_face = actors.face_actor(CUBE, [NEAR_FACE], style.near, _NEAR_TINT)
+        near_face = actors.face_actor(CUBE, [NEAR_FACE], style.near, near_tint)
         near_line = outline(NEAR_FACE, CUBE, style, dashed=False)
         far_line = outline(FAR_FACE, CUBE, style, dashed=True)
         self._volume = far_face, walls, near_face, near_line, far_line
         self.space.add(*self._volume)
         self.outlines = {"near": near_line, "far": far_line}
-        self.tints = {"near": (near_face, _NEAR_TINT), "far": (far_face, _FAR_TINT)}
+        self.tints = {"near": (near_face, near_tint), "far": (far_face, far_tint)}
         self._quiet: frozenset[str] = frozenset()
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(CUBE, edges, style.frustum, width)

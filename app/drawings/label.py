@@ -109,7 +109,7 @@ def _tex(letter: str, sub: str) -> str:
 @lru_cache(maxsize=256)
 def laid(text: str, plain: bool = False) -> Laid:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
-    pieces = [(text, False)] if plain else pieces_of(text)
+    pieces = [(text, False)] if plain else [_drawable(*piece) for piece in pieces_of(text)]
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
     larger = 1.0 if plain else _AMONG_WORDS if has_words else LARGER
     placed, boxes, x = [], [], 0.0
@@ -125,6 +125,15 @@ def laid(text: str, plain: bool = False) -> Laid:
     return Laid(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
 
 
+def _drawable(piece: str, is_tex: bool) -> tuple[str, bool]:
+    try:
+        if is_tex:
+            outline(piece)
+    except ValueError:
+        return f"${piece}$", False
+    return piece, is_tex
+
+
 def is_set_in_words(piece: str) -> bool:
     """Whether a piece that is no formula is set in the font of words."""
     return any(map(str.isalpha, piece)) or not _signs("STIXGeneral").issuperset(piece)
@@ -133,10 +142,7 @@ def is_set_in_words(piece: str) -> bool:
 @lru_cache(maxsize=1024)
 def piece_of(text: str, is_tex: bool) -> Piece:
     if is_tex:
-        try:
-            drawn = outline(text)
-        except ValueError:
-            return piece_of(f"${text}$", False)
+        drawn = outline(text)
         return Piece(drawn.vertices, drawn.codes, drawn.width)
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath

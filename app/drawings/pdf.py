@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -25,10 +25,20 @@ from app.lessons.text import FONT
 _SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI
 _LARGE = 1e3
+_WATCHED = 50  # shapes from one call of the watch to the next
 
 
-def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
-    """Return the file of a figure of a size in pixels; its subject is a `text` about it."""
+def pdf(
+    shapes: Sequence[Shape],
+    size: tuple[float, float],
+    title: str,
+    text: str = "",
+    watch: Callable[[], object] | None = None,
+) -> bytes:
+    """Return the file of a figure of a size in pixels; its subject is a `text` about it.
+
+    `watch` is called for every shape and while matplotlib draws; what it raises ends that.
+    """
     from matplotlib import rc_context
     from matplotlib.backends.backend_pdf import FigureCanvasPdf
     from matplotlib.figure import Figure
@@ -38,8 +48,12 @@ def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
     writer = _Writer(figure, size)
     buffer = io.BytesIO()
     with rc_context({"pdf.fonttype": 42, "path.simplify": False}):
-        for shape in shapes:
+        for number, shape in enumerate(shapes):
             writer.add(shape)
+            if watch is not None:
+                watch()
+                if not number % _WATCHED:
+                    writer.call(watch)
         metadata = {
             "Title": title,
             "Subject": text or None,
@@ -47,8 +61,7 @@ def pdf(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
             "Producer": None,
             "CreationDate": None,
         }
-        # Pictures have the figure's pixels; all else is in points.
-        figure.savefig(buffer, format="pdf", metadata=metadata, dpi=DPI)
+        figure.savefig(buffer, format="pdf", metadata=metadata)
     return buffer.getvalue()
 
 
@@ -77,6 +90,16 @@ class _Writer:
             self._image(shape)
         else:
             self._text(shape)
+
+    def call(self, watch: Callable[[], object]) -> None:
+        """Call `watch` when matplotlib draws what was added last."""
+        from matplotlib.artist import Artist
+
+        class Watcher(Artist):
+            def draw(self, renderer: Any) -> None:
+                watch()
+
+        self._figure.add_artist(Watcher()).set_zorder(self._above())
 
     def _above(self) -> int:
         self._number += 1
@@ -115,15 +138,12 @@ class _Writer:
         self._figure.add_artist(line)
 
     def _image(self, picture: Picture) -> None:
-        from matplotlib.image import BboxImage
-        from matplotlib.transforms import Bbox
-
         left, top, wide, high = picture.place
-        low = self._size[1] - top - high
-        box = Bbox.from_bounds(*(_PT_PER_PX * side for side in (left, low, wide, high)))
-        image: Any = BboxImage(box, zorder=self._above(), interpolation="none")
-        image.set_data(picture.pixels)
-        self._figure.add_artist(image)
+        width, height = self._size
+        place = left / width, 1.0 - (top + high) / height, wide / width, high / height
+        axes: Any = self._figure.add_axes(place, zorder=self._above(), frameon=False)
+        axes.set_axis_off()
+        axes.imshow(picture.pixels, aspect="auto", interpolation="none")  # its own pixels
 
     def _text(self, text: Text) -> None:
         from matplotlib.font_manager import FontProperties

@@ -48,7 +48,7 @@ from app.lecture.stages import (
 from app.model.projection import Array
 from app.scenes.phenomena.readout import figure
 
-_TINT = 0.16
+_PALER = 0.6  # of the near plane's tint in the world, where it is smaller
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
 _SHORT = 0.28  # of an edge of the cube: its axes
 _SMALL_HEAD = 0.5  # of an arrow's head: before the cube the pane shows less of the display space
@@ -92,8 +92,10 @@ class StageBox:
         }
         middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
         self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)
+        near_tint, far_tint = style.tints
         faces = [
-            face_actor(CUBE, [face], getattr(style, name), _TINT) for name, face in ends.items()
+            face_actor(CUBE, [FAR_FACE], style.far, far_tint),
+            face_actor(CUBE, [NEAR_FACE], style.near, _PALER * near_tint),
         ]
         lines = (edges, *self._outlines.values())
         for actor in (*lines, self._cross, *faces):

@@ -41,7 +41,7 @@ def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
         f' width="{wide}mm" height="{high}mm"'
-        f' viewBox="0 0 {width} {height}" role="img" stroke-linecap="round"'
+        f' viewBox="0 0 {width} {height}" role="img" fill="none" stroke-linecap="round"'
         f' stroke-linejoin="round">',
         f"<title>{escape(title)}</title>",
         *([f"<desc>{escape(text)}</desc>"] if text else ()),
@@ -144,7 +144,7 @@ def _strokes(strokes: Sequence[Stroke]) -> str:
         f' stroke-linecap="butt" stroke-dasharray="{" ".join(map(_n, first.dash))}"'
     )  # fmt: skip
     return (
-        f'<path fill="none" stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
+        f'<path stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
         f' stroke-width="{_n(first.width)}"{dash} d="{data}"/>'
     )
 
@@ -184,7 +184,7 @@ def _text(text: Text, name: str) -> Iterator[str]:
             base = GREEK.get(found["sign"], found["sign"] if found["sign"] in FUNCTIONS else "")
         if found is None or not base:
             spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
-            outlines.append(_outline(piece, at * em, size * em))
+            outlines.append(outlined(piece, at * em, size * em))
             continue
         style = ' font-style="italic"' if len(base) == 1 else ""
         arrow = "\u20d7" if found["arrow"] else ""
@@ -225,7 +225,7 @@ def _text(text: Text, name: str) -> Iterator[str]:
         )
 
 
-def _outline(tex: str, x: float, em: float) -> str:
+def outlined(tex: str, x: float, em: float) -> str:
     """A formula as a path; words' em in pixels."""
     found = outline(tex)
     letters = {1: "M", 2: "L", 3: "Q", 4: "C"}

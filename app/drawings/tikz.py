@@ -19,7 +19,6 @@ from app.drawings.label import HALO_EM, HALO_OPACITY
 from app.drawings.style import rgb
 from app.drawings.svg import FUNCTIONS, GREEK, SEAM_PX, TEX, chained, kind_of, turned
 from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
-from app.lessons.text import outline
 from app.strangers import printable
 
 _BP_PER_PX = 72.0 / DPI
@@ -223,13 +222,9 @@ def _grouped(tex: str) -> str:
 
 
 def _is_math(piece: str, is_tex: bool) -> bool:
-    if not is_tex:
-        return all(sign in _IN_MATH or sign == " " for sign in piece)
-    try:
-        outline(piece)
-    except ValueError:
-        return False
-    return _FORMULA.fullmatch(piece) is not None
+    if is_tex:
+        return _FORMULA.fullmatch(piece) is not None
+    return all(sign in _IN_MATH or sign == " " for sign in piece)
 
 
 def _in_words(piece: str, is_tex: bool) -> str:

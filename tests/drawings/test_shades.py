@@ -63,6 +63,12 @@ def test_a_colour_gets_the_lightness_asked_for_and_keeps_its_hue() -> None:
 def test_on_paper_labels_are_black_and_far_is_dashed() -> None:
     scene = load("letter-f")
     strokes = {}
+    for style in (PRINT, CONTRAST):
+        near, far = (
+            lightness(np.multiply(255.0, [1.0 - tint * (1.0 - part) for part in rgb(colour)]))
+            for colour, tint in zip((style.near, style.far), style.tints, strict=True)
+        )
+        assert 97.0 > far > near + LEAST_STEP > 90.0, "apart from each other and from paper"
     for name in ("screen", "print"):
         style = PALETTES[name]
         _, found = shapes(scene, scene.start, ("ndc",), (250, 250), style=style)

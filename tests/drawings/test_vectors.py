@@ -5,6 +5,7 @@ from __future__ import annotations
 import random
 import re
 import zlib
+from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
@@ -169,6 +170,7 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
         ("f tan(\u03b1/2)", "f tan(\u03b1/2)"),
         ("P'", "P\u2032"),
         ("$\\frac{a}{b}$", None),
+        ("$\\write18$", "$\\write18$"),
     ],
 )
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
@@ -284,9 +286,9 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
     drawn = b"".join(streams_of(content))  # a pixel is 0.24 pt
     assert b"2.4 19.2 m\n7.2 19.2 l\n7.2 9.6 l\n" in drawn
     assert b" 1.2 w " in drawn and b"0 0 m\n24 24 l\n\nS\n" in drawn
-    assert re.search(rb"12 0 0 6 6 6 cm", drawn), drawn
+    assert b"1 0 0 1 6 6 cm 12 0 0 -6 0 6 cm" in drawn, "exactly there: it would hide a frame"
     assert content.count(b"/Subtype /Image") == 1
-    assert b"/Width 50" in content and b"/Height 25" in content, "as fine as the figure"
+    assert b"/Width 50" in content and b"/Height 25" in content, "its own pixels"
 
 
 # --------------------------------------------------------------------------- what hides what
@@ -442,6 +444,38 @@ def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPat
     with pytest.raises(Cancelled):
         shapes(scene, scene.start, ["image"], (100, 100), progress=go_on)
     assert len(told) == 5 and sorted(told) == told and 0.0 < told[-1] < 1.0
+
+
+def test_a_pdf_is_cancelled_while_matplotlib_draws_it(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    monkeypatch.setattr("app.drawings.pdf._WATCHED", 2)
+    areas = [Area([[(0.0, 0.0), (9.0, 0.0), (9.0, float(k))]], (0, 0, 0), 1.0) for k in range(1, 9)]
+    calls: list[int] = []
+    content = pdf(areas, (10, 10), "t", watch=lambda: calls.append(len(calls)))
+    assert content == pdf(areas, (10, 10), "t"), "nothing of it is in the file"
+    assert len(calls) == 8 + 4, "for each shape, and then for every second"
+
+    told = list[float]()
+
+    def go_on(fraction: float) -> bool:
+        told.append(fraction)
+        return len(told) < ends_at
+
+    scene, ends_at = load("cube"), 10**6
+    write_shapes(
+        str(tmp_path / "a.pdf"), scene, scene.start, panes=["image"], size=(64, 64), progress=go_on
+    )
+    assert sorted(told) == told and told[0] == 0.0 and 0.5 < told[-1] < 1.0
+    ends_at = len(told)
+    told.clear()
+    with pytest.raises(Cancelled):
+        write_shapes(
+            str(tmp_path / "b.pdf"), scene, scene.start, panes=["image"], size=(64, 64),
+            progress=go_on,
+        )  # fmt: skip
+    assert not (tmp_path / "b.pdf").exists()
 
 
 def test_too_many_faces_are_refused_with_the_file_to_write_instead(
