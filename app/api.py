@@ -311,8 +311,9 @@ class Figure:
 
         name, projection = os.fspath(path), self.document.projection
         if name.lower().endswith(".png"):
-            pixels = render(self._scene(), projection, **self._options)
-            write_png(name, pixels, picture_json(self.document))
+            scene = self._scene()
+            pixels = render(scene, projection, **self._options)
+            write_png(name, pixels, picture_json(self.document), about=self._about(scene))
         elif name.lower().endswith((".svg", ".pdf", ".tex")):
             scene = self._scene()
             about = self._about(scene)

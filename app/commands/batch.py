@@ -32,7 +32,15 @@ from app.commands.options import (
     write_out,
 )
 from app.document.document import is_mesh
-from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
+from app.document.files import (
+    LARGEST_PICTURE,
+    UNREADABLE,
+    UNWRITABLE,
+    blamed_on,
+    content_of,
+    extract,
+    write_bytes_atomically,
+)
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal, shown_name
 from app.strangers import open_regular, printable
@@ -65,9 +73,9 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
         raise CliError("--batch: takes one name, the folder of the figures.")
     lines = list(_lines(found))
     _make(folder)
-    parser, entries, taken = parser_of("export"), list[tuple[str, str]](), dict[str, str]()
+    parser, entries, taken = parser_of("export"), list[tuple[str, str, str]](), dict[str, str]()
     for number, line in enumerate(lines, 1):
-        out, wrong, said = printable(line.cells.get("out", "")), "", ""
+        out, wrong, said, about = printable(line.cells.get("out", "")), "", "", ""
         try:
             if line.wrong:
                 raise CliError(line.wrong)
@@ -77,16 +85,17 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
                 said = " is there already"
             elif warning := draw(asked, target, file):
                 complain(f"{line.where}: {warning}", 0)
+            about = _about(target)
         except (CliError, Refusal) as error:
             if getattr(error, "status", 0) == CANNOT_DRAW:
                 raise
             wrong = str(error)
             complain(f"{line.where}: {wrong}", 0)
-        entries.append((out, wrong))
+        entries.append((out, wrong, about))
         write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
     page = os.path.join(folder, INDEX)
     write_bytes_atomically(page, _page(os.path.basename(full_path(found.batch)), entries))
-    return BAD_INPUT if any(wrong for _, wrong in entries) else 0
+    return BAD_INPUT if any(wrong for _, wrong, _ in entries) else 0
 
 
 # --------------------------------------------------------------------------- reading
@@ -273,12 +282,24 @@ def _is_new(target: str, *sources: str | None) -> bool:
         return False
 
 
-def _page(title: str, entries: Sequence[tuple[str, str]]) -> bytes:
+def _about(figure: str) -> str:
+    """Return what a figure says of itself; nothing if it says nothing."""
+    try:
+        content = content_of(figure, LARGEST_PICTURE)
+        if figure.lower().endswith(".png"):
+            return extract(content, "Description") or ""
+    except Refusal:
+        return ""
+    found = re.search(r"<desc>(.*?)</desc>", content.decode(errors="replace"))
+    return "" if found is None else html.unescape(found[1])
+
+
+def _page(title: str, entries: Sequence[tuple[str, str, str]]) -> bytes:
     """Return the page that shows the figures; every text in it is escaped."""
     figures = []
-    for out, wrong in entries:
+    for out, wrong, about in entries:
         name, link = html.escape(out), html.escape(quote(f"./{out}"))
-        shown = f'<img src="{link}" alt="{name}">'
+        shown = f'<img src="{link}" alt="{html.escape(printable(about) or out)}">'
         if wrong:
             shown = f"<p>{html.escape(printable(wrong))}</p>"
         elif out.lower().endswith((".pdf", ".tex")):

@@ -153,7 +153,8 @@ def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene
         from app.drawings.figures import write_png, write_shapes
     if _ending(out) == ".png":
         pixels = _pixels(found, document, scene)
-        write_png(out, pixels, picture_json(document), found.scale)
+        about = describe(document, scene, sweep.panes(found))
+        write_png(out, pixels, picture_json(document), found.scale, about)
         return
     options = _options(found, document)
     with _of_options(found):

@@ -558,13 +558,13 @@ def _talk() -> Parser:
              "report each mistake with file and line",
     )  # fmt: skip
     parser.add_argument(
-        "--handout", metavar="OUT.pdf",
-        help="write the figures, text and notes of every step on A4 pages; an existing file is "
-             "overwritten",
+        "--handout", metavar="OUT",
+        help="write the figures, text and notes of every step on A4 pages (.pdf) or as a page that "
+             "phones show (.html); an existing file is overwritten",
     )  # fmt: skip
     parser.add_argument(
         "--for", dest="readers", metavar="teacher|students",
-        help="of the handout: teacher has answers and notes, students lines to write on instead",
+        help="of the handout: teacher has answers and notes, students room to write instead",
     )  # fmt: skip
     return parser
 

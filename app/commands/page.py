@@ -15,20 +15,16 @@ from app.document.compare import Written, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
-from app.document.lengths import Size
 from app.lecture.dependence import FIELDS as LETTERS
 from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.readout import figure
 
 if TYPE_CHECKING:
-    from app.drawings.page import Drawn
     from app.scenes.scene import Scene
 
 FRAMES = 21
 """States under the slider, unless another number is asked for."""
-_TEXT_PT = 6.0
-"""Of letters, in a pane of 640 pixels that is as wide as a phone."""
 
 
 def check(found: Namespace) -> None:
@@ -61,15 +57,13 @@ def write(
     """Write the page of states, which `told` yields too; return a warning if it is large."""
     with importing():
         from app.drawings.describing import describe
-        from app.drawings.page import LARGEST, State, page
+        from app.drawings.page import LARGEST, State, drawn, page
     values = _values(found, states, scene)
     shown = []
     for value, state in zip(values, told, strict=True):
         about = describe(state, scene, sweep.panes(found))
-        panes = [
-            _drawn(pane, said, state, scene, {**options(state), "hidden": found.hidden or "none"})
-            for pane, said in about.panes.items()
-        ]
+        given = {**options(state), "hidden": found.hidden or "none"}
+        panes = [drawn(pane, said, state, scene, **given) for pane, said in about.panes.items()]
         shown.append(State(value, panes, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in found.panes)
     write_bytes_atomically(out, content)
@@ -80,22 +74,6 @@ def write(
         f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
         f" {LARGEST // 1000} kB: ask for fewer {fewer}."
     )
-
-
-def _drawn(pane: str, said: str, state: Document, scene: Scene, options: dict[str, Any]) -> Drawn:
-    """Draw a pane for a page: alone, for the page places the panes."""
-    from app.drawings.figure_size import PANE_PX
-    from app.drawings.figures import shapes
-    from app.drawings.page import Drawn
-
-    aspect = state.projection.aspect if pane == "image" else 1.0
-    if state.view.compare and not state.view.dividers:
-        aspect = 1.0
-    fitted = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
-    if options["size"] is None:
-        options["text_pt"] = options["text_pt"] or _TEXT_PT
-    options |= {"panes": [pane], "size": options["size"] or fitted}
-    return Drawn(*shapes(scene, state.projection, **options), said)
 
 
 def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:

@@ -1,4 +1,4 @@
-"""The command ``talk``: draw every step of a talk as a check, or print its handout."""
+"""The command ``talk``: draw every step of a talk as a check, or write its handout."""
 
 from __future__ import annotations
 
@@ -20,15 +20,15 @@ READERS = ("teacher", "students")
 
 
 def talk(arguments: Sequence[str]) -> int:
-    """Draw every step of a talk, or print its handout; return 1 if something is wrong with it."""
+    """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
     found, (name,) = parser_of("talk").read(arguments)
     if not found.check and found.handout is None:
         raise CliError(
             f"talk needs --check or --handout OUT.pdf; {bootstrap.PROGRAM} {name} opens the talk."
         )
     if found.handout is not None:
-        if not found.handout.lower().endswith(".pdf"):
-            raise CliError(f"--handout = {found.handout!r}: must end in .pdf.")
+        if not found.handout.lower().endswith((".pdf", ".html")):
+            raise CliError(f"--handout = {found.handout!r}: must end in .pdf or .html.")
         check_out("--handout", found.handout)
     readers = found.readers or READERS[0]
     one_of("--for", readers, READERS)
@@ -81,4 +81,6 @@ def _take_texts(composed: Composed, lesson: Lesson) -> str:
 def _print(lesson: Lesson, out: str, answers: bool) -> None:
     with importing():
         from widgets.program.handout import handout
-    write_bytes_atomically(out, handout(Course(lesson), answers=answers))
+        from widgets.program.handout_page import handout_page
+    write = handout_page if out.lower().endswith(".html") else handout
+    write_bytes_atomically(out, write(Course(lesson), answers=answers))

@@ -147,11 +147,10 @@ def _read_bytes(path: Path) -> bytes:
 # Pillow writes the chunk (`app.drawings.figures`). It is read here: Pillow decodes all pixels to
 # see what follows them, refuses compressed texts above 1 MB, and lets a damaged end pass.
 _PNG = b"\x89PNG\r\n\x1a\n"
-_KEYWORD = FORMAT.encode() + b"\0"
 
 
-def extract(png: bytes) -> str | None:
-    """Return the text of the document in a PNG picture, or None if there is none.
+def extract(png: bytes, keyword: str = FORMAT) -> str | None:
+    """Return the text of the document in a PNG picture, or of another keyword; None for none.
 
     Raises
     ------
@@ -159,7 +158,8 @@ def extract(png: bytes) -> str | None:
         If `png` is not a complete PNG picture, or the text in it is damaged.
     """
     try:
-        texts = [_text(body) for kind, body in chunks(png) if kind == b"iTXt"]
+        begin = keyword.encode() + b"\0"
+        texts = [_text(body, begin) for kind, body in chunks(png) if kind == b"iTXt"]
     except (ValueError, struct.error, zlib.error) as error:
         raise Refusal.in_document(BROKEN_PICTURE) from error
     return next((text for text in texts if text is not None), None)
@@ -179,18 +179,18 @@ def chunks(png: bytes) -> Iterator[tuple[bytes, memoryview]]:
         begin = end + 4
 
 
-def _text(body: memoryview) -> str | None:
+def _text(body: memoryview, keyword: bytes) -> str | None:
     """Return the text of our iTXt chunk; another program may have compressed it."""
     content = bytes(body)
-    if not content.startswith(_KEYWORD):
+    if not content.startswith(keyword):
         return None
-    content = content.removeprefix(_KEYWORD)
+    content = content.removeprefix(keyword)
     _language, _translated, text = content[2:].split(b"\0", 2)
     if content[:1] == b"\1":
         unpacked = zlib.decompressobj()
         text = unpacked.decompress(text, LARGEST_DOCUMENT)
         if not unpacked.eof:
-            raise ValueError(_KEYWORD)
+            raise ValueError(keyword)
     return text.decode()
 
 

@@ -43,6 +43,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
+from app.strangers import printable
 
 CROP_PX = 2.0 * PX_PER["mm"]
 """Margin of a figure that is cropped."""
@@ -300,20 +301,30 @@ def write_png(
     pixels: Pixels,
     document_json: str | None = None,
     scale: float = 1.0,
+    about: Description | None = None,
 ) -> None:
     """Write a figure, whole or not at all.
 
     Dropped on the window, the file brings `document_json` back. `scale` sets its dots per inch.
+    `about` says what it shows to those who do not see it.
     """
-    write_bytes_atomically(path, png_bytes(pixels, document_json, scale))
+    write_bytes_atomically(path, png_bytes(pixels, document_json, scale, about))
 
 
-def png_bytes(pixels: Pixels, document_json: str | None = None, scale: float = 1.0) -> bytes:
+def png_bytes(
+    pixels: Pixels,
+    document_json: str | None = None,
+    scale: float = 1.0,
+    about: Description | None = None,
+) -> bytes:
     """Return the file that `write_png` writes, for a clipboard."""
     buffer = io.BytesIO()
     dpi = max(1.0, DPI * scale)
     info = PngImagePlugin.PngInfo()
     if document_json is not None:
         info.add_itxt(FORMAT, document_json)
+    if about is not None:
+        info.add_itxt("Title", printable(about.title))
+        info.add_itxt("Description", printable(about.text))
     Image.fromarray(pixels).save(buffer, "PNG", dpi=(dpi, dpi), pnginfo=info)
     return buffer.getvalue()

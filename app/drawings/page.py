@@ -17,18 +17,25 @@ import hashlib
 import re
 from collections.abc import Iterable, Sequence
 from html import escape
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from app.document.document import Document
+from app.document.lengths import Size
+from app.drawings.figure_size import PANE_PX
+from app.drawings.figures import shapes
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import elements
 from app.drawings.vectors import Shape
+from app.scenes.scene import Scene
 from app.strangers import printable
 
 LARGEST = 500_000
 """Most bytes of a page that opens at once where the network is slow."""
+TEXT_PT = 6.0
+"""Of letters in a pane of 640 pixels, which a phone shows as wide as itself."""
 
 _PART = re.compile(r'<path[^>]* d="|M[^M"<]*|"/>|<[^>]*>|[^<]+')
-_STYLE = f"""
+STYLE = f"""
 :root{{color-scheme:light dark}}
 body{{margin:0 auto;max-width:90rem;padding:0 1rem 1rem;font:100%/1.45 system-ui,sans-serif;\
 background:{LIGHT.background};color:{LIGHT.ink}}}
@@ -106,7 +113,7 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
     middle = len(states) // 2
     slots = [[_slot(*slot) for slot in _slots(state)] for state in states]
     aspects = [pane.size[0] / pane.size[1] for pane in states[0].panes]
-    style = _STYLE + "".join(
+    style = STYLE + "".join(
         f".p{number}{{flex-grow:{aspect:.3f}}}\n" for number, aspect in enumerate(aspects)
     )
     *drawn, value, general, heard = ("".join(parts) for parts in slots[middle])
@@ -127,7 +134,7 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
     ]
     texts = [f"<p data-slot>{general}</p>", f'<p aria-live="polite" data-slot>{heard}</p>']
     if not several:
-        return document(title, style, [*body, *texts])
+        return html(title, style, [*body, *texts])
     # Before the texts, so that it stays in sight at the foot of the window.
     slider = [
         '<form hidden autocomplete="off">',
@@ -137,7 +144,27 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
         "</form>",
         f"<noscript><p>{value}. The other states need scripts.</p></noscript>",
     ]
-    return document(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
+    return html(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
+
+
+def drawn(
+    pane: str,
+    said: str,
+    document: Document,
+    scene: Scene,
+    size: Size | None = None,
+    text_pt: float | None = None,
+    **options: Any,
+) -> Drawn:
+    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`."""
+    aspect = document.projection.aspect if pane == "image" else 1.0
+    if document.view.compare and not document.view.dividers:
+        aspect = 1.0
+    if size is None:
+        size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
+        text_pt = text_pt or TEXT_PT
+    options |= {"panes": [pane], "size": size, "text_pt": text_pt}
+    return Drawn(*shapes(scene, document.projection, **options), said)
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:
@@ -159,7 +186,7 @@ def escaped(text: str) -> str:
     return escape(printable(text))
 
 
-def document(title: str, style: str, body: Iterable[str], script: str = "") -> bytes:
+def html(title: str, style: str, body: Iterable[str], script: str = "") -> bytes:
     """Return an HTML file that runs nothing but its own script, and loads nothing."""
     policy = f"default-src 'none'; img-src data:; style-src {_hash(style)}"
     if script:

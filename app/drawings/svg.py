@@ -184,7 +184,7 @@ def _text(text: Text, name: str) -> Iterator[str]:
             base = GREEK.get(found["sign"], found["sign"] if found["sign"] in FUNCTIONS else "")
         if found is None or not base:
             spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
-            outlines.append(_outline(piece, at * em, size * em))
+            outlines.append(outlined(piece, at * em, size * em))
             continue
         style = ' font-style="italic"' if len(base) == 1 else ""
         arrow = "\u20d7" if found["arrow"] else ""
@@ -225,7 +225,7 @@ def _text(text: Text, name: str) -> Iterator[str]:
         )
 
 
-def _outline(tex: str, x: float, em: float) -> str:
+def outlined(tex: str, x: float, em: float) -> str:
     """A formula as a path; words' em in pixels."""
     found = outline(tex)
     letters = {1: "M", 2: "L", 3: "Q", 4: "C"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import logging
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -210,14 +210,52 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
     return [piece.strip() for piece in pieces if piece.strip()]
 
 
-def plain_of(text: str) -> str:
-    """Return a text without markup, with formulas as TeX, for a screen reader."""
+def said_of(text: str) -> str:
+    """Return a text without markup, with formulas in words, for a screen reader."""
+    return plain_of(text, spoken)
+
+
+_WORDS = {
+    "cdot": "times", "times": "times", "to": "to", "pm": "plus or minus", "leq": "at most",
+    "geq": "at least", "neq": "is not", "approx": "is about", "infty": "infinity", "varphi": "phi",
+    "sum": "sum of", "quad": "", "qquad": "", "left": "", "right": "", ",": "", " ": "",
+}  # fmt: skip
+_SPOKEN = {"=": "equals", "+": "plus", "-": "minus", "/": "over", "'": "prime", "\u00b0": "degrees"}
+_OF_BRACES = (
+    (r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r" (\1) / (\2) "),
+    (r"\^\{?\\circ\}?", " degrees "),
+    (r"\\(?:math|text)[a-z]*\{([^{}]*)\}", r"\1"),
+    (r"\\vec\s*(?:\{([^{}]*)\}|(\w))", r" vector \1\2 "),
+    (r"\\sqrt\{([^{}]*)\}", r" root of (\1) "),
+    (r"_(?:\{([^{}]*)\}|(\w))", r" \1\2 "),
+    (r"\^(?:\{([^{}]*)\}|(\w))", r" to the power \1\2 "),
+)
+
+
+@lru_cache(maxsize=1024)
+def spoken(tex: str) -> str:
+    """Return a formula in words: ``M_{pp} M_{persp}`` is "M pp times M persp"."""
+    before = ""
+    while tex != before:
+        before = tex
+        for pattern, words in _OF_BRACES:
+            tex = re.sub(pattern, words, tex)
+    tex = re.sub(r"\\([a-zA-Z]+|.)", lambda found: f" {_WORDS.get(found[1], found[1])} ", tex)
+    tex = re.sub(r"\((\s*\w+\s*)\)(?=\s*/)|(?<=/)\s*\((\s*\w+\s*)\)", r" \1\2 ", tex)
+    tex = re.sub(r"\b([A-Z](?: [a-z0-9]+)?) (?=[A-Z]\b)", r"\1 times ", " ".join(tex.split()))
+    tex = re.sub("[=+\\-/'\u00b0]", lambda found: f" {_SPOKEN[found[0]]} ", tex)
+    return " ".join(tex.split()).replace(" ,", ",").replace("( ", "(").replace(" )", ")")
+
+
+def plain_of(text: str, formula: Callable[[str], str] = str) -> str:
+    """Return a text without markup; formulas are TeX, or what `formula` makes of it."""
     words = []
     for token in markdown().parse(text):
-        inline = token.children or ()
-        words += [
-            " " if part.type in ("softbreak", "hardbreak") else part.content for part in inline
-        ]
+        for part in token.children or ():
+            if part.type in ("softbreak", "hardbreak"):
+                words.append(" ")
+            else:
+                words.append(formula(part.content) if part.type == "math" else part.content)
         if token.type in ("fence", "code_block"):
             words.append(token.content)
         if token.nesting < 0 and not token.hidden:

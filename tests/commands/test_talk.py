@@ -16,6 +16,7 @@ from app.lessons.lesson import read
 from app.model.limits import NOT_ZERO
 from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run, run_here
+from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
@@ -242,6 +243,35 @@ def test_students_get_neither_answers_nor_notes_but_lines_to_write_on(
         assert text in said["teacher"] and text in said["students"], text
 
 
+def test_the_handout_is_also_a_page_for_phones(talk: Path) -> None:
+    question = "```answer\nHow wide?\nvalue: 2*3\nwhy: By doubling.\n```\n"
+    talk.write_text(TALK + question)
+    out = talk.with_name("out.html")
+    for readers, figures, rooms in (("teacher", 3, 0), ("students", 2, 2)):
+        done = run_here("talk", talk, "--handout", out, "--for", readers)
+        assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+        text = out.read_text("utf-8")
+        read = Read(text)
+        assert read.open == [] and len(read.ids) == len(set(read.ids))
+        tags = Counter(tag for tag, _ in read.given)
+        assert (tags["figure"], tags["textarea"], tags["section"]) == (figures, rooms, 2)
+        assert tags["script"] == tags["b"] == 0
+        assert re.findall("https?:|url\\(|@import| style=", text) == []
+        names = [given.get("aria-label") for tag, given in read.given if tag == "svg"]
+        assert "1 over 2" in names and "x" in names
+        said = " ".join(" ".join(data for _, data in read.texts).split())
+        for each in ("Say hello.", "The notes.", "2.5 min.", "✓", "So it is.", "By doubling."):
+            assert (each in said) == (readers == "teacher"), each
+        for each in ("1. One", "Words with", "<script>alert(1)</script>", "Which?", "How wide?"):
+            assert each in said, each
+        # What is true of a state may be the answer.
+        asked = names.index("Cube: the scene in normalized device coordinates.") if rooms else 0
+        assert (asked > 0) == (readers == "students")
+    before = out.read_bytes()
+    run_here("talk", talk, "--handout", out, "--for", "students")
+    assert out.read_bytes() == before
+
+
 LONG = "---\ntitle: Long\n---\n" + "---\n".join(
     f"# Step {{#s{number}}}\n{'words ' * (20 * number)}\n```state\nscene=letter-f\n```\n"
     f"```note\n{'note ' * (12 * number)}\n```\n"
@@ -285,7 +315,7 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
     ("arguments", "said"),
     [
         ((), "needs --check or --handout OUT.pdf"),
-        (("--handout", "out.png"), "must end in .pdf"),
+        (("--handout", "out.png"), "must end in .pdf or .html."),
         (("--handout", "/nowhere/out.pdf"), "there is no folder /nowhere"),
         (("--handouts", "out.pdf"), "the nearest is --handout"),
         (

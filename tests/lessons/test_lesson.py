@@ -11,7 +11,7 @@ import pytest
 from app.bootstrap import ROOT
 from app.lessons.checking import Report
 from app.lessons.lesson import MOST_STEPS, Lesson, is_lesson, parse_lesson, read
-from app.lessons.text import formulas_in, markdown
+from app.lessons.text import formulas_in, markdown, spoken
 from app.model.refusal import Refusal
 
 TOP = "---\ntitle: T\n---\n"
@@ -168,6 +168,21 @@ def test_markdown_leaves_formulas_alone_and_dollars_can_be_prices() -> None:
         r"a_1 * b_2 * \frac{x}{y}", r"\cot\alpha",
     ]  # fmt: skip
     assert formulas_in("5 $ and 6 $") == []
+
+
+@pytest.mark.parametrize(
+    ("tex", "words"),
+    [
+        ("M_{pp} M_{persp}", "M pp times M persp"),
+        (r"P_{obl} = P_{ort}\,H, \quad B = A", "P obl equals P ort times H, B equals A"),
+        (r"x' = -\frac{2}{f-n}\,x_p", "x prime equals minus 2 over (f minus n) x p"),
+        (r"\dfrac{F^2}{\frac{a}{b}}", "(F to the power 2) over (a over b)"),
+        (r"\vec{n} = \vec U \leq \sqrt{2}", "vector n equals vector U at most root of (2)"),
+        (r"\frac{1$ \\ ^{", "frac {1$ \\ ^{"),
+    ],
+)  # fmt: skip
+def test_a_formula_is_heard_in_words(tex: str, words: str) -> None:
+    assert spoken(tex) == words
 
 
 FILES = [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 from itertools import groupby
 from types import SimpleNamespace
 from typing import Any
@@ -80,6 +81,30 @@ def test_a_screen_reader_hears_what_is_shown(window: MainWindow) -> None:
     window.status.quality.setText("quality: 50 %")
     for button in (window.status.precision, window.status.quality):
         assert said(button) == button.text()
+
+
+@pytest.mark.undrawn
+def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    canvas, projection = window.panes["world"].canvas, window.store.document.projection
+    assert said(canvas, SAID.Description).startswith("Arrow keys turn")
+    QAccessible.setActive(True)
+    try:
+        window.store.set_projection(replace(projection, lens=replace(projection.lens, near=2.5)))
+        qtbot.waitUntil(lambda: "near 2.5, far 18." in said(canvas, SAID.Description))
+        heard = said(canvas, SAID.Description)
+        assert heard.startswith("World: the scene from a free viewpoint. The eye is at (6, 5, 9)")
+        assert "Home resets." in heard and heard.count("World:") == 1
+        window.lesson_card.hidden.emit(frozenset({"numbers", "image"}))
+        heard = said(canvas, SAID.Description)
+        assert heard.startswith("World: the scene from a free viewpoint. Arrow keys")
+        assert said(window.panes["image"].canvas, SAID.Description).startswith("Arrow keys move")
+        window.lesson_card.hidden.emit(frozenset())
+        assert "near 2.5" in said(window.panes["image"].canvas, SAID.Description)
+    finally:
+        QAccessible.setActive(False)
+
 
 
 def test_a_message_is_announced_and_esc_closes_it(

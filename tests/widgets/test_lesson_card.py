@@ -36,7 +36,7 @@ from app.lessons.checking import Report
 from app.lessons.course import contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
-from app.lessons.text import plain_of
+from app.lessons.text import said_of
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
 from tests.support.mistakes import LESSON as RIGHT_LESSON
@@ -706,7 +706,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_I, ALT)
     assert "Show the answer" in buttons(view), "after a hint"
     press(KEY.Key_A, ALT)
-    assert plain_of(view.asked.question.solution(view.variant.here)) in texts(view)
+    assert said_of(view.asked.question.solution(view.variant.here)) in texts(view)
     assert view.answer == f"77 {TOLD}" and "Show the answer" not in buttons(view)
     view.seed.setText("1")
     view.begin()
@@ -950,7 +950,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     view.asked.check()
     come_to_rest(window)
     assert not view.is_open and not is_hidden()
-    assert r"\frac{5d}{9} =" in texts(view), "the way to the answer, which nothing else explains"
+    assert "5d over 9 equals" in texts(view), "the way to the answer, which nothing else explains"
     assert panels.open_panel is window.scene_panel, "which was asked for meanwhile"
     view.go_on()
     come_to_rest(window)
@@ -1295,7 +1295,7 @@ def test_every_response_is_seen_whole_and_announced(
             said_last = response(f"right {of}")
             assert view.answer.startswith("2 "), of
             if not isinstance(view.asked, Tries):  # the way, besides its reason
-                way = plain_of(view.asked.question.solution(view.variant.here))
+                way = said_of(view.asked.question.solution(view.variant.here))
                 assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()

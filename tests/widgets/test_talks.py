@@ -1022,7 +1022,7 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
         f"reads\n\n| | |\n|---|---|\n| 1 | 2 |\n\n{too_high}\n\nThis": ("reads", "| 1 | 2 |"),
         "reads **this**.\n\n" + "More. " * 60: ("The class reads this.", "More."),
         "reads **this**.\n\n" + "More. " * 60 + "\n\n$$\\frac{a}{b} = c$$\n\n": (
-            "\\frac{a}{b} = c",
+            "a over b equals c",
             "The class reads",
         ),
     }
@@ -1041,8 +1041,8 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
 @pytest.mark.parametrize(
     ("text", "shown"),
     [
-        ("A vector $\\vec{look}$ " * 40, "A vector \\vec{look} A vector \\vec{look}"),
-        ("$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{\\frac{2}{3}} = 1$$", "k = \\frac"),
+        ("A vector $\\vec{look}$ " * 40, "A vector vector look A vector vector look"),
+        ("$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{\\frac{2}{3}} = 1$$", "k equals ("),
         ("|a|\n|---|\n|1|", ""),
     ],
 )
@@ -1054,7 +1054,7 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
     band.set_screen(768.0)
     there = "The class reads **this**, and $\\frac{1}{2}$."
     band.show_step(parse_lesson(TALK.replace(there, text), talk).steps[0], "1 / 3")
-    assert band.accessibleName().startswith(f"Fields of \\alpha {shown}".strip())
+    assert band.accessibleName().startswith(f"Fields of alpha {shown}".strip())
     assert band.is_cut == bool(shown) and bool(band.left_out) != text.startswith("$$")
     words = band.findChildren(QTextDocument)[1]
     assert words.size().height() <= LINE_SHARE * 768

@@ -331,7 +331,12 @@ class Hand(QObject):
             "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
             "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
         )
-        self._canvas.setAccessibleDescription(f"{keys} {cursor_keys}")
+        self._keys = f"{keys} {cursor_keys}"
+        self.say("")
+
+    def say(self, about: str) -> None:
+        """Tell a screen reader what the pane shows, before the keys."""
+        self._canvas.setAccessibleDescription(f"{about} {self._keys}".strip())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         # Before the canvas is open there is no camera.

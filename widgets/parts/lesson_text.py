@@ -47,7 +47,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
 from app.lessons.blocks.block import Here, Part
-from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, plain_of, readable
+from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, said_of
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
 from widgets.parts.roles import give_role
@@ -308,7 +308,7 @@ class LessonText(QTextEdit):
         self.written = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())
-        self.setAccessibleName(plain_of(text))
+        self.setAccessibleName(said_of(text))
         self.updateGeometry()
 
     def hasHeightForWidth(self) -> bool:

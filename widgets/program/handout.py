@@ -9,25 +9,22 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
-from pathlib import Path
-from textwrap import wrap
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QImage, QPainter
 
-from app.document.document import Document
-from app.lecture.equation import equation_of, latex_cell
-from app.lecture.notation import matrices
-from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Step
-from app.lessons.strokes import picture_beside
-from app.lessons.text import escaped
-from widgets.controls.readout import full_sentence, value_text
-from widgets.panels.matrix_panel import note_on
-from widgets.parts.lesson_text import answer_of
-from widgets.parts.messages import of_phenomena, read_text, stage_title
-from widgets.parts.typeset import Typeset, matrix, typeset
+from app.lessons.course import Course
+from widgets.parts.typeset import Typeset, typeset
 from widgets.program import paper
+from widgets.program.handout_content import (
+    Equation,
+    Figure,
+    Heading,
+    Numbers,
+    ToWrite,
+    contents,
+    planned,
+)
 from widgets.program.paper import (
     BETWEEN_PT,
     BETWEEN_STEPS_PT,
@@ -49,8 +46,6 @@ COLUMN_OVER = 1.2
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0
-NOTE_CHARACTERS = 36
-"""Line length of a matrix's note, so that it is not wider than the matrix."""
 
 
 def handout(course: Course, *, answers: bool = True) -> bytes:
@@ -78,69 +73,37 @@ class _Sheet:
         self._figure_width = part * width
 
     def head(self) -> Iterator[Block]:
-        lesson = self._course.lesson
-        minutes = lesson.minutes or sum(
-            step.note.minutes for step in lesson.steps if step.note is not None
-        )
-        yield paper.text(lesson.title, self._width, 1.4 * TITLE_PT, title=True)
-        if minutes and self._answers:
-            yield paper.text(f"{minutes:g} min", self._width, TEXT_PT)
+        yield paper.text(self._course.lesson.title, self._width, 1.4 * TITLE_PT, title=True)
+        if self._answers and (minutes := planned(self._course.lesson)):
+            yield paper.text(minutes, self._width, TEXT_PT)
 
     def steps(self) -> Iterator[Block]:
-        for place, step in enumerate(self._course.lesson.steps):
-            blocks = list(self._of(place, step))
+        for place in range(len(self._course.lesson.steps)):
+            blocks = list(self._of(place))
             blocks[-1].after = BETWEEN_STEPS_PT
             yield from blocks
 
-    def _of(self, place: int, step: Step) -> Iterator[Block]:
-        """Yield a step's title, its figure with what stands beside it, and its questions."""
-        course = self._course
-        number = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
-        yield paper.text(number + step.title, self._width, TITLE_PT, title=True)
-        shown, here = course.shown(place).document, course.at(place)
-        asked = [part for part in step.parts if part.reveals or part in step.asked]
-        texts = [part.text for part in step.parts if part not in asked]
-        note = self._note(step)
-        slide = picture_beside(course.lesson.path, step.name)
-        yield from self._with_figure(shown, texts, note, slide)
-        if not any(part.is_tall and "\n|" in part.text for part in step.parts):
-            yield from _equation(shown, self._width)
-        before = course.shown(place - 1).document if place else None
-        if "equation" not in shown.view.slide:  # else it has its matrices
-            yield from _panel(shown, before, self._width)
-        for part in asked:
-            if not self._answers:
-                yield paper.text(part.posed(), self._width, TEXT_PT)
+    def _of(self, place: int) -> Iterator[Block]:
+        for each in contents(self._course, place, self._answers):
+            if isinstance(each, Figure):
+                yield from self._with_figure(each)
+            elif isinstance(each, Numbers):
+                yield from (paper.text(text, self._width, NOTE_PT) for text in each.texts)
+                yield from _side_by_side(each.formulas, self._width)
+            elif isinstance(each, Equation):
+                yield from _beside(each.tables, self._width)
+            elif isinstance(each, Heading):
+                yield paper.text(each.text, self._width, TITLE_PT, title=True)
+            elif isinstance(each, ToWrite):
                 yield self._lines(LINES_BELOW * RULE_PT)
-                continue
-            yield paper.text(part.told(answer_of(part, here)), self._width, TEXT_PT)
-            whys = [part.why] if part.why else []
-            if part.show is not None:
-                after = here.shown_by(part.show)
-                yield from self._with_figure(after, whys, "")
-                if "equation" not in after.view.slide:
-                    yield from _panel(after, shown, self._width)
-                elif after.view.equation != shown.view.equation:
-                    yield from _equation(after, self._width)
             else:
-                yield from (paper.text(why, self._width, TEXT_PT) for why in whys)
+                yield paper.text(each, self._width, TEXT_PT)
 
-    def _note(self, step: Step) -> str:
-        """The note for the teacher, with the planned minutes."""
-        if step.note is None or not self._answers:
-            return ""
-        minutes = f"*{step.note.minutes:g} min.* " if step.note.minutes else ""
-        return minutes + step.note.text
-
-    def _with_figure(
-        self, document: Document, texts: list[str], note: str, slide: Path | None = None
-    ) -> Iterator[Block]:
-        """Yield a figure and its texts: beside it if they are narrow and low enough.
-
-        If `slide` is a file, the figure is that picture of a slide on which somebody has drawn.
-        """
-        figure = paper.figure(document, self._width, self._figure_width)
-        drawn = QImage(str(slide)) if slide is not None and slide.is_file() else QImage()
+    def _with_figure(self, shown: Figure) -> Iterator[Block]:
+        """Yield a figure and its texts: beside it if they are narrow and low enough."""
+        texts, note = shown.texts, shown.note
+        figure = paper.figure(shown.document, self._width, self._figure_width)
+        drawn = QImage() if shown.slide is None else QImage(str(shown.slide))
         if not drawn.isNull():
             figure = paper.picture(drawn, self._width)
         left = figure.wide + NOTE_INDENT_PT
@@ -180,85 +143,16 @@ class _Sheet:
         return paper.ruled(self._width, height)
 
 
-def _equation(document: Document, width: float) -> Iterator[Block]:
-    """Yield the matrices of a slide that is an equation, beside each other."""
-    view = document.view
-    if "equation" not in view.slide:
-        return
-    equation = equation_of(document.projection, view.letters, view.equation, document.settings)
-    blocks = []
-    for term in equation.terms:
-        cells = [[f"${latex_cell(cell, term.letters)}$" for cell in row]
-                 for row in term.matrix.formulas]  # fmt: skip
-        if equation.is_in_numbers:
-            cells = [[read_text(value) for value in row] for row in term.matrix.values]
-        is_result = bool(equation.factors) and term is equation.result
-        names = [each.name for each in equation.factors] if is_result else [term.name]
-        above = f"${' '.join(names)}$ =" if all(names) else "="
-        lines = [above, "", "| | | | |", "|---|---|---|---|"]
-        lines += [f"| {' | '.join(row)} |" for row in cells]
-        blocks.append(paper.text("\n".join(lines), width, NOTE_PT))
+def _beside(tables: Iterable[str], width: float) -> Iterator[Block]:
+    """Yield tables beside each other."""
     row: list[Block] = []
-    for block in blocks:
+    for block in (paper.text(table, width, NOTE_PT) for table in tables):
         if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:
             yield paper.in_row(row)
             row = []
         row.append(block)
-    yield paper.in_row(row)
-
-
-def _panel(document: Document, before: Document | None, width: float) -> Iterator[Block]:
-    """Yield the numbers of the open panel, unless they are the same as in the state before."""
-    view = document.view
-    seen = None if before is None else (before, before.view.panel, before.view.letters)
-    if seen == (document, view.panel, view.letters):
-        return
-    if view.panel == "matrices":
-        yield from _side_by_side(_matrices(document), width)
-    elif view.panel == "scene":
-        yield from _readout(document, width)
-
-
-def _matrices(document: Document) -> Iterator[str]:
-    """Yield each matrix below its name, with its note."""
-    for each in matrices(document.projection, document.view.letters):
-        name = stage_title(each.name)
-        lines = [f"{name} = {each.called}" if each.called else name]
-        lines.append(matrix([read_text(value) for value in row] for row in each.values))
-        note = note_on(each, document.projection, document.view.letters)
-        for line in note.splitlines():
-            lines += wrap(line, NOTE_CHARACTERS, break_on_hyphens=False)
-        yield "\n".join(lines)
-
-
-def _readout(document: Document, width: float) -> Iterator[Block]:
-    """Yield the scene's numbers, except the one counted in the window's own picture."""
-    scene = scene_of(document)
-    if scene.phenomenon is None:
-        return
-    said = partial(of_phenomena, letters=document.view.letters)
-    found = scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
-    rows, formulas, reasons = ["| | |", "|---|---:|"], list[str](), list[str]()
-    for each in found.readings:
-        if each.counted:
-            continue
-        label = said(each.label)
-        value = (
-            said(each.value) if isinstance(each.value, str) else value_text(each.value, read_text)
-        )
-        if value.startswith("["):
-            formulas.append(f"{label}\n{value}")
-            continue
-        unit = said(each.unit) if each.unit and each.value is not None else ""
-        cells = (escaped(text.replace("\n", " ")) for text in (label, f"{value} {unit}".strip()))
-        rows.append(f"| {' | '.join(cells)} |")
-        if each.note is not None:
-            reasons.append(full_sentence(each.note.sentence(said, read_text)))
-    if len(rows) > 2:
-        yield paper.text("\n".join(rows), width, NOTE_PT)
-    for reason in dict.fromkeys(reasons):
-        yield paper.text(escaped(reason), width, NOTE_PT)
-    yield from _side_by_side(formulas, width)
+    if row:
+        yield paper.in_row(row)
 
 
 def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[Block]:

@@ -66,6 +66,7 @@ from widgets.window.history import History
 from widgets.window.lesson_card import LessonCard
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
+from widgets.window.pane_words import PaneWords
 from widgets.window.pictures import Pictures
 from widgets.window.pointing import Pointing
 from widgets.window.practice import Practice, review_text
@@ -337,6 +338,7 @@ class MainWindow(QMainWindow):
         self.hiding = Hiding(
             self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
         )
+        self.pane_words = PaneWords(self.panes, self.store, lambda: self.shown.scene, self)
         self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
         self.talks = Talks(

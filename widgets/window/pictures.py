@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -100,7 +100,9 @@ class Pictures(QObject):
     def export(self, path: Path, choice: ExportChoice) -> bool:
         """Write a picture; return False if that fails or the user cancels it."""
         if choice.ending == "png":
-            return self._write(path, lambda document: self._draw(document, choice), choice.scale)
+            return self._write(
+                path, lambda document: self._draw(document, choice), choice.scale, choice.panes
+            )
         from app.drawings.describing import describe
         from app.drawings.figures import write_shapes
 
@@ -148,13 +150,24 @@ class Pictures(QObject):
         pixels = render(scene, document.projection, scale=scale, **options)
         return QPixmap.fromImage(image_of(pixels))
 
-    def _write(self, path: Path, draw: Callable[[Document], Pixels], scale: float = 1.0) -> bool:
+    def _write(
+        self,
+        path: Path,
+        draw: Callable[[Document], Pixels],
+        scale: float = 1.0,
+        panes: Sequence[str] = (),
+    ) -> bool:
+        from app.drawings.describing import describe
         from app.drawings.figures import write_png
 
         document = self._seen()
 
         def write() -> None:
-            write_png(path, draw(document), picture_json(document), scale)
+            pixels, about = draw(document), None
+            if panes:
+                scene = self._scene(document.scene, document.mesh)
+                about = describe(document, scene, panes, translated)
+            write_png(path, pixels, picture_json(document), scale, about)
 
         return self._try(write, self.tr("Exported {0}").format(path))
 

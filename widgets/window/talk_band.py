@@ -26,7 +26,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 
 from app.drawings.style import LIGHT, Style, tone
 from app.lessons.lesson import Step
-from app.lessons.text import plain_of
+from app.lessons.text import said_of
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, Shown
 from widgets.parts.plain import TextDocument
@@ -142,7 +142,7 @@ class TalkBand(QFrame):
         if shown is None:
             shown = self._squeezed(self._texts[-1] if self.is_cut else "")
         self.left_out = "" if shown == self._texts[0] else self._texts[0]
-        self.setAccessibleName(plain_of(f"{self._step}\n\n{shown}"))
+        self.setAccessibleName(said_of(f"{self._step}\n\n{shown}"))
         self.update()
 
     def _squeezed(self, text: str) -> str:

@@ -103,6 +103,7 @@ def _wire_lesson(window: Any) -> None:
     menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
     card.hidden.connect(window.hiding.hide)
+    card.hidden.connect(window.pane_words.hide)
     card.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
@@ -124,6 +125,7 @@ def _wire_lesson(window: Any) -> None:
         menus.name_everything.triggered,
     ):
         signal.connect(card.look_again)
+        signal.connect(window.pane_words.wait)
 
 
 def _wire_gestures(window: Any) -> None:

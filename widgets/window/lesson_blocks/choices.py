@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 from app.lessons.blocks.choices import Choices
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
-from app.lessons.text import plain_of
+from app.lessons.text import said_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
@@ -22,7 +22,7 @@ class _Choice(QWidget):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.button = QRadioButton()
-        self.button.setAccessibleName(plain_of(text))
+        self.button.setAccessibleName(said_of(text))
         self.button.installEventFilter(self)
         self._text = LessonText(text)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)

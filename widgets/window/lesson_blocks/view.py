@@ -37,7 +37,7 @@ from app.lessons.blocks.block import Asked
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
 from app.lessons.practice import verdict_on
-from app.lessons.text import escaped, plain_of
+from app.lessons.text import escaped, said_of
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
@@ -105,7 +105,7 @@ class BlockView(QFrame):
         """Whether the answer is kept unmarked, for the end of a test."""
         self.hints = list(block.hints)
         """The hints not given yet."""
-        self.setAccessibleName(plain_of(block.text))
+        self.setAccessibleName(said_of(block.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
         """The newest hint, until another response comes."""
@@ -279,7 +279,7 @@ class BlockView(QFrame):
 
     def _announce(self, *texts: str) -> None:
         self.spoke.emit()
-        said = plain_of(" ".join(texts))
+        said = said_of(" ".join(texts))
         QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, said))
 
 

@@ -1,0 +1,199 @@
+"""The handout of a talk as one HTML file, which students open on their phones.
+
+It has what the A4 pages have: each step's figure, as shapes, its text, matrices and questions. It
+needs no network and no scripts. A formula is its outlines, stored once, and words for a screen
+reader.
+"""
+
+from __future__ import annotations
+
+import base64
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from PySide6.QtCore import QBuffer, Qt
+from PySide6.QtGui import QImage
+
+from app.drawings.describing import describe
+from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
+from app.drawings.svg import outlined
+from app.lessons.course import Course, scene_of
+from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
+from app.model.formula import CLOSE, OPEN, OVER
+from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
+from widgets.program.handout_content import (
+    Content,
+    Equation,
+    Figure,
+    Heading,
+    Numbers,
+    ToWrite,
+    contents,
+    planned,
+)
+from widgets.program.paper import panes_of
+
+_SLIDE_PX = 1280
+"""Width of a picture of a slide."""
+_UNITS = 10.0
+"""Of the outlines, to an em."""
+_STYLE = """
+body{max-width:46rem}
+h2{font-size:1.15rem;margin:2rem 0 .5rem}
+.panes figure{flex:1 1 19rem}
+.f{height:auto;overflow:visible;max-width:100%;fill:currentColor}
+p[align=center]{margin:.8rem auto;overflow-x:auto}
+table{display:block;overflow-x:auto;border-collapse:collapse;margin:.5rem 0}
+td,th{border:1px solid #8b929a;padding:.15rem .5rem}
+.r{text-align:right}
+.beside{display:flex;flex-wrap:wrap;gap:.5rem 1.2rem;align-items:end;font-size:.9rem}
+.beside td{border:0;text-align:right;white-space:nowrap}
+.beside table{border:solid currentColor;border-width:0 2px;border-radius:5px}
+aside{border-left:3px solid #c48800;padding-left:.8rem;font-size:.9rem}
+textarea{box-sizing:border-box;width:100%;font:inherit;padding:.4rem;border:1px solid #8b929a;\
+border-radius:4px}
+img{width:100%}
+@media print{h2{break-after:avoid}}
+"""
+
+
+def handout_page(course: Course, *, answers: bool = True) -> bytes:
+    """Return a talk as the content of an HTML file; a `Refusal` if a state is impossible.
+
+    With `answers` it is the teacher's, with the notes; without them the students'.
+    """
+    page, lesson = _Page(), course.lesson
+    body = [page.text(f"# {lesson.title}")]
+    if answers and (minutes := planned(lesson)):
+        body.append(f"<p>{escaped(minutes)}</p>")
+    for place in range(len(lesson.steps)):
+        body.append("<section>")
+        body += (page.element(each) for each in contents(course, place, answers))
+        body.append("</section>")
+    style = STYLE + _STYLE + page.style()
+    return html(in_line(lesson.title), style, [*page.outlines(), *body])
+
+
+class _Page:
+    """Makes the elements of a page, and keeps what they share."""
+
+    def __init__(self) -> None:
+        self._formulas: dict[str, int] = {}
+        self._depths: set[int] = set()
+        self._figures = 0
+
+    def element(self, content: Content) -> str:
+        if isinstance(content, Heading):
+            return self.text(f"## {content.text}")
+        if isinstance(content, Figure):
+            note = f"<aside>{self.text(content.note)}</aside>" if content.note else ""
+            return "\n".join([self._figure(content), *map(self.text, content.texts), note])
+        if isinstance(content, Equation):
+            return _beside(map(self.text, content.tables))
+        if isinstance(content, Numbers):
+            return "\n".join(
+                [*map(self.text, content.texts), _beside(map(_typeset, content.formulas))]
+            )
+        if isinstance(content, ToWrite):
+            return '<textarea rows="3" aria-label="Your answer"></textarea>'
+        return self.text(content)
+
+    def text(self, text: str) -> str:
+        """Return Markdown as HTML, with its formulas."""
+        found, formulas = html_of(text)
+        parts = re.split(f"([{FORMULA}{DISPLAYED}])", found)
+        for number, tex in enumerate(formulas):
+            sign, after = parts[2 * number + 1 : 2 * number + 3]
+            shown = self._formula(tex, DISPLAYED_LARGER if sign == DISPLAYED else 1.0)
+            # No line ends between a formula and its punctuation.
+            parts[2 * number + 1] = shown + ("" if after[:1].isspace() else "\u2060")
+        return "".join(parts).replace('style="text-align:right"', 'class="r"')
+
+    def _formula(self, tex: str, larger: float) -> str:
+        tex = readable(tex)
+        try:
+            shape = outline(tex)
+        except ValueError:  # as it was typed
+            return f"<code>{escaped(tex)}</code>"
+        number = self._formulas.setdefault(tex, len(self._formulas))
+        em = LARGER * larger
+        high = shape.ascent + shape.descent
+        depth = round(100.0 * em * shape.descent)
+        self._depths.add(depth)
+        box = (0.0, -_UNITS * shape.ascent, _UNITS * shape.width, _UNITS * high)
+        return (
+            f'<svg class="f d{depth}" role="img" aria-label="{escaped(spoken(tex))}"'
+            f' width="{em * shape.width:.2f}em" height="{em * high:.2f}em"'
+            f' viewBox="{" ".join(f"{side:.2f}" for side in box)}"><use href="#f{number}"/></svg>'
+        )
+
+    def outlines(self) -> Iterator[str]:
+        """Yield the outlines of all formulas, each once."""
+        yield '<svg width="0" height="0" aria-hidden="true"><defs>'
+        for tex, number in self._formulas.items():
+            yield f'<g id="f{number}">{outlined(tex, 0.0, _UNITS)}</g>'
+        yield "</defs></svg>"
+
+    def style(self) -> str:
+        return "\n".join(
+            f".d{depth}{{vertical-align:{-depth / 100.0:g}em}}" for depth in sorted(self._depths)
+        )
+
+    def _figure(self, shown: Figure) -> str:
+        document = shown.document
+        panes = panes_of(document)
+        about = describe(document, scene_of(document), panes)
+        if shown.slide is not None and (slide := _slide(shown.slide)):
+            return f'<figure><img src="{slide}" alt="{escaped(about.text)}"></figure>'
+        pictures = []
+        for pane in panes:
+            self._figures += 1
+            # What is true of the state may be the answer.
+            said = about.panes[pane] if shown.asks else about.of_pane(pane)
+            size, shapes, _ = drawn(
+                pane, said, document, scene_of(document), view=document.view,
+                settings=document.settings, quality=document.quality,
+            )  # fmt: skip
+            inner = drawing(shapes, f"s{self._figures}t")
+            shape = picture(size, inner, f' aria-label="{escaped(said)}"')
+            pictures.append(f"<figure>{shape}</figure>")
+        return f'<div class="panes">{"".join(pictures)}</div>'
+
+
+def _slide(path: Path) -> str:
+    """Return the address of a picture that is part of the page; empty if it is none."""
+    image = QImage(str(path))
+    if image.isNull():
+        return ""
+    if image.width() > _SLIDE_PX:
+        image = image.scaledToWidth(_SLIDE_PX, Qt.TransformationMode.SmoothTransformation)
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    image.save(buffer, "PNG")  # type: ignore[call-overload]
+    return f"data:image/png;base64,{base64.b64encode(buffer.data().data()).decode()}"
+
+
+def _beside(parts: Iterator[str]) -> str:
+    shown = "".join(f"<div>{part}</div>" for part in parts)
+    return f'<div class="beside">{shown}</div>' if shown else ""
+
+
+def _typeset(formula: str) -> str:
+    """Return a formula of `widgets.parts.typeset` as HTML: lines, and matrices in brackets."""
+    parts = []
+    for line in formula.split("\n"):
+        if line.startswith("["):
+            rows = (row.split("&") for row in line[1:-1].split(";"))
+            cells = ("".join(f"<td>{_indexed(cell)}</td>" for cell in row) for row in rows)
+            parts.append(f"<table>{''.join(f'<tr>{row}</tr>' for row in cells)}</table>")
+        else:
+            parts.append(f"<div>{_indexed(line)}</div>")
+    return "".join(parts)
+
+
+def _indexed(text: str) -> str:
+    """Return a text with its subscripts and superscripts."""
+    text = escaped(text.translate({ord(OPEN): None, ord(OVER): "/", ord(CLOSE): None}))
+    text = re.sub(r"_([^\W_]+(?:\u2192[^\W_]+)?)", r"<sub>\1</sub>", text)
+    return re.sub(r"\^([-−]?[^\W_]+)", r"<sup>\1</sup>", text)
