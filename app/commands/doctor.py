@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import os
 import platform
+import shutil
 import subprocess
 import sys
 from collections.abc import Iterator, Sequence
@@ -67,6 +68,9 @@ def examine() -> Iterator[Finding]:
         yield from _folders()
         yield from _display()
         yield _off_screen()
+    # Nothing is missing without it: there are other formats of moving pictures.
+    ffmpeg = shutil.which("ffmpeg")
+    yield Finding("MP4", f"through {ffmpeg}" if ffmpeg else "not without ffmpeg; .webp needs none")
 
 
 def _packages() -> Iterator[Finding]:

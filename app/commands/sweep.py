@@ -149,7 +149,7 @@ def _transition(found: argparse.Namespace, file: str | None, count: int) -> list
     for step in range(count):
         part = _eased(step / (count - 1))
         state = transition.between(start, end, part) if moves and part < 1.0 else end
-        state = state or states[-1]
+        state = state or (states or [end])[-1]
         stage = (1.0 - part) * stages[0] + part * stages[1]
         if views is not None:
             state = _seen(state, transition.camera_between(views[0], views[1], part))

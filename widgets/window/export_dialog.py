@@ -81,7 +81,10 @@ class ExportDialog(QDialog):
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
         self._ending = self._combo(
-            self.tr("The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels"),
+            self.tr(
+                "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving"
+                " pictures and many at once: the command “export”"
+            ),
             {ending.upper(): ending for ending in ENDINGS},
         )
         self._column = self._combo(
