@@ -389,10 +389,17 @@ class _Pane:
         properties = actor.GetProperty()
         colour, opacity = properties.GetColor(), properties.GetOpacity()
         width = self._width(properties.GetLineWidth())
-        for cell in _cells(mesh.GetLines()):
-            yield Stroke(self._placed(points[cell].tolist()), colour, opacity, width)
-        for cell in _cells(mesh.GetPolys()):
-            yield Area([self._placed(points[cell].tolist())], colour, opacity)
+        low = np.array([self._left, self._low])
+        high = low + (self._wide, self._high)
+        for is_face, array in ((False, mesh.GetLines()), (True, mesh.GetPolys())):
+            for part in (points[cell] for cell in _cells(array)):
+                if ((part < low).all(axis=0) | (part > high).all(axis=0)).any():
+                    continue  # kept outside until it is needed
+                placed = self._placed(part.tolist())
+                if is_face:
+                    yield Area([placed], colour, opacity)
+                else:
+                    yield Stroke(placed, colour, opacity, width)
 
     def _text(self, label: Label) -> Text:
         written = label.written
