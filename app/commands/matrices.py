@@ -2,23 +2,35 @@
 
 from __future__ import annotations
 
+import argparse
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
-from app.commands.options import parser_of, write_out
-from app.lecture.notation import latex_name, latex_number
+from app.commands.options import CliError, parser_of, write_out
+from app.lecture.notation import Letters, matrices
+from app.lecture.paper import displayed
 from app.lecture.typed_matrix import properties
 from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
+
+_DIGITS = 4
 
 
 def run(arguments: Sequence[str]) -> int:
     """Print every stage's matrix; return the exit status."""
     found, words = parser_of("matrices").read(arguments)
-    projection = document_of(words[0] if words else None, found.set).projection
-    write_out([_MATRIX_FORMATS[found.format](projection)])
+    if found.format != "latex":
+        for option in ("digits", "letters", "symbols", "numbers"):
+            if getattr(found, option):
+                raise CliError(f"--{option}: needs --format latex.")
+    document = document_of(words[0] if words else None, found.set)
+    projection = document.projection
+    if found.format == "latex":
+        write_out([_latex(projection, found, found.letters or document.view.letters)])
+    else:
+        write_out([(_text if found.format == "text" else _json)(projection)])
     return 0
 
 
@@ -27,30 +39,30 @@ def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
     return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
 
 
-def _matrices_text(projection: Projection) -> str:
+def _text(projection: Projection) -> str:
     blocks = [f"{lens_line(projection)}\n"]
     for stage in projection.all_stages:
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
         notes = [stage.note] if stage.note else []
         notes += map(str, properties(projection, stage.name))
         note = "".join(f"  ({note})\n" for note in notes)
-        blocks.append(f"{stage.name}{product}\n{note}{_text(stage.matrix)}")
+        blocks.append(f"{stage.name}{product}\n{note}{_rows(stage.matrix)}")
         factors = _factors(stage)
         if len(factors) > 1:
-            blocks += [f"  {name}\n{_text(values)}" for name, values in factors]
+            blocks += [f"  {name}\n{_rows(values)}" for name, values in factors]
         if stage.name == "clip_from_world":
             blocks.append("ndc_from_clip: x, y and z divided by w\n")
     return "\n".join(blocks)
 
 
-def _text(matrix: Array) -> str:
+def _rows(matrix: Array) -> str:
     texts = [format_value(value) for value in (matrix + 0.0).ravel().tolist()]
     length, before = (part.reshape(1, *matrix.shape) for part in lengths(texts))
     cells = map(str.rjust, texts, widths(length, before))
     return "".join(f"  {''.join(row)}\n" for row in zip(*[cells] * matrix.shape[1], strict=True))
 
 
-def _matrices_json(projection: Projection) -> str:
+def _json(projection: Projection) -> str:
     lines = [
         f"  {json.dumps(stage.name)}: {json.dumps(plain(stage.matrix), allow_nan=False)}"
         for stage in projection.all_stages
@@ -58,28 +70,15 @@ def _matrices_json(projection: Projection) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _matrices_latex(projection: Projection) -> str:
+def _latex(projection: Projection, found: argparse.Namespace, letters: Letters) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
-    for stage in projection.all_stages:
-        factors = _factors(stage)
-        shown = [values for _, values in factors] if len(factors) > 1 else []
-        equal = " = ".join(
-            "\n".join(map(_latex, group)) for group in (shown, [stage.matrix]) if group
-        )
-        notes = [stage.note] if stage.note else []
-        notes += map(str, properties(projection, stage.name))
+    numbers = found.numbers or not found.symbols
+    for matrix in matrices(projection, letters):
+        notes = [matrix.note] if matrix.note else []
+        notes += map(str, properties(projection, matrix.name))
+        if found.symbols and matrix.name == "clip_from_world":
+            notes.append("p_ij are the cells of clip_from_view")
         note = "".join(f"% {note}\n" for note in notes)
-        blocks.append(f"{note}\\[\n{latex_name(stage.name)} = {equal}\n\\]\n")
+        digits = found.digits or _DIGITS
+        blocks.append(note + displayed(matrix, letters, found.symbols, numbers, digits))
     return "\n".join(blocks)
-
-
-def _latex(matrix: Array) -> str:
-    rows = [" & ".join(map(latex_number, row)) for row in plain(matrix)]
-    return "\\begin{pmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{pmatrix}"
-
-
-_MATRIX_FORMATS: dict[str, Callable[[Projection], str]] = {
-    "text": _matrices_text,
-    "json": _matrices_json,
-    "latex": _matrices_latex,
-}

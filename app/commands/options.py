@@ -26,7 +26,7 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 SUMMARIES = {
-    "export": "draw a figure as PNG, SVG, PDF or HTML, without a window or display",
+    "export": "draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
     "measure": "measure, on this machine, what speed costs in accuracy",
@@ -43,6 +43,7 @@ CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
 MATRIX_FORMATS = ("text", "json", "latex")
+LETTERS = ("own", "000", "001", "002", "003", "004")
 FULL_TURN = 360.0
 """Of an orbit, in degrees."""
 LOOPS = ("repeat", "once", "back-and-forth")
@@ -283,6 +284,12 @@ def _whole(value: str) -> int:
     return int(value)
 
 
+def _digits(value: str) -> int:
+    if not re.fullmatch("[1-9]|1[0-7]", value):
+        raise CliError(f"--digits = {value!r}: must be a whole number from 1 to 17.")
+    return int(value)
+
+
 def _sweep(value: str) -> tuple[str, str]:
     """Split ``near`` or ``near=1e-3:10`` into the parameter and its ends."""
     name, equals, ends = value.partition("=")
@@ -448,6 +455,19 @@ def _matrices() -> Parser:
     text = "a document, picture or mesh whose camera is used (default: the letter F)"
     parser = Parser("matrices", "[FILE]", text)
     parser.add_choice("--format", MATRIX_FORMATS, "output format (default: text)", "text")
+    parser.add_argument(
+        "--digits", type=_digits, metavar="COUNT",
+        help="in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
+    )  # fmt: skip
+    parser.add_choice(
+        "--letters", LETTERS, "in LaTeX: the letters of a lecture (default: the document's)"
+    )
+    parser.add_argument(
+        "--symbols", action="store_true", help="in LaTeX: formulas in the cells instead of numbers"
+    )
+    parser.add_argument(
+        "--numbers", action="store_true", help="in LaTeX: numbers, also after --symbols"
+    )
     parser.add_set()
     return parser
 

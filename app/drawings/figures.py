@@ -36,7 +36,7 @@ from app.drawings.shades import printed
 from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT, Style, rgb
 from app.drawings.svg import svg
-from app.drawings.tikz import tikz
+from app.drawings.tikz import LARGEST, tikz
 from app.drawings.vectors import TOO_MANY, Area, Shape, box_of, moved
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -54,6 +54,9 @@ TOO_MANY_FOR = QT_TRANSLATE_NOOP(
     "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
 )
 A_LINK = QT_TRANSLATE_NOOP("Refusal", "{0}: is a link, where a picture of the figure would be.")
+TOO_LARGE_FOR_TEX = QT_TRANSLATE_NOOP(
+    "Refusal", "{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}."
+)
 NOT_FOUND_BY_TEX = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: reads pictures beside it, which TeX finds by ASCII letters, digits and . _ + = - alone.",
@@ -279,6 +282,9 @@ def write_shapes(
         content, pictures = tikz(found, size, *said, name)
         if pictures and not re.fullmatch(r"[\w.+=-]+", name, re.ASCII):
             raise Refusal.saying(NOT_FOUND_BY_TEX, path)
+        if len(content) > LARGEST:
+            sizes = (f"{count / 1e6:.3g}" for count in (len(content), LARGEST))
+            raise Refusal.saying(TOO_LARGE_FOR_TEX, path, *sizes, f"{name}.pdf")
         beside = {os.path.join(os.path.dirname(path), each): each for each in pictures}
         if any(map(os.path.islink, beside)):  # a stranger's list of figures chooses the name
             raise Refusal.saying(A_LINK, next(filter(os.path.islink, beside)))

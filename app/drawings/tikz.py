@@ -21,6 +21,8 @@ from app.drawings.svg import FUNCTIONS, GREEK, SEAM_PX, TEX, chained, kind_of, t
 from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.strangers import printable
 
+LARGEST = 1_500_000
+"""Most bytes of a file: in a document without much else, pdfTeX's memory ends at 2.2 MB."""
 _BP_PER_PX = 72.0 / DPI
 _PT_PER_BP = 72.27 / 72.0
 _FONT_PT = 10.0

@@ -28,6 +28,9 @@ from app.model.projection import DEPTH_RANGES, Array, Projection, Stage
 from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, Step, evaluated
 
+EVERY_DIGIT = 17
+"""As many significant digits tell every number of float64 from its neighbours."""
+
 Letters: TypeAlias = Literal["own", "000", "001", "002", "003", "004"]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
 Formulas: TypeAlias = tuple[tuple[str, ...], ...]
@@ -770,7 +773,8 @@ def latex_name(name: str) -> str:
     return rf"M_{{\text{{{target}}}\leftarrow\text{{{source}}}}}"
 
 
-def latex_number(value: float) -> str:
-    """Write a number with every digit and its exponent as a power of ten."""
-    mantissa, e, exponent = cell_text(value).partition("e")
+def latex_number(value: float, digits: int = EVERY_DIGIT) -> str:
+    """Write a number with so many digits, and its exponent as a power of ten."""
+    text = cell_text(value) if digits == EVERY_DIGIT else f"{value:.{digits}g}"
+    mantissa, e, exponent = text.partition("e")
     return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa

@@ -32,6 +32,7 @@ from app.document.settings import set_values
 from app.document.view import View
 from app.drawings.style import PALETTES
 from app.drawings.vectors import HIDDEN
+from app.lecture.notation import LETTERS
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (
@@ -859,7 +860,7 @@ def test_no_matrix_shows_a_minus_zero() -> None:
 
 
 def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
-    done = run_here("matrices", "--format", "latex", "--set", "lens.near=1e-7")
+    done = run_here("matrices", "--format=latex", "--digits=17", "--set", "lens.near=1e-7")
     blocks = re.findall(r"\\begin\{pmatrix\}\n(.*?)\n\\end\{pmatrix\}", done.stdout, re.DOTALL)
     rows = [[row.split(" & ") for row in block.split(" \\\\\n")] for block in blocks]
     assert all(len(matrix) == 4 and all(len(row) == 4 for row in matrix) for matrix in rows)
@@ -876,7 +877,7 @@ def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
         expected += [*(own if len(own) > 1 else []), stage.matrix]
     assert len(expected) == 9 + 6  # view, depth range and viewport have two factors
     assert shown == [matrix.tolist() for matrix in expected]
-    symbols = re.findall(r"^M_\{\\text\{(.*?)\}\\leftarrow\\text\{(.*?)\}\} = ", done.stdout, re.M)
+    symbols = re.findall(r"^&?M_\{\\text\{(.*?)\}\\leftarrow\\text\{(.*?)\}\} ", done.stdout, re.M)
     names = ["_from_".join(symbol).replace(" ", "_") for symbol in symbols]
     assert names == PERSPECTIVE_STAGES
     assert "e-" not in done.stdout
@@ -1053,7 +1054,7 @@ def test_the_help_names_what_exists() -> None:
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
     assert set(options.SETTABLE) == paths
     assert options.PRECISIONS == PRECISIONS
-    assert options.SPACES == SPACES
+    assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
     assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
@@ -1073,6 +1074,10 @@ def test_unknown_option_names_the_nearest() -> None:
 def test_a_wrong_command_line_is_refused_in_a_sentence(by_hand: Path, tmp_path: Path) -> None:
     for words, said in {
         ("matrices", "--format"): "--format",
+        ("matrices", "--format=latex", "--digits=18"): (
+            "--digits = '18': must be a whole number from 1 to 17."
+        ),
+        ("matrices", "--digits=4"): "--digits: needs --format latex.",
         ("matrices", "--format", "xml"): "--format = 'xml': must be one of text, json, latex.",
         ("matrices", "--set", "lens.fra=3"): "lens.fra is not known; the nearest name is lens.far.",
         ("matrices", "--set", "camera.eye=0,2.2,0"): "camera.eye = [0, 2.2, 0]: must differ from t",

@@ -175,3 +175,13 @@ def test_pixels_lie_beside_the_figure(tmp_path: Path) -> None:
     with pytest.raises(Refusal, match=r"h-pixels1\.png: is a link"):
         write_shapes(str(tmp_path / "h.tex"), scene, scene.start, **options)
     assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex", "h-pixels1.png"]
+
+
+def test_a_figure_that_the_memory_of_tex_cannot_hold_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    scene = load("cube")
+    monkeypatch.setattr("app.drawings.figures.LARGEST", 1000)
+    with pytest.raises(Refusal, match=r"would have 0\.\d+ MB; TeX's memory .*: write g\.pdf\."):
+        write_shapes(str(tmp_path / "g.tex"), scene, scene.start, panes=["image"], size=(96, 54))
+    assert not os.listdir(tmp_path)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 
 from app.document.compare import Picture
@@ -17,6 +17,7 @@ from app.document.files import read
 from app.document.settings import compared, set_values
 from app.document.view import View
 from app.model.projection import Projection
+from app.picking.picking import Probe
 from app.scenes.scene import load
 from tests.support.window import (
     LEFT,
@@ -306,10 +307,13 @@ def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
 
 def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     activate(window)
+    compare, drawn = window.comparing.pictures, list[bool]()
+    compare.drawn.connect(lambda: drawn.append(True))
+    window.panes["image"].show_probes([Probe(1, seen(window).camera.target)])
     hold(window)
     change(window, near=8.0)
+    assert drawn, "a question looks for its place again"
     present(window)
-    compare = window.comparing.pictures
     assert compare.others[0].isVisible() and not compare.bar.isVisible()
     assert not window.panes["world"].isVisible()
     assert not window.comparing.button.isVisible()
@@ -317,6 +321,15 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     screen_px = window.screen().size().height()
     compare.toggle_way()
     settle()
+    named = [box for boxes, _ in window.slide.named() for box in boxes]
+    for caption in compare.captions:
+        at = caption.mapTo(window.slide, QPointF())
+        assert QRectF(at, caption.size().toSizeF()) in named, "no question hides it"
+    for pane in (window.panes["image"], compare.others[0].pane):
+        place = pane.drawing.picture_rectangle_px
+        middle = place.left + place.width / 2.0, place.top + place.height / 2.0
+        at = pane.canvas.mapTo(window.slide, QPointF(*middle))
+        assert min((box.center() - at).manhattanLength() for box in named) < 2.0, "the probe's"
 
     def gaps() -> list[int]:
         """Between each caption and the picture below it."""

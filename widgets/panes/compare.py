@@ -214,6 +214,8 @@ class Compare(QObject):
 
     changed = Signal()
     """The pictures or the dividers have changed."""
+    drawn = Signal()
+    """One of the other pictures is on the screen for the first time, under its name."""
     end_wanted = Signal()
 
     def __init__(self, pane: Pane, smoothing: Callable[[], str]) -> None:
@@ -314,6 +316,8 @@ class Compare(QObject):
                 watched.installEventFilter(self)
             self._pane.canvas.shown.connect(self._open, Qt.ConnectionType.SingleShotConnection)
             self.others = [_Other(self._pane, each) for each in pictures if not each.live]
+            for other in self.others:
+                other.pane.canvas.shown.connect(self.drawn, Qt.ConnectionType.SingleShotConnection)
             self.captions = [Title("") for _ in pictures]
             for caption in self.captions:
                 caption.setParent(self._pane.surface)

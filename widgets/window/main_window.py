@@ -281,7 +281,7 @@ class MainWindow(QMainWindow):
         self.band, self.bottom = TalkBand(), QWidget()
         self.split = split = QSplitter(Qt.Orientation.Horizontal)
         self.slots = Slots(self.panes, self.strip)
-        self.slide = Slide(self.slots, self.panes)
+        self.slide = Slide(self.slots)
         self.drawer = Drawer(split, self.slide, self.panels)
         self.side = Side(split)
         self.controls = self.side.controls

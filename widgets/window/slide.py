@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import reduce
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 from app.document.view import PANES
 from widgets.panes.pane import Pane
 from widgets.parts.layouts import in_row
+from widgets.parts.note import Title
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
 from widgets.window.question import Question
@@ -29,10 +30,10 @@ class Slide(QWidget):
     touched = Signal()
     """A finger has touched the screen."""
 
-    def __init__(self, slots: Slots, panes: Mapping[str, Pane]) -> None:
+    def __init__(self, slots: Slots) -> None:
         super().__init__()
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
-        self._slots, self._panes = slots, panes
+        self._slots = slots
         self.equation = EquationSlide()
         self.question = Question(self, self.named)
         self.pen = Pen(self)
@@ -57,28 +58,37 @@ class Slide(QWidget):
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
 
     def named(self) -> Iterator[tuple[list[QRectF], QRectF]]:
-        """What a question should not hide, and if possible, of each pane and of the equation.
+        """What a question should not hide, and if possible, of each picture and of the equation.
 
-        These are the names and points, and all that is named; the equation's cells.
+        These are the names and points, and all that is named; the equation's cells; the titles.
         """
-        for pane in self._panes.values():
+        for pane in self.findChildren(Pane):  # also those that are compared
             canvas, drawing = pane.canvas, pane.drawing
-            if drawing is None or not self.isAncestorOf(canvas) or not canvas.isVisible():
+            if drawing is None or not canvas.isVisible():
                 continue
-            from_pixels = QTransform.fromTranslate(*canvas.mapTo(self, QPointF()).toTuple())
-            from_pixels.scale(1.0 / canvas.pixel_ratio, 1.0 / canvas.pixel_ratio)
-            height = canvas.height() * canvas.pixel_ratio
+            board, ratio = drawing.board, canvas.pixel_ratio
+            right, up = board.renderer.GetOrigin()  # an image's names are counted from its frame
+            corner = canvas.mapTo(self, QPointF(0.0, canvas.height()))
+            from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
+            from_pixels.translate(right, up)
             boxes = [
-                from_pixels.mapRect(QRectF(left, height - high, right - left, high - low))
-                for left, low, right, high in drawing.board.boxes
+                from_pixels.mapRect(QRectF(left, low, right - left, high - low))
+                for left, low, right, high in board.boxes
             ]
-            spots = QPolygonF([QPointF(x, height - y) for x, y in drawing.board.spots])
+            spots = QPolygonF([QPointF(*spot) for spot in board.spots])
             whole = from_pixels.mapRect(spots.boundingRect())
             inside = QRectF(canvas.mapTo(self, QPointF()), canvas.size().toSizeF())
             yield boxes, reduce(QRectF.united, boxes, whole).intersected(inside)
         if self.equation.isVisible():
             at = self.equation.mapTo(self, QPointF())
             yield [cell.translated(at) for cell in self.equation.cells], QRectF()
+        titles = [
+            QRectF(each.rect()).translated(each.mapTo(self, QPointF()))
+            for each in self.findChildren(Title)
+            if each.isVisible() and each.text()
+        ]
+        if titles:
+            yield titles, QRectF()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

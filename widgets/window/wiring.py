@@ -66,6 +66,7 @@ def _wire_components(window: Any) -> None:
         (menus.pen.triggered, window.slide.pen.toggle),
         (window.slide.pen.switched, menus.pen.setChecked),
         (window.slide.touched, window.control_strip.show_now),
+        (compare.drawn, window.slide.question.place),
         (menus.pointer.toggled, window.probing.set_pointing),
         (menus.start_card.triggered, window.show_start_card),
         (menus.controls.triggered, window.show_beside),

@@ -1,0 +1,135 @@
+"""Matrices as displayed equations of LaTeX whose lines are not wider than a page's text.
+
+The widths of TeX's letters are estimated, rather too large: nobody needs TeX to write an equation.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from app.lecture.equation import latex_cell
+from app.lecture.notation import (
+    EVERY_DIGIT,
+    Letters,
+    Matrix,
+    latex_called,
+    latex_name,
+    latex_number,
+)
+
+TEXT_WIDTH_PT = 345.0
+"""Of a line in LaTeX's classes, in 10 points."""
+_SIZES = {"": 1.0, r"\small": 0.93, r"\footnotesize": 0.86, r"\scriptsize": 0.81, r"\tiny": 0.72}
+"""TeX's smaller letters are wider in proportion, and the gaps between columns stay."""
+_EQUAL_PT, _INDENT_PT, _FURTHER_PT = 13.4, 10.0, 20.0
+_COLUMN_PT, _BRACKETS_PT, _FRACTION_PT = 10.0, 18.0, 2.4
+_READABLE_PT = 400.0  # a product of formulas that is wider is left to its factors
+_LETTER_PT, _CAPITAL_PT, _SCRIPT = 5.6, 9.5, 0.72
+_PT = {
+    **dict.fromkeys("0123456789/", 5.1), **dict.fromkeys("+-", 12.3), **dict.fromkeys("()", 3.9),
+    **dict.fromkeys(".,|", 2.8), " ": 1.5, "=": _EQUAL_PT, r"\cdot": 7.3, r"\,": 1.7,
+    **dict.fromkeys((r"\leftarrow", r"\to"), 15.6),
+    **dict.fromkeys((r"\left", r"\right", r"\vec", r"\text", r"\mathrm"), 0.0),
+    **dict.fromkeys((r"\tan", r"\sin", r"\cos", r"\cot"), 18.0),
+}  # fmt: skip
+_TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
+
+
+class _Part(NamedTuple):
+    """A part of a product, and its width in points of a font of 10 points."""
+
+    tex: str
+    width: float
+
+
+def displayed(
+    matrix: Matrix,
+    letters: Letters,
+    symbols: bool = False,
+    numbers: bool = True,
+    digits: int = EVERY_DIGIT,
+) -> str:
+    """Write a matrix as an equation (amsmath): its product, its factors, and the matrix.
+
+    The factors and the matrix have formulas (`symbols`), `numbers` of so many `digits`, or both
+    after each other. Letters are smaller where a line would be wider than `TEXT_WIDTH_PT`.
+    """
+    name, *chain = (latex_called(matrix.called) or latex_name(matrix.name)).split(" = ")
+    if not matrix.called:
+        chain = [*map(latex_name, matrix.product)]
+    sides = [[_Part(each, _width(each)) for each in chain]] if chain else []
+    for wanted, formulas in ((symbols, True), (numbers, False)):
+        for product in (matrix.factors, (matrix,)) if wanted else ():
+            side = [_pmatrix(each, letters, formulas, digits) for each in product]
+            is_product = formulas and bool(sides) and product is not matrix.factors
+            if side and side not in sides and not (is_product and side[0].width > _READABLE_PT):
+                sides.append(side)
+    widest = max(part.width for side in sides for part in side)
+    is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= TEXT_WIDTH_PT
+    begin = _width(name) if is_beside else _INDENT_PT
+    size, room = next(
+        (size, TEXT_WIDTH_PT / factor - begin)
+        for size, factor in _SIZES.items()
+        if begin + _FURTHER_PT + widest <= TEXT_WIDTH_PT / factor or factor == min(_SIZES.values())
+    )
+    lines = [line for side in sides for line in _lines(side, room)]
+    first = f"{name} " if is_beside else f"&{name} \\\\\n"
+    indent = "&" if is_beside else r"&\quad "
+    body = first + " \\\\\n".join(indent + line for line in lines)
+    equation = f"\\[\n\\begin{{aligned}}\n{body}\n\\end{{aligned}}\n\\]"
+    return f"{{{size}\n{equation}}}\n" if size else f"{equation}\n"
+
+
+def _lines(side: Sequence[_Part], room: float) -> Iterator[str]:
+    """Yield the lines of a product, as many parts in each as there is room for."""
+    line, width = "= ", _EQUAL_PT
+    for number, part in enumerate(side):
+        if number and width + part.width > room:
+            yield line.rstrip()
+            line, width = r"\qquad ", _FURTHER_PT
+        line += f"{part.tex} "
+        width += part.width
+    yield line.rstrip()
+
+
+def _pmatrix(matrix: Matrix, letters: Letters, formulas: bool, digits: int) -> _Part:
+    if formulas:
+        cells = [[_small(latex_cell(cell, letters)) for cell in row] for row in matrix.formulas]
+    else:
+        cells = [[latex_number(value, digits) for value in row] for row in matrix.values]
+    rows = [" & ".join(row) for row in cells]
+    # Fractions that are above one another would touch.
+    ends = [r" \\[2pt]" if "frac" in row else r" \\" for row in rows[:-1]] + [""]
+    body = "\n".join(row + end for row, end in zip(rows, ends, strict=True))
+    width = sum(max(map(_width, column)) + _COLUMN_PT for column in zip(*cells, strict=True))
+    return _Part(f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}", width + _BRACKETS_PT - _COLUMN_PT)
+
+
+def _small(tex: str) -> str:
+    return tex.replace(r"\dfrac", r"\frac")
+
+
+def _width(tex: str) -> float:
+    return _of_group(iter(_TOKEN.findall(tex)))
+
+
+def _of_group(tokens: Iterator[str]) -> float:
+    """The width of what comes before the next closing brace."""
+    width = 0.0
+    for token in tokens:
+        if token == "}":
+            break
+        width += _of(token, tokens)
+    return width
+
+
+def _of(token: str, tokens: Iterator[str]) -> float:
+    if token == "{":
+        return _of_group(tokens)
+    if token in ("_", "^"):
+        return _SCRIPT * _of(next(tokens), tokens)
+    if token == r"\frac":
+        return _SCRIPT * max(_of(next(tokens), tokens) for _ in range(2)) + _FRACTION_PT
+    return _PT.get(token, _CAPITAL_PT if token.isupper() or token in "mw" else _LETTER_PT)

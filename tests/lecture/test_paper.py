@@ -1,0 +1,85 @@
+"""Matrices for papers: lines that fit, with the digits, letters and factors that were asked for."""
+
+import re
+
+import pytest
+
+from app.lecture.notation import LETTERS, Letters, Matrix, matrices
+from app.lecture.paper import TEXT_WIDTH_PT, displayed
+from app.model.object_transform import ObjectTransform
+from app.model.projection import Oblique, Perspective, Projection
+
+
+def one(name: str, letters: Letters = "own", projection: Projection | None = None) -> Matrix:
+    shown = matrices(projection or Projection(lens=Perspective(45.0, 4.0, 18.0)), letters)
+    return next(matrix for matrix in shown if matrix.name == name)
+
+
+def test_factors_and_their_product_are_two_lines_of_one_equation() -> None:
+    assert (
+        displayed(one("image_from_ndc"), "own", digits=3)
+        == r"""\[
+\begin{aligned}
+M_{\text{image}\leftarrow\text{ndc}} &= \begin{pmatrix}
+640 & 0 & 0 & 0 \\
+0 & -360 & 0 & 0 \\
+0 & 0 & 0.5 & 0 \\
+0 & 0 & 0 & 1
+\end{pmatrix} \begin{pmatrix}
+1 & 0 & 0 & 1 \\
+0 & 1 & 0 & -1 \\
+0 & 0 & 1 & 1 \\
+0 & 0 & 0 & 1
+\end{pmatrix} \\
+&= \begin{pmatrix}
+640 & 0 & 0 & 640 \\
+0 & -360 & 0 & 360 \\
+0 & 0 & 0.5 & 0.5 \\
+0 & 0 & 0 & 1
+\end{pmatrix}
+\end{aligned}
+\]
+"""
+    )
+
+
+def test_symbols_are_those_of_the_lecture_and_numbers_follow_them() -> None:
+    both = displayed(one("clip_from_view", "003"), "003", symbols=True, digits=4)
+    assert both.startswith("\\[\n\\begin{aligned}\n" r"M_{\mathrm{projection}} &= ")
+    first, second = re.findall(r"begin\{pmatrix\}\n(.*?)\\end", both, re.DOTALL)
+    assert first.splitlines()[2] == r"0 & 0 & -\frac{f + n}{f - n} & -\frac{2f \, n}{f - n} \\[2pt]"
+    assert second.splitlines()[2] == r"0 & 0 & -1.571 & -10.29 \\"
+    alone = displayed(one("clip_from_view", "003"), "003", symbols=True, numbers=False)
+    assert alone.count("pmatrix") == 2 and "10.2" not in alone
+
+
+@pytest.mark.parametrize(
+    ("digits", "near"), [(1, r"-1 \cdot 10^{1}"), (2, "-10"), (5, "-10.286"), (17, "-10.28571")]
+)
+def test_a_number_has_as_many_digits_as_asked(digits: int, near: str) -> None:
+    cell = displayed(one("clip_from_view"), "own", digits=digits).splitlines()[-5].split(" & ")[3]
+    assert cell.startswith(near)
+
+
+def test_products_are_named_and_what_is_too_wide_is_left_to_its_factors() -> None:
+    moved = ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0), "rts")
+    projection = Projection(lens=Perspective(45.0, 4.0, 18.0), placement=moved)
+    factors = displayed(
+        one("world_from_object", projection=projection), "own", symbols=True, numbers=False
+    )
+    assert factors.count(r"\begin{pmatrix}") == 5 and "&= " in factors
+    named = displayed(one("clip_from_world"), "own")
+    assert r"M_{\text{canonical perspective}\leftarrow\text{view}} M_{\text{view}" in named
+
+
+@pytest.mark.parametrize("letters", LETTERS)
+def test_long_numbers_have_small_letters_and_short_lines(letters: Letters) -> None:
+    """17 digits of CMR 5 are 3.4 points wide each; the figures of TeX's own fonts are all alike."""
+    lens = Oblique(-3.7, 3.7, -2.1, 2.1, 1e-99, 18.0, alpha_deg=45.0, beta_deg=63.4)
+    for matrix in matrices(Projection(lens=lens), letters):
+        equation = displayed(matrix, letters, digits=17)
+        digit_pt = 3.4 if equation.startswith("{\\tiny") else 4.0 if "{\\s" in equation else 5.0
+        for body in re.findall(r"begin\{pmatrix\}\n(.*?)\n\\end", equation, re.DOTALL):
+            columns = zip(*(row.strip("\\ ").split(" & ") for row in body.split("\n")), strict=True)
+            digits = sum(max(len(re.sub(r"\D", "", cell)) for cell in column) for column in columns)
+            assert digit_pt * digits + 3 * 10.0 <= TEXT_WIDTH_PT
