@@ -390,7 +390,7 @@ class _Pane:
         colour, opacity = properties.GetColor(), properties.GetOpacity()
         width = self._width(properties.GetLineWidth())
         low = np.array([self._left, self._low])
-        high = low + (self._wide, self._high)
+        high = low + np.array([self._wide, self._high])
         for is_face, array in ((False, mesh.GetLines()), (True, mesh.GetPolys())):
             for part in (points[cell] for cell in _cells(array)):
                 if ((part < low).all(axis=0) | (part > high).all(axis=0)).any():
