@@ -20,7 +20,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import Style, mixed, rgb
-from app.drawings.vectors import Shape, shapes_of
+from app.drawings.vectors import Shape, refuse_too_many, shapes_of
 from app.drawings.world import WorldDrawing
 from app.model.projection import Projection
 from app.precision.levels import DRAWING_TOLERANCE_PX
@@ -86,7 +86,8 @@ def shapes_of_pane(
     """A pane's shapes, and where its picture begins and ends in them."""
     factor = _oversampling(size)
     with drawn_pane(
-        pane, scene, projection, illustration, size, style=style, finer=factor, **options
+        pane, scene, projection, illustration, size, style=style, finer=factor,
+        before=refuse_too_many, **options,
     ) as (window, drawing):  # fmt: skip
         grey = rgb(mixed(style.ink, style.background, _GREY))
         return shapes_of(window, factor, hidden, grey, watch), _ends(drawing, size, factor)
@@ -118,8 +119,12 @@ def drawn_pane(
     bare: bool = False,
     finer: int = 1,
     transparent: bool = False,
+    before: Callable[[Any], None] = lambda window: None,
 ) -> Iterator[tuple[Any, Drawing]]:
-    """A pane that has been drawn off the screen, `finer` times as large: its window and drawing."""
+    """A pane that has been drawn off the screen, `finer` times as large: its window and drawing.
+
+    ``before(window)`` is called before it is drawn.
+    """
     width, height = (finer * side for side in size)
     options: dict[str, Any] = {}
     if pane != "world":
@@ -150,6 +155,7 @@ def drawn_pane(
             for renderer in window.GetRenderers():
                 renderer.SetBackground(0.0, 0.0, 0.0)
                 renderer.SetBackgroundAlpha(0.0)
+        before(window)
         drawing.refine(whole=True)
         window.Render()
         if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on

@@ -213,6 +213,26 @@ def shapes_of(
     return found
 
 
+def refuse_too_many(window: Any) -> None:
+    """Raise the `Refusal` of `shapes_of` for what is known before a window is drawn."""
+    for renderer in window.GetRenderers():
+        _, actors = _shown_in(renderer)
+        if not any(map(_is_shaded, actors)):
+            _refuse_too_many(actors)
+
+
+def _refuse_too_many(actors: Iterable[Any]) -> None:
+    count = sum(actor.GetMapper().GetInput().GetNumberOfCells() for actor in actors)
+    if count > MOST_CELLS:
+        raise Refusal.in_document(TOO_MANY, count, MOST_CELLS, field="scene")
+
+
+def _shown_in(renderer: Any) -> tuple[list[Any], list[Any]]:
+    """The visible props of a renderer, and those of them that have a depth."""
+    props = [prop for prop in renderer.GetViewProps() if prop.GetVisibility()]
+    return props, [prop for prop in props if isinstance(prop, vtkActor)]
+
+
 class _Pane:
     """One renderer: its camera, and its rectangle in the window."""
 
@@ -242,15 +262,12 @@ class _Pane:
             low, high = (self._left, self._low), (self._left + self._wide, self._low + self._high)
             corners = [low, (high[0], low[1]), high, (low[0], high[1])]
             yield Area([self._placed(corners)], renderer.GetBackground(), 1.0)
-        props = [prop for prop in renderer.GetViewProps() if prop.GetVisibility()]
-        actors = [prop for prop in props if isinstance(prop, vtkActor)]
+        props, actors = _shown_in(renderer)
         if any(_is_shaded(actor) for actor in actors):
             yield self._picture(window, props)
             actors = [actor for actor in actors if _is_in_front(actor)]
+        _refuse_too_many(actors)
         cells: tuple[list[Cell], list[Cell], list[Cell]] = [], [], []
-        all_cells = sum(actor.GetMapper().GetInput().GetNumberOfCells() for actor in actors)
-        if all_cells > MOST_CELLS:
-            raise Refusal.in_document(TOO_MANY, all_cells, MOST_CELLS, field="scene")
         for place, actor in enumerate(actors):
             self._read(actor, place, cells)
         faces, lines, points = cells
@@ -372,10 +389,17 @@ class _Pane:
         properties = actor.GetProperty()
         colour, opacity = properties.GetColor(), properties.GetOpacity()
         width = self._width(properties.GetLineWidth())
-        for cell in _cells(mesh.GetLines()):
-            yield Stroke(self._placed(points[cell].tolist()), colour, opacity, width)
-        for cell in _cells(mesh.GetPolys()):
-            yield Area([self._placed(points[cell].tolist())], colour, opacity)
+        low = np.array([self._left, self._low])
+        high = low + np.array([self._wide, self._high])
+        for is_face, array in ((False, mesh.GetLines()), (True, mesh.GetPolys())):
+            for part in (points[cell] for cell in _cells(array)):
+                if ((part < low).all(axis=0) | (part > high).all(axis=0)).any():
+                    continue  # kept outside until it is needed
+                placed = self._placed(part.tolist())
+                if is_face:
+                    yield Area([placed], colour, opacity)
+                else:
+                    yield Stroke(placed, colour, opacity, width)
 
     def _text(self, label: Label) -> Text:
         written = label.written

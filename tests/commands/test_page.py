@@ -47,6 +47,10 @@ def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_pat
     alone = tmp_path / "alone.svg"
     of_one = ("--set=lens.near=4", "--panes=ndc", *sweep[2:5])
     assert run_here("export", alone, *of_one).returncode == 0
+    root = dict(Read(alone.read_text("utf-8")).given)["svg"]
+    inherited = [name for name in root if name.startswith(("role", "fill", "stroke"))]
+    for tag, given in read.given:
+        assert tag != "svg" or [given[name] for name in inherited] == [root[n] for n in inherited]
     elements = "".join(alone.read_text("utf-8").split("</desc>")[1].splitlines()[1:-1])
     assert re.sub(r'(id="|#)p1t', r"\1t", states[2][2]) == elements
     svgs = re.findall(r"<svg [^>]*data-slot>(.*?)</svg>", text)

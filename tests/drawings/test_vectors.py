@@ -249,6 +249,11 @@ def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
     assert 300 > width > right - left
     assert (left, width - right) == pytest.approx((2.0 / 25.4 * 300,) * 2)
     assert (top, height - bottom) == pytest.approx((2.0 / 25.4 * 300,) * 2, abs=10.0)
+    scene, options = load("similar-triangles"), {"panes": ["world"], "size": (300, 300)}
+    pixels = render(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    assert pixels.shape[0] < 250, "without what drawings keep outside until they need it"
+    (width, height), _ = shapes(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
 
 
 def test_no_half_of_an_images_pane_is_empty() -> None:

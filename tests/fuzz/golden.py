@@ -242,7 +242,7 @@ def states(scene: str) -> list[list[str]]:
         "--set",
         "camera.eye=-7,3,6",
     ]
-    other = [*settings_in_words(rng, scene), "--set", "depth=reversed", "--theme", "dark"]
+    other = [*settings_in_words(rng, scene), "--set", "depth=reversed", "--palette", "dark"]
     return [[], one, [*other, "--set", "image.width=500", "--set", "image.height=700"]]
 
 

@@ -106,7 +106,6 @@ def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
         QAccessible.setActive(False)
 
 
-
 def test_a_message_is_announced_and_esc_closes_it(
     make_window: MakeWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
