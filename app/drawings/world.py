@@ -458,12 +458,13 @@ class WorldDrawing(Drawing):
         """The triangles of the picture on the near plane, (n, 3, 3); NaN outside the window."""
         clip = self._projection.clip_from_local(self._scene.origin, "object")
         x, y, _, w = np.moveaxis(self._silhouette.triangles @ clip[:, :3].T + clip[:, 3], -1, 0)
-        with np.errstate(divide="ignore", invalid="ignore"):
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             inside = (w > 0.0) & (np.maximum(np.abs(x), np.abs(y)) <= w)
             across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
         corner, right, _, top = self.frustum.corners[:4]
-        on_plane: Array = corner + (across + 1.0) / 2.0 * (right - corner)
-        return on_plane + (up + 1.0) / 2.0 * (top - corner)
+        way = (across + 1.0) / 2.0 * (right - corner) + (up + 1.0) / 2.0 * (top - corner)
+        on_plane: Array = corner + way
+        return on_plane
 
     @property
     def _corners_seen(self) -> Array | None:
