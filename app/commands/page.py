@@ -18,6 +18,7 @@ from app.document.files import write_bytes_atomically
 from app.lecture.dependence import FIELDS as LETTERS
 from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, WORLD
+from app.lessons.text import in_line
 from app.scenes.phenomena.readout import figure
 
 if TYPE_CHECKING:
@@ -87,7 +88,7 @@ def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[
 
     def named(field: str) -> str:
         letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
-        symbol = in_letters(f"{{{letter}}}", letters) if letter else ""
+        symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
         return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
 
     written = Written(named, lambda text: in_letters(text, letters), lambda value: figure(value, 4))

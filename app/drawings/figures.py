@@ -59,7 +59,8 @@ TOO_LARGE_FOR_TEX = QT_TRANSLATE_NOOP(
 )
 NOT_FOUND_BY_TEX = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: reads pictures beside it, which TeX finds by ASCII letters, digits and . _ + = - alone.",
+    "{0}: TeX reads a picture beside it, whose name may have only letters from a to z, digits and "
+    ". _ + = -.",
 )
 
 

@@ -22,10 +22,11 @@ from typing import Any, NamedTuple
 from app.document.document import Document
 from app.document.lengths import Size
 from app.drawings.figure_size import PANE_PX
-from app.drawings.figures import shapes
+from app.drawings.figures import render, shapes
 from app.drawings.style import DARK, LIGHT
-from app.drawings.svg import elements
-from app.drawings.vectors import Shape
+from app.drawings.svg import OF_ALL, elements
+from app.drawings.vectors import TOO_MANY, Picture, Shape
+from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from app.strangers import printable
 
@@ -33,6 +34,7 @@ LARGEST = 500_000
 """Most bytes of a page that opens at once where the network is slow."""
 TEXT_PT = 6.0
 """Of letters in a pane of 640 pixels, which a phone shows as wide as itself."""
+_SHARPER = 2.0  # of pixels, for the screens of phones
 
 _PART = re.compile(r'<path[^>]* d="|M[^M"<]*|"/>|<[^>]*>|[^<]+')
 STYLE = f"""
@@ -42,9 +44,9 @@ background:{LIGHT.background};color:{LIGHT.ink}}}
 h1{{font-size:1.3rem;margin:.8rem 0 .4rem}}
 p{{max-width:45rem;margin:.5rem 0}}
 .panes{{display:flex;flex-wrap:wrap;gap:.8rem}}
-.column{{flex-direction:column}}
 figure{{flex-basis:0;min-width:min(100%,19rem);margin:0}}
-figure svg{{display:block;width:100%;height:auto;max-height:85vh;border-radius:4px;\
+.column figure{{flex-basis:100%}}
+figure svg{{display:block;width:100%;height:auto;border-radius:4px;\
 outline:1px solid {LIGHT.leader}}}
 figcaption{{font-size:.9rem;color:{LIGHT.muted};margin:.2rem 0}}
 form{{position:sticky;bottom:0;margin:0 -1rem;padding:.3rem 1rem .5rem;\
@@ -114,7 +116,8 @@ def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
     slots = [[_slot(*slot) for slot in _slots(state)] for state in states]
     aspects = [pane.size[0] / pane.size[1] for pane in states[0].panes]
     style = STYLE + "".join(
-        f".p{number}{{flex-grow:{aspect:.3f}}}\n" for number, aspect in enumerate(aspects)
+        f".p{number}{{flex-grow:{aspect:.3f};max-width:{85.0 * aspect:.3f}vh}}\n"
+        for number, aspect in enumerate(aspects)
     )
     *drawn, value, general, heard = ("".join(parts) for parts in slots[middle])
     figures = [
@@ -156,7 +159,10 @@ def drawn(
     text_pt: float | None = None,
     **options: Any,
 ) -> Drawn:
-    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`."""
+    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`.
+
+    Of too many shapes it is a picture of pixels.
+    """
     aspect = document.projection.aspect if pane == "image" else 1.0
     if document.view.compare and not document.view.dividers:
         aspect = 1.0
@@ -164,15 +170,22 @@ def drawn(
         size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
         text_pt = text_pt or TEXT_PT
     options |= {"panes": [pane], "size": size, "text_pt": text_pt}
-    return Drawn(*shapes(scene, document.projection, **options), said)
+    try:
+        return Drawn(*shapes(scene, document.projection, **options), said)
+    except Refusal as error:
+        if error.bound != TOO_MANY:
+            raise
+    options.pop("hidden", None)
+    pixels = render(scene, document.projection, scale=_SHARPER, **options)
+    return Drawn(size.px, [Picture(pixels, (0.0, 0.0, *size.px))], said)
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:
     """Return an SVG element that is part of a page."""
     width, height = (f"{side:g}" for side in size)
     return (
-        f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" role="img"'
-        f' stroke-linecap="round" stroke-linejoin="round"{attributes}>{inner}</svg>'
+        f'<svg viewBox="0 0 {width} {height}" width="{width}" height="{height}" {OF_ALL}'
+        f"{attributes}>{inner}</svg>"
     )
 
 

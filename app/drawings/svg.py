@@ -19,6 +19,8 @@ from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
 from app.lessons.text import outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
+OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'
+"""What the elements inherit, here and on a page."""
 SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
 SEAM_PX = 0.4
 """Of an opaque face's own colour round it: no seam shows between neighbours."""
@@ -41,8 +43,7 @@ def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: st
     lines = [
         f'<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink"'
         f' width="{wide}mm" height="{high}mm"'
-        f' viewBox="0 0 {width} {height}" role="img" fill="none" stroke-linecap="round"'
-        f' stroke-linejoin="round">',
+        f' viewBox="0 0 {width} {height}" {OF_ALL}>',
         f"<title>{escape(title)}</title>",
         *([f"<desc>{escape(text)}</desc>"] if text else ()),
     ]

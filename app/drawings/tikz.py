@@ -97,7 +97,10 @@ class _Writer:
     def needed(self, letters: str) -> Iterator[str]:
         """Yield what a document needs besides, as comments."""
         if _CYRILLIC.search(letters):
-            yield r"% Its Cyrillic letters need \usepackage[T2A]{fontenc}, or XeLaTeX or LuaLaTeX."
+            yield (
+                r"% Its Cyrillic letters need \usepackage[T2A]{fontenc}; in XeLaTeX and LuaLaTeX"
+                " a font that has them."
+            )
         if self.files:
             yield (
                 rf"% It reads {', '.join(self.files)} from the document's folder;"

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from app.drawings import page
+from app.drawings import page, vectors
 from tests.support.commands import refused, run_here
 from tests.support.html import Read
 from tests.support.meshes import PYRAMID, obj_file
@@ -47,6 +47,10 @@ def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_pat
     alone = tmp_path / "alone.svg"
     of_one = ("--set=lens.near=4", "--panes=ndc", *sweep[2:5])
     assert run_here("export", alone, *of_one).returncode == 0
+    root = dict(Read(alone.read_text("utf-8")).given)["svg"]
+    inherited = [name for name in root if name.startswith(("role", "fill", "stroke"))]
+    for tag, given in read.given:
+        assert tag != "svg" or [given[name] for name in inherited] == [root[n] for n in inherited]
     elements = "".join(alone.read_text("utf-8").split("</desc>")[1].splitlines()[1:-1])
     assert re.sub(r'(id="|#)p1t', r"\1t", states[2][2]) == elements
     svgs = re.findall(r"<svg [^>]*data-slot>(.*?)</svg>", text)
@@ -85,7 +89,9 @@ def test_a_large_page_is_written_and_says_what_makes_it_smaller(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(page, "LARGEST", 2000)
-    done = run_here("export", tmp_path / "a.html", "--panes=image")
+    monkeypatch.setattr(vectors, "MOST_CELLS", 10)
+    done = run_here("export", tmp_path / "a.html", "--panes=image", "--hidden=grey")
+    assert (tmp_path / "a.html").read_text("utf-8").count("data:image/png;base64,") == 1
     assert done.returncode == 0 and (tmp_path / "a.html").exists()
     assert done.stderr.startswith("a.html has ")
     assert done.stderr.endswith(" should have at most 2 kB: ask for fewer --panes.\n")

@@ -41,12 +41,13 @@ _UNITS = 10.0
 _STYLE = """
 body{max-width:46rem}
 h2{font-size:1.15rem;margin:2rem 0 .5rem}
-.panes figure{flex:1 1 19rem}
+.panes figure{flex:1 1 19rem;max-width:32rem}
 .f{height:auto;overflow:visible;max-width:100%;fill:currentColor}
 p[align=center]{margin:.8rem auto;overflow-x:auto}
 table{display:block;overflow-x:auto;border-collapse:collapse;margin:.5rem 0}
 td,th{border:1px solid #8b929a;padding:.15rem .5rem}
-.r{text-align:right}
+.right{text-align:right}
+.center{text-align:center}
 .beside{display:flex;flex-wrap:wrap;gap:.5rem 1.2rem;align-items:end;font-size:.9rem}
 .beside td{border:0;text-align:right;white-space:nowrap}
 .beside table{border:solid currentColor;border-width:0 2px;border-radius:5px}
@@ -108,7 +109,7 @@ class _Page:
             shown = self._formula(tex, DISPLAYED_LARGER if sign == DISPLAYED else 1.0)
             # No line ends between a formula and its punctuation.
             parts[2 * number + 1] = shown + ("" if after[:1].isspace() else "\u2060")
-        return "".join(parts).replace('style="text-align:right"', 'class="r"')
+        return re.sub(r'style="text-align:(\w+)"', r'class="\1"', "".join(parts))
 
     def _formula(self, tex: str, larger: float) -> str:
         tex = readable(tex)
