@@ -22,10 +22,11 @@ from typing import Any, NamedTuple
 from app.document.document import Document
 from app.document.lengths import Size
 from app.drawings.figure_size import PANE_PX
-from app.drawings.figures import shapes
+from app.drawings.figures import render, shapes
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
-from app.drawings.vectors import Shape
+from app.drawings.vectors import TOO_MANY, Picture, Shape
+from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from app.strangers import printable
 
@@ -33,6 +34,7 @@ LARGEST = 500_000
 """Most bytes of a page that opens at once where the network is slow."""
 TEXT_PT = 6.0
 """Of letters in a pane of 640 pixels, which a phone shows as wide as itself."""
+_SHARPER = 2.0  # of pixels, for the screens of phones
 
 _PART = re.compile(r'<path[^>]* d="|M[^M"<]*|"/>|<[^>]*>|[^<]+')
 STYLE = f"""
@@ -157,7 +159,10 @@ def drawn(
     text_pt: float | None = None,
     **options: Any,
 ) -> Drawn:
-    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`."""
+    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`.
+
+    Of too many shapes it is a picture of pixels.
+    """
     aspect = document.projection.aspect if pane == "image" else 1.0
     if document.view.compare and not document.view.dividers:
         aspect = 1.0
@@ -165,7 +170,14 @@ def drawn(
         size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
         text_pt = text_pt or TEXT_PT
     options |= {"panes": [pane], "size": size, "text_pt": text_pt}
-    return Drawn(*shapes(scene, document.projection, **options), said)
+    try:
+        return Drawn(*shapes(scene, document.projection, **options), said)
+    except Refusal as error:
+        if error.bound != TOO_MANY:
+            raise
+    options.pop("hidden", None)
+    pixels = render(scene, document.projection, scale=_SHARPER, **options)
+    return Drawn(size.px, [Picture(pixels, (0.0, 0.0, *size.px))], said)
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:

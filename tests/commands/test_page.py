@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from app.drawings import page
+from app.drawings import page, vectors
 from tests.support.commands import refused, run_here
 from tests.support.html import Read
 from tests.support.meshes import PYRAMID, obj_file
@@ -89,7 +89,9 @@ def test_a_large_page_is_written_and_says_what_makes_it_smaller(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(page, "LARGEST", 2000)
-    done = run_here("export", tmp_path / "a.html", "--panes=image")
+    monkeypatch.setattr(vectors, "MOST_CELLS", 10)
+    done = run_here("export", tmp_path / "a.html", "--panes=image", "--hidden=grey")
+    assert (tmp_path / "a.html").read_text("utf-8").count("data:image/png;base64,") == 1
     assert done.returncode == 0 and (tmp_path / "a.html").exists()
     assert done.stderr.startswith("a.html has ")
     assert done.stderr.endswith(" should have at most 2 kB: ask for fewer --panes.\n")
