@@ -369,6 +369,7 @@ def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -
     assert {place.height() for place in places} == {world.surface.height()}
     assert places[0].left() == 0 and places[1].left() > places[0].right()
     assert all(caption.isVisible() for caption in compare.captions)
+    assert all(each.height() >= each.sizeHint().height() for each in compare.captions), "whole"
     drawings = [other.pane.drawing for other in compare.others]
     assert {drawing.fixed for drawing in drawings} == {"side"}
     heights = {round(float(drawing.camera.box[:, 1].mean())) for drawing in drawings}

@@ -466,7 +466,9 @@ class Compare(QObject):
                 middle = round(place.center().x())
             left, right = cut.left() + GRASP_PX, cut.right() - GRASP_PX
             if y < below:  # in the pane's own line, on its title's height
-                y, height = row, title.height()
+                y = row
+                if not self._screen_px:  # a class sees larger letters than the title's
+                    height = title.height()
                 left, right = max(left, free_left + 4), min(right, free_right - 4)
             width = min(caption.sizeHint().width(), right - left)
             x = min(max(middle - width // 2, left), right - width)
