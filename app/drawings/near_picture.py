@@ -44,6 +44,8 @@ class NearPicture:
         self.faces = self.actors.surface
         self.space, self._lines_space, self._ground_space = self.actors.spaces
         canvas.add(*self.actors, layer="near-picture")
+        self.is_seen = False
+        """Whether it is drawn, if its layer is visible."""
 
     def show(
         self,
@@ -67,6 +69,7 @@ class NearPicture:
             )
         # From the eye itself the picture covers the scene exactly, and is left out.
         seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
+        self.is_seen = bool(seen)
         for actor in self.actors:
             self._canvas.set_visible(actor, seen)
         if not seen:

@@ -438,6 +438,8 @@ class WorldDrawing(Drawing):
         triangles = self._silhouette.triangles @ placed[:3, :3].T + placed[:3, 3]
         self._silhouette.ink(ground, pane.spots(triangles))
         corners = self._corners_seen
+        if self.picture.is_seen and "near-picture" not in self._canvas.hidden:
+            self._silhouette.ink(ground, pane.spots(self._on_near_plane))
         if corners is not None:
             edges = pane.spots(corners[_EDGES])
             # In a flat view a plane is one upright line: letters keep a square away from it.
@@ -450,6 +452,19 @@ class WorldDrawing(Drawing):
             self._dimensions.ink(ground)
         if self._marks is not None:
             self._marks.ink(ground, pane.seen)
+
+    @property
+    def _on_near_plane(self) -> Array:
+        """The triangles of the picture on the near plane, (n, 3, 3); NaN outside the window."""
+        clip = self._projection.clip_from_local(self._scene.origin, "object")
+        x, y, _, w = np.moveaxis(self._silhouette.triangles @ clip[:, :3].T + clip[:, 3], -1, 0)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            inside = (w > 0.0) & (np.maximum(np.abs(x), np.abs(y)) <= w)
+            across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
+        corner, right, _, top = self.frustum.corners[:4]
+        way = (across + 1.0) / 2.0 * (right - corner) + (up + 1.0) / 2.0 * (top - corner)
+        on_plane: Array = corner + way
+        return on_plane
 
     @property
     def _corners_seen(self) -> Array | None:

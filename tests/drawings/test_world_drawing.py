@@ -584,6 +584,25 @@ def history() -> Iterator[Projection]:
         yield replace(with_lens(near=0.5 * 1.05**step), camera=camera)
 
 
+def test_no_label_lies_on_the_picture_on_the_near_plane(make_view: MakeView) -> None:
+    view = make_view(load("letter-f"), 1366, 598, LIGHT.enlarged(26.0 / LIGHT.font_size))
+    view.drawing.show_names(frozenset({"near", "far", "l", "r", "b", "t"}))
+    view.drawing.show_projection(START)
+    view.drawing.reset_view()
+    view.pixels()
+    vertices = np.asarray(view.scene.surface.points) + view.scene.origin
+    x, y, _, w = START.clip_from_world @ np.column_stack([vertices, np.ones(len(vertices))]).T
+    left_low, right_low, _, left_top = corners_world(START)[:4, :3]
+    across, up = (x / w + 1.0) / 2.0, (y / w + 1.0) / 2.0
+    pictured = left_low + np.outer(across, right_low - left_low) + np.outer(up, left_top - left_low)
+    column, row = view.pixel_of(pictured).T
+    boxes = boxes_of(view.plotter)
+    assert len(boxes) == 6
+    for text, (left, low, right, top) in boxes.items():
+        on_it = (left < column) & (column < right) & (low < 598 - row) & (598 - row < top)
+        assert not on_it.any(), text
+
+
 def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -> None:
     """They change sides less often than when each step is laid out afresh."""
     view = make_view("letter-f", 430, 620)

@@ -27,7 +27,7 @@ WORDS = Words("off-axis-window")
 
 
 _NAMES, _COLOURS = ("left", "right"), ("u", "n")
-_INSET = 0.004  # of the picture: half of a frame's line
+_INSET = 0.007  # of the shorter side: half of a frame's line
 _SAMPLE = 100  # about so many vertices are compared at every step
 
 
@@ -188,7 +188,7 @@ def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
 def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
     """The screens' frames in the picture, so far inside that its border does not cut them."""
     width, height = projection.image_size
-    x, inner = 0.0, _INSET * max(width, height)
+    x, inner = 0.0, _INSET * min(width, height)
     low, high = inner, height - inner
     marks: list[Mark] = []
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
