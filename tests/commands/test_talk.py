@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 
 from app.commands.composed import Composed, taken
+from app.drawings.figure_size import PANE_PX
 from app.lecture.notation import matrices
 from app.lessons.course import Course
 from app.lessons.lesson import read
@@ -257,6 +258,8 @@ def test_the_handout_is_also_a_page_for_phones(talk: Path) -> None:
         assert (tags["figure"], tags["textarea"], tags["section"]) == (figures, rooms, 2)
         assert tags["script"] == tags["b"] == 0
         assert re.findall("https?:|url\\(|@import| style=", text) == []
+        sizes = re.findall(r'<figure><svg viewBox="0 0 (\S+) (\S+)"', text)
+        assert min(float(height) for _, height in sizes) < 0.95 * PANE_PX, "nothing is left out"
         names = [given.get("aria-label") for tag, given in read.given if tag == "svg"]
         assert "1 over 2" in names and "x" in names
         said = " ".join(" ".join(data for _, data in read.texts).split())

@@ -153,7 +153,7 @@ class _Page:
             # What is true of the state may be the answer.
             said = about.panes[pane] if shown.asks else about.of_pane(pane)
             size, shapes, _ = drawn(
-                pane, said, document, scene_of(document), view=document.view,
+                pane, said, document, scene_of(document), view=document.view, crop=True,
                 settings=document.settings, quality=document.quality,
             )  # fmt: skip
             inner = drawing(shapes, f"s{self._figures}t")
