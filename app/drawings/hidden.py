@@ -8,6 +8,7 @@ on all faces: a part behind a translucent face has the colour that it has throug
 from __future__ import annotations
 
 import heapq
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations, pairwise
@@ -22,6 +23,7 @@ _LEAST_PX2 = 0.01  # of what two faces have in common, or of a face
 _IN_PLANE = 1e-7  # of NDC
 _SAME_DEPTH = 1e-9  # of NDC; a line that lies in a face is drawn
 _BORDER_PX = 1e-3
+_LEAST_PX = 0.25  # of a part of a line between two borders of faces; less is not drawn
 _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
@@ -472,11 +474,14 @@ class Hiding:
                     hidden.append(part)
                 elif part is not None:
                     tints.append((*part, face))
+            length = math.dist(begin[:2], end[:2]) or 1.0
             for first, last in _rest(hidden):
                 marks = sorted(
                     {first, last, *(t for tint in tints for t in tint[:2] if first < t < last)}
                 )
                 for low, high in pairwise(marks):
+                    if high - low < min(1.0, _LEAST_PX / length):
+                        continue
                     colour = line.colour
                     for start, stop, face in tints:
                         if start <= low and high <= stop:

@@ -149,6 +149,7 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     text, found, _ = figure(document, ["world", "ndc", "image"], (1920, 640))
     again = figure(document, ["world", "ndc", "image"], (1920, 640))[0]
     assert text == again and len(text) <= 50_000
+    assert "l0 0" not in text, "no line is a point"
     tree = ElementTree.fromstring(text)
     written = ["".join(each.itertext()) for each in tree.iter("{http://www.w3.org/2000/svg}text")]
     labels = [shape.written.text for shape in found if isinstance(shape, Text)]
