@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import logging
 import re
 from collections.abc import Callable, Iterator
@@ -31,6 +32,7 @@ _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
 _APART = re.compile(rf"<p>((?:(?!</p>).)*{DISPLAYED}(?:(?!</p>).)*)</p>", re.DOTALL)
 _ROW = re.compile(rf"((?:{DISPLAYED}\s*)+[.,;:]?)")
+_MINUS = re.compile(r"(?<![\w.)\]])-(?=\d)")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
 
 
@@ -169,9 +171,15 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
 
     reader = markdown()
     reader.add_render_rule("math", lambda _self, *given: math(*given))
+    reader.add_render_rule("text", lambda _self, tokens, place, *_: _words(tokens[place].content))
     text = re.sub(f"[{FORMULA}{DISPLAYED}]", "\ufffd", text)
-    html = _APART.sub(_parted, _NO_HEAD.sub("", str(reader.render(text))))
-    return _ALONE.sub(r'<p align="center">\1</p>', html.strip()), tuple(found)
+    whole = _APART.sub(_parted, _NO_HEAD.sub("", str(reader.render(text))))
+    return _ALONE.sub(r'<p align="center">\1</p>', whole.strip()), tuple(found)
+
+
+def _words(text: str) -> str:
+    """A text's words as HTML; a hyphen before a number is a minus."""
+    return html.escape(_MINUS.sub("\N{MINUS SIGN}", text))
 
 
 def _parted(paragraph: re.Match[str]) -> str:
@@ -274,7 +282,8 @@ _SIGNS = {
 
 def in_line(text: str) -> str:
     """Return a text without markup for a list or a button, with signs for what has one."""
-    text = re.sub(r"\\([a-z]+)", lambda found: _SIGNS.get(found[1], found[0]), plain_of(text))
+    text = _MINUS.sub("\N{MINUS SIGN}", plain_of(text))
+    text = re.sub(r"\\([a-z]+)", lambda found: _SIGNS.get(found[1], found[0]), text)
     return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), text)
 
 

@@ -109,6 +109,11 @@ def test_a_displayed_formula_stands_on_a_line_of_its_own() -> None:
     assert html.count('<p align="center">') == 2
 
 
+def test_a_hyphen_before_a_number_is_a_minus() -> None:
+    html, _ = html_of("[-1, 1], 15-20, x-1 & `-3`: **-0.5**")
+    assert html == "<p>[−1, 1], 15-20, x-1 &amp; <code>-3</code>: <strong>−0.5</strong></p>"
+
+
 def test_formulas_outlive_every_other_text_and_are_said_again(qapp: Any) -> None:
     """Whatever draws them is no document's own: PySide crashed now and then when one went."""
     document = QTextDocument()
