@@ -11,7 +11,14 @@ from functools import partial
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from app.commands import batch, page, sweep
-from app.commands.arguments import check_drawing, check_out, document_of, importing, load_scene
+from app.commands.arguments import (
+    check_drawing,
+    check_out,
+    document_before,
+    document_of,
+    importing,
+    load_scene,
+)
 from app.commands.options import CliError, complain, parser_of
 from app.document.codec import picture_json
 from app.document.document import Document
@@ -22,6 +29,8 @@ from app.document.files import (
     content_of,
     write_bytes_atomically,
 )
+from app.document.view import PANES
+from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
@@ -62,6 +71,7 @@ def run(arguments: Sequence[str]) -> int:
 
 def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
+    _choose_panes(found, file)
     _check(found, out, _ENDINGS)
     document = document_of(file, found.set, found.step)
     scene = load_scene(document.scene, document.mesh, file)
@@ -72,6 +82,7 @@ def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
 
 def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a moving picture: a film, written whole or not at all, or a figure for each frame."""
+    _choose_panes(found, file)
     found.loop = found.loop or sweep.usual_loop(found, numbered=bool(sweep.names(out, 1)))
     order, _ = sweep.order(found), sweep.speed(found)
     names = sweep.names(out, len(order))
@@ -107,6 +118,7 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
 
 def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a page for phones, of one state or of a sweep."""
+    _choose_panes(found, file)
     _check(found, out, (".html",))
     page.check(found)
     with _of_options(found):
@@ -117,6 +129,19 @@ def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
     with _of_options(found):
         large = page.write(found, out, _told(states), states, scene, partial(_options, found))
     return next(filter(None, [large, *warnings]), "")
+
+
+def _choose_panes(found: argparse.Namespace, file: str | None) -> None:
+    """Take all panes where none is asked for, and of a lesson's step those that a class sees."""
+    if found.panes is not None:
+        return
+    panes: Sequence[str] = PANES
+    is_step = file is not None and (found.step is not None or is_lesson(file))
+    if is_step and not found.stages and found.orbit is None:
+        with importing():
+            from app.lessons.course import panes_of
+        panes = panes_of(document_before(file, found.set, found.step))
+    found.panes = ",".join(panes)
 
 
 def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:

@@ -339,10 +339,9 @@ def _export() -> Parser:
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
         "--panes",
-        default="world,ndc,image",
         metavar="world,ndc,image",
         help="the panes to draw, side by side, or below each other with / instead of commas "
-        "(default: all, side by side)",
+        "(default: all, side by side; of a step, those of its slide)",
     )
     parser.add_argument(
         "--size",

@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 from app.document import files
 from app.document.document import Document, is_mesh
 from app.document.settings import set_values
-from app.document.view import AS_EVER, FIELDS, View
+from app.document.view import AS_EVER, FIELDS, PANES, View
 from app.lessons.blocks.block import Asked, Idea
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
@@ -39,6 +39,12 @@ def _scene(name: str, mesh: str) -> Scene:
 def scene_of(document: Document) -> Scene:
     """Return the scene of a document, from a small cache."""
     return _scene(document.scene, document.mesh)
+
+
+def panes_of(document: Document) -> list[str]:
+    """Return the panes that a class sees, or the large one."""
+    large = document.view.large or scene_of(document).leading
+    return [pane for pane in document.view.slide if pane in PANES] or [large]
 
 
 class Shown(NamedTuple):

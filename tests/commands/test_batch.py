@@ -88,6 +88,7 @@ title: Three
 # One {#one}
 ```state
 scene=cube
+view.slide=image,ndc
 ```
 ---
 # Two {#two}
@@ -119,7 +120,7 @@ def test_lessons_give_a_figure_of_each_step(tmp_path: Path) -> None:
         "5/5 wrong failed",
     ]
     two, wrong = done.stderr.splitlines()
-    assert two.startswith(f"{lecture / 'three.md'}, step 2: ") and "line 11" in two
+    assert two.startswith(f"{lecture / 'three.md'}, step 2: ") and "line 12" in two
     assert wrong.startswith(f"{lecture / 'wrong.md'}: ") and "title" in wrong
     assert sorted(os.listdir(out)) == [
         "index.html", "kept.png", "three-01-one.png", "three-03-three.png",
@@ -149,6 +150,13 @@ def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
     _, whole, none = done.stderr.splitlines()
     assert whole.startswith(f"{source}, line 4: file = 'three.md': is a lesson; name its step")
     assert none.startswith(f"{source}, line 5: --step = '9': must be a number from 1 to 3")
+    slide = tmp_path / "slide.svg"
+    for wanted, shown in ((), ("Image", "Cube")), (("--panes=world",), ("World",)):
+        done = run_here(
+            "export", slide, tmp_path / "three.md", "--step=one", "--size=64x32", *wanted
+        )
+        assert done.returncode == 0
+        assert tuple(re.findall(r"(World|Cube|Image): ", slide.read_text())) == shown
     assert "is a column of the list" in refused("export", out, "--batch", source, "--step=1")
 
 

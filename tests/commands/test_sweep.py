@@ -130,7 +130,7 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
 
 def test_the_stages_rest_at_each_stop_and_come_back(tmp_path: Path) -> None:
     def positions(*options: str) -> list[float]:
-        found, _ = parser_of("export").read(["a.gif", "--stages", *options])
+        found, _ = parser_of("export").read(["a.gif", "--stages", "--panes=ndc", *options])
         found.loop = found.loop or usual_loop(found, numbered=False)
         moments = states(found, None)
         return [moments[place].view.stage for place in order(found)]

@@ -21,6 +21,7 @@ from app.lessons.blocks.click import PICTURE_PX, Click
 from app.lessons.blocks.exercise import Variant
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Marked, Question
+from app.lessons.course import panes_of
 from app.lessons.lines import refused
 from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.lesson_text import answer_of
@@ -74,7 +75,7 @@ class Numbered(NamedTuple):
         """The panes to draw: that of the click, or those of the state that are not hidden."""
         if isinstance(self.question, Click):
             return [self.question.pane]
-        wanted = paper.panes_of(self.variant.here.document)
+        wanted = panes_of(self.variant.here.document)
         seen = [pane for pane in wanted if pane not in self.hides]
         return seen or [pane for pane in PANES if pane not in self.hides][:1]
 

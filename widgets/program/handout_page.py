@@ -18,7 +18,7 @@ from PySide6.QtGui import QImage
 from app.drawings.describing import describe
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
-from app.lessons.course import Course, scene_of
+from app.lessons.course import Course, panes_of, scene_of
 from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
 from app.model.formula import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
@@ -32,7 +32,6 @@ from widgets.program.handout_content import (
     contents,
     planned,
 )
-from widgets.program.paper import panes_of
 
 _SLIDE_PX = 1280
 """Width of a picture of a slide."""

@@ -27,11 +27,10 @@ from PySide6.QtGui import (
 
 from app.document.document import Document
 from app.document.lengths import DPI as DPI_OF_FIGURES
-from app.document.view import PANES
 from app.drawings.drawing import Drawing
 from app.drawings.figures import render
 from app.drawings.style import LIGHT
-from app.lessons.course import scene_of
+from app.lessons.course import panes_of, scene_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.parts.lesson_text import SPACIOUS, set_text
 from widgets.parts.plain import TextDocument
@@ -171,12 +170,6 @@ class Mark(NamedTuple):
 
     place: tuple[float, ...]
     radius: float
-
-
-def panes_of(document: Document) -> list[str]:
-    """Return the panes that a class sees, or the large one."""
-    large = document.view.large or scene_of(document).leading
-    return [pane for pane in document.view.slide if pane in PANES] or [large]
 
 
 def figure(
