@@ -174,7 +174,7 @@ def test_the_images_frame_is_a_line_over_all_backgrounds() -> None:
         and shape.opacity == 1.0
         and (np.ptp(shape.rings[0], axis=0) > 350.0).all()
     ]
-    assert len(long) == 4 and len(large) == 3 and large[-1] < long[0]
+    assert len(long) == 4 and len(large) >= 3 and large[-1] < long[0]
 
 
 def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None:
