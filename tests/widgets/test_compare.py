@@ -374,6 +374,11 @@ def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -
     assert {drawing.fixed for drawing in drawings} == {"side"}
     heights = {round(float(drawing.camera.box[:, 1].mean())) for drawing in drawings}
     assert len(heights) == 2, "each has a camera of its own"
+    turned = set_values(document, ["view.fixed=", "view.panes=world: 1,2,20"])
+    assert window.store.open(turned, is_work=False)
+    settle()
+    for other in compare.others:  # all are seen from the same place
+        assert other.pane.view is not None and other.pane.view.eye == pytest.approx((1, 2, 20))
     window.present.end()
     settle()
     assert all(other.parent() is image.surface for other in compare.others)

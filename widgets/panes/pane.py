@@ -297,6 +297,7 @@ class Pane(QFrame):
         self.show_layers(other._hidden)
         for what in ("names", "fixed", "step"):
             self.ask(what, other._asked[what])
+        self.ask("view", other.view)
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
