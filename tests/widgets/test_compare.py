@@ -379,6 +379,8 @@ def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -
     settle()
     for other in compare.others:  # all are seen from the same place
         assert other.pane.view is not None and other.pane.view.eye == pytest.approx((1, 2, 20))
+    world.reset_view()
+    assert all(other.pane.view is None for other in compare.others)
     window.present.end()
     settle()
     assert all(other.parent() is image.surface for other in compare.others)

@@ -251,10 +251,11 @@ class Compare(QObject):
         self._know(pane)
 
     def _know(self, pane: Pane) -> None:
-        """Follow the probes of a pane."""
+        """Follow the probes of a pane, and from where it looks."""
         if pane not in self._known:
             self._known.add(pane)
             pane.marked.connect(self.refresh)
+            pane.turned.connect(self.refresh)
 
     def move_to(self, pane: Pane) -> None:
         """Compare in another pane from now on."""

@@ -164,6 +164,8 @@ class Pane(QFrame):
     """The `Highlight` of what is under the mouse; only when it changes."""
     timed = Signal(float, float)
     """The ms of the last step's matrices and of a repaint; only after `set_timed`."""
+    turned = Signal()
+    """The pane's own view was moved by hand, or put back."""
     marked = Signal()
     """The pane shows other layers or probes."""
 
@@ -539,6 +541,7 @@ class Pane(QFrame):
         if self.drawing is not None:
             self.drawing.reset_view()
             self.request_repaint()
+            self.turned.emit()
 
     # -- on the way from one state to another
 
@@ -586,6 +589,7 @@ class Pane(QFrame):
                 self.fixed_left.emit()
         self._watch_labels()
         self.request_repaint()
+        self.turned.emit()
 
     # -- in the window
 
