@@ -123,7 +123,8 @@ def _lines(found: argparse.Namespace) -> Iterator[Line]:
         raise CliError("--format: is for a folder or a lesson; in a list the endings decide.")
     for line in _of_list(source):
         if file := line.cells.get("file"):
-            file = os.path.join(os.path.dirname(source), file)
+            beside, named = os.path.join(os.path.dirname(source), file), lesson_file(file)
+            file = beside if os.path.lexists(beside) or named == file else named
             line = line._replace(cells=line.cells | {"file": file})
         if file and is_lesson(file) and not line.cells.get("step") and not line.wrong:
             yield from _of_steps(file, line)
@@ -203,6 +204,8 @@ def _checked_columns(columns: list[str], where: str) -> list[str]:
     known = ["out", "file", *_options(parser_of("export")), *SETTABLE]
     for number, column in enumerate(columns):
         shown = shown_name(column)
+        if ";" in column:
+            raise CliError(f"{where}: {shown!r} is one column; they are separated by commas.")
         if column not in known and not column.startswith("settings."):
             near = max(known, key=lambda name: difflib.SequenceMatcher(None, shown, name).ratio())
             raise CliError(f"{where}: {shown!r} is not a column; the nearest is {near}.")

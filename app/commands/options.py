@@ -242,6 +242,10 @@ def check_file(word: str) -> None:
         return
     if word in SUMMARIES:
         raise CliError(f"{word} is a command and must come first: {bootstrap.PROGRAM} {word} ...")
+    from app.scenes.scene import BUILT_IN
+
+    if word in BUILT_IN:
+        raise CliError(f"{word} is a scene: write --set scene={word}.")
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
     known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
     raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
@@ -379,7 +383,7 @@ def _export() -> Parser:
     )
     parser.add_argument(
         "--text-size", type=_points, metavar="PT",
-        help="height of the letters in points; 72 points are 300 pixels at scale 1 (default: 7 "
+        help="size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 "
              "in a pane of 640 pixels, in proportion in others)",
     )  # fmt: skip
     parser.add_choice(

@@ -23,6 +23,11 @@ from app.scenes.phenomena import PHENOMENA
 Tree: TypeAlias = dict[str, Any]
 
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
+LOOKS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be world or ndc with the pane's eye, as in ndc: 1.3,0.2,0.3, and perhaps its target (what"
+    " a class sees is view.slide)",
+)
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 # What float() accepts but a document does not: 1_000, nan, infinity, digits of other scripts.
@@ -91,6 +96,19 @@ def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] |
     return [values[i : i + width] for i in range(0, len(values), width)]
 
 
+def _looks(text: str) -> dict[str, Any] | None:
+    """Parse where panes look from: ``ndc: 1.3,0.2,0.3``, the panes separated by ``|``."""
+    found = {}
+    for part in text.split("|") if text else ():
+        pane, _, places = (word.strip() for word in part.partition(":"))
+        rows = _rows(places, 3, 1, 2)
+        if pane not in ("world", "ndc") or rows is None:
+            return None
+        eye, target = (*rows, [0.0, 0.0, 0.0])[:2]
+        found[pane] = {"eye": eye, "target": target, "up": [0.0, 1.0, 0.0]}
+    return found
+
+
 def _number_or_word(text: str) -> float | str:
     value = number(text)
     return text if value is None else value
@@ -104,6 +122,7 @@ SWITCH = Kind(lambda text: {"true": True, "false": False}.get(text, text))
 VECTOR = Kind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
 MATRIX = Kind(lambda text: _rows(text, 4, 4, 4), (FOUR_BY_FOUR,))
 PROBES = Kind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
+PANES = Kind(_looks, (LOOKS,))
 NAMES = Kind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
 
 
@@ -131,7 +150,7 @@ QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
     stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, slide=NAMES, controls=NAMES, probes=PROBES,
-    pinned=None, panes=None,
+    pinned=None, panes=PANES,
 )  # fmt: skip
 
 

@@ -144,8 +144,6 @@ def _with_lens(document: Document, kind: str) -> Document:
 
 def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
     shown = shown_name(path[:LONGEST_SHOWN])
-    if path == "view.panes":  # the panes' cameras, which no text sets
-        return Refusal.in_document(UNKNOWN, "view.slide", field=shown)
     section, _, key = path.rpartition(".")
     others = [kind for kind in kinds() if key in {each.name for each in lens_fields(kind)}]
     if section in ("lens", "") and others and f"lens.{key}" not in paths:

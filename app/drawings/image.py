@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.document.naming import named_in
 from app.drawings import AXES
-from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted
+from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted, line_actor
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
@@ -405,15 +405,19 @@ class ImageDrawing(Drawing):
     def _add_axes(self, words: Mapping[str, str]) -> None:
         style = self._style
         self._spaces: dict[str, Space] = {}
+        # A line: thin faces before the picture are lost where a program draws shapes coarsely.
+        self._frame = line_actor(_SQUARE, [(0, 1, 2, 3, 0)], style.ink, 1.0)
+        self._spaces["frame"] = Space()
+        self._spaces["frame"].add(self._frame)
+        self._canvas.add(self._frame)
         for name, colour, points in (
-            ("frame", style.ink, _SQUARE),
             ("x axis", style.u, _SQUARE),
             ("y axis", style.v, _SQUARE),
             ("origin", style.ink, _SQUARE),
             ("x head", style.u, ((0.0, -1.0, 0.0), (2.0, 0.0, 0.0), (0.0, 1.0, 0.0))),
             ("y head", style.v, ((-1.0, 0.0, 0.0), (0.0, 2.0, 0.0), (1.0, 0.0, 0.0))),
         ):
-            self._add_face(name, colour, points, "" if name == "frame" else AXES)
+            self._add_face(name, colour, points, AXES)
         label = self._canvas.label
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
@@ -488,8 +492,9 @@ class ImageDrawing(Drawing):
         em = self._style.font_size
         thin, thick = (max(1, round(k * self._style.line_width)) for k in (0.5, 1.0))
         tip, head, wide = round(0.6 * em), 0.3 * em, 3 * thick
+        self._frame.GetProperty().SetLineWidth(thin)
         places: dict[str, tuple[float, float, float, float]] = {
-            "frame": (left - thin, top - thin, width + 2 * thin, height + 2 * thin),
+            "frame": (left - thin / 2.0, top - thin / 2.0, width + thin, height + thin),
             "x axis": (left - thick, top - thick, width + thick + tip, thick),
             "y axis": (left - thick, top - thick, thick, height + thick + tip),
             "origin": (left - 2 * thick, top - 2 * thick, 2 * thick, 2 * thick),

@@ -178,17 +178,23 @@ def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) 
 def flanking(
     spots: ArrayLike, out: Spot, size: tuple[float, float], em: float, rim: float
 ) -> Places:
-    """Beside a line through points, first on the side of `out`; round a line that is a point."""
+    """Beside a side of a shape, at points of it, first outside; round a side that is a point.
+
+    `out` leads from the shape's middle to the side. Inside, a name is nearer to its own side than
+    to the one opposite.
+    """
     points = np.asarray(spots, dtype=np.float64)
     way = points[-1] - points[0]
     length = math.hypot(*way)
     if length < em:
         return around(points[:1], size, em, rim, out)
     across = np.array((-way[1], way[0])) / length
-    across *= math.copysign(1.0, across @ np.array(out))
-    at = points[_BESIDE[:, 0].astype(int) % len(points)]
-    outs, gaps = across * _BESIDE[:, 2:], em * _BESIDE[:, 1]
+    room = across @ np.array(out)
+    across *= math.copysign(1.0, room)
     half = np.abs(across) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
+    beside = _BESIDE[(_BESIDE[:, 2] > 0.0) | (half + em * _BESIDE[:, 1] <= abs(room))]
+    at = points[beside[:, 0].astype(int) % len(points)]
+    outs, gaps = across * beside[:, 2:], em * beside[:, 1]
     return Places(at + outs * (half + gaps)[:, None], np.zeros(len(at)), at, gaps)
 
 

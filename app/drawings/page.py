@@ -62,6 +62,11 @@ figure svg{{filter:brightness(.88)}}
 input{{accent-color:{DARK.n}}}
 input:focus-visible{{outline-color:{DARK.n}}}
 }}
+@media screen and (max-height:30rem){{
+form{{display:flex;gap:1rem;align-items:center;padding-block:0}}
+output{{white-space:nowrap}}
+figure svg{{max-height:calc(100vh - 4rem)}}
+}}
 @media print{{form{{position:static;border:0}}input{{display:none}}figure{{break-inside:avoid}}}}
 """
 _SCRIPT = """

@@ -206,10 +206,16 @@ def shapes_of(
         If there are too many of them.
     """
     height = window.GetSize()[1]
-    found: list[Shape] = []
-    for renderer in sorted(window.GetRenderers(), key=lambda each: each.GetLayer()):
-        if renderer.GetDraw():
-            found += _Pane(renderer, height, finer, hidden, grey, watch).shapes(window)
+    layers = sorted(window.GetRenderers(), key=lambda each: each.GetLayer())
+    panes = [
+        _Pane(each, height, finer, hidden, grey, watch)
+        for each in layers
+        if each.GetDraw() and all(each.GetSize())
+    ]
+    # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.
+    found: list[Shape] = [area for pane in panes for area in pane.background()]
+    for pane in panes:
+        found += pane.shapes(window)
     return found
 
 
@@ -254,15 +260,15 @@ class _Pane:
         matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)
         self._clip = _array(matrix)
 
-    def shapes(self, window: Any) -> Iterator[Shape]:
-        if not (self._wide and self._high):
-            return
+    def background(self) -> Iterator[Shape]:
         renderer = self._renderer
         if renderer.GetBackgroundAlpha() > 0.0 and not renderer.GetPreserveColorBuffer():
             low, high = (self._left, self._low), (self._left + self._wide, self._low + self._high)
             corners = [low, (high[0], low[1]), high, (low[0], high[1])]
             yield Area([self._placed(corners)], renderer.GetBackground(), 1.0)
-        props, actors = _shown_in(renderer)
+
+    def shapes(self, window: Any) -> Iterator[Shape]:
+        props, actors = _shown_in(self._renderer)
         if any(_is_shaded(actor) for actor in actors):
             yield self._picture(window, props)
             actors = [actor for actor in actors if _is_in_front(actor)]

@@ -141,11 +141,14 @@ def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
     source, out = tmp_path / "list.csv", tmp_path / "out"
     (tmp_path / "three.md").write_text(LESSON)
     write(Document("letter-f"), tmp_path / "kept.json")
-    rows = "a.png,three.md,three", "b%02d.png,three.md,", "c.png,three.md,", "d.png,three.md,9"
+    rows = (
+        "a.png,three.md,three", "b%02d.png,three.md,", "c.png,three.md,", "d.png,three.md,9",
+        "e.png,001,cut",
+    )  # fmt: skip
     source.write_text("\n".join(("out,file,step", *rows)))
     done = run_here("export", out, "--batch", source, *SMALL)
     assert done.returncode == 2
-    assert sorted(os.listdir(out)) == ["a.png", "b01.png", "b03.png", "index.html"]
+    assert sorted(os.listdir(out)) == ["a.png", "b01.png", "b03.png", "e.png", "index.html"]
     assert (out / "a.png").read_bytes() == (out / "b03.png").read_bytes()
     _, whole, none = done.stderr.splitlines()
     assert whole.startswith(f"{source}, line 4: file = 'three.md': is a lesson; name its step")
@@ -195,6 +198,7 @@ def test_a_full_disk_leaves_nothing_half_written(
         (b"out,out\n", "line 1: has two columns out."),
         (b"out,pallete\n", "line 1: 'pallete' is not a column; the nearest is palette."),
         (b"out,batch\n", "'batch' is not a column"),
+        (b"out;scene\n", "'out;scene' is one column; they are separated by commas"),
         (b'out\n"a.png', "line 2: is not CSV"),
         (b"out\n" + b"a" * 200_000, "field larger than field limit"),
         (b"out\n" * 300_000, "is larger than 1 MiB."),

@@ -1217,6 +1217,11 @@ SET_VIEWS = {
     "view.names=": View(names=()),
     "view.probes=1,2,3, 4,5,6": View(probes=(Probe(1, (1, 2, 3)), Probe(2, (4, 5, 6)))),
     "view.probes=": View(),
+    "view.panes=ndc: 1.3,0.2,0.3": View(panes={"ndc": Camera((1.3, 0.2, 0.3), (0, 0, 0))}),
+    "view.panes=world: 1,2,3,4,5,6 | ndc: 1,0,0": View(
+        panes={"world": Camera((1, 2, 3), (4, 5, 6)), "ndc": Camera((1, 0, 0), (0, 0, 0))}
+    ),
+    "view.panes=": View(),
 }
 
 
@@ -1243,7 +1248,12 @@ SET_WRONG_VIEWS = {
     "view.layers=sky,grid": f"view.layers = ['grid', 'sky']: {NO_LAYERS}",
     "view.names=A,A": f"view.names = ['A', 'A']: {NO_NAMES}",
     "view.probes=1,2,nan": "view.probes = '1,2,nan': must be the numbers x, y, z of each point",
-    **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.panes", "view.pinned", "view", "views")},
+    **{f"{path}=1": f"{path} {NEAREST}" for path in ("view.pinned", "view", "views")},
+    **{
+        f"view.panes={text}": f"view.panes = '{text}': must be world or ndc with the pane's eye"
+        for text in ("world", "ndc: 1,2", "ndc: 1,nan,0", "image: 1,0,0", "ndc: 1,0,0|")
+    },
+    "view.panes=ndc: 0,0,0": "view.panes.ndc.target",
 }
 
 

@@ -152,12 +152,17 @@ def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
 
 def test_a_side_is_named_clear_of_its_line_and_first_outside() -> None:
     spots, normal = [(100.0, 100.0), (200.0, 150.0)], np.array([-1.0, 2.0]) / math.sqrt(5.0)
-    places = flanking(spots, (-5.0, 8.0), (60.0, 14.0), EM, 6.0)
+    places = flanking(spots, (-50.0, 80.0), (60.0, 14.0), EM, 6.0)
     corners = np.array([(x, y) for x in (-30.0, 30.0) for y in (-7.0, 7.0)])
     apart = (places.centres[:, None] + corners - spots[0]) @ normal  # of each box's corners
     assert (np.sign(apart) == np.sign(apart[:, :1])).all()
     assert (apart[:5] > 0.0).all() and (apart < 0.0).any()
     assert np.abs(apart).min(axis=1) == pytest.approx(places.away)
+    # Inside, nearer to its own side than to the one opposite; if it is too large for that, outside.
+    middles = (places.centres - spots[0]) @ normal
+    assert middles.min() >= (-50.0, 80.0) @ -normal
+    outside = flanking(spots, (-5.0, 8.0), (60.0, 14.0), EM, 6.0)
+    assert (outside.centres == places.centres[middles > 0.0]).all()
 
 
 def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:

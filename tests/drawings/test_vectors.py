@@ -158,6 +158,25 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
 
 
+def test_the_images_frame_is_a_line_over_all_backgrounds() -> None:
+    document = Document("letter-f", load("letter-f").start)
+    _, found, _ = figure(document, ["world", "image"], (1280, 640))
+    long = [
+        at
+        for at, shape in enumerate(found)
+        if isinstance(shape, Stroke) and max(np.ptp(shape.points, axis=0)) > 350.0
+        and min(np.ptp(shape.points, axis=0)) == 0.0
+    ]  # fmt: skip
+    large = [
+        at
+        for at, shape in enumerate(found)
+        if isinstance(shape, Area)
+        and shape.opacity == 1.0
+        and (np.ptp(shape.rings[0], axis=0) > 350.0).all()
+    ]
+    assert len(long) == 4 and len(large) >= 3 and large[-1] < long[0]
+
+
 def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None:
     ring = [(1.0, 1.0), (9.0, 1.0), (9.0, 9.0), (1.0, 9.0)]
     areas = [Area([ring], (0.0, 0.0, 0.0), 1.0), Area([ring[::-1]], (0.0, 0.0, 0.0), 1.0)]

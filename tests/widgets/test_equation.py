@@ -155,7 +155,7 @@ def test_what_is_set_is_checked(window: MainWindow) -> None:
     document = window.store.document
     for text, said in (
         ("view.slide=world,image,ndc", "must be a list of at most 2 names"),
-        ("view.panes=world", "the nearest name is view.slide"),
+        ("view.panes=world", "what a class sees is view.slide"),
         ("view.slide=front", "view.slide = .front"),
         ("view.controls=lens.neer", "the nearest name is lens.near"),
         ("view.equation=frus", "has no matrix 'frus'"),

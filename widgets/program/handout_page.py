@@ -96,7 +96,8 @@ class _Page:
                 [*map(self.text, content.texts), _beside(map(_typeset, content.formulas))]
             )
         if isinstance(content, ToWrite):
-            return '<textarea rows="3" aria-label="Your answer"></textarea>'
+            room = 'placeholder="This page does not keep what you type; print it to keep it."'
+            return f'<textarea rows="3" aria-label="Your answer" {room}></textarea>'
         return self.text(content)
 
     def text(self, text: str) -> str:
