@@ -38,6 +38,7 @@ def check(found: Namespace) -> None:
 def states(found: Namespace, file: str | None) -> list[Document]:
     """Return the states of a page: one, or those of a motion, which does not rest at stages."""
     if found.stages:
+        sweep.check_stages(found)
         found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
     if not sweep.motions(found):
         return [document_of(file, found.set, found.step)]

@@ -85,8 +85,7 @@ def states(found: argparse.Namespace, file: str | None) -> list[Document]:
         return _orbit(found, file, with_values(before, found.set), count)
     parts = [step / (count - 1) for step in range(count)]
     if found.stages:
-        if "ndc" not in panes(found):
-            raise CliError(f"--stages: needs the pane ndc, and --panes = {found.panes!r}.")
+        check_stages(found)
         values = [f"view.stage={_position(part)!r}" for part in parts]
         return [with_values(before, [*found.set, value]) for value in values]
     path, first, last = _ends(found.sweep)
@@ -95,6 +94,12 @@ def states(found: argparse.Namespace, file: str | None) -> list[Document]:
         numbers = [a * (1.0 - part) + b * part for a, b in zip(first, last, strict=True)]
         values.append(f"{path}={','.join(map(_written, numbers))}")
     return still(found, file, [with_values(before, [*found.set, value]) for value in values])
+
+
+def check_stages(found: argparse.Namespace) -> None:
+    """Refuse panes that look the same at every stage."""
+    if "ndc" not in panes(found):
+        raise CliError(f"--stages: needs the pane ndc, and --panes = {found.panes!r}.")
 
 
 def panes(found: argparse.Namespace) -> list[str]:

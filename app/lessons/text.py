@@ -226,8 +226,11 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
 
 
 def said_of(text: str) -> str:
-    """Return a text without markup, with formulas in words, for a screen reader."""
-    return plain_of(text, spoken)
+    """Return a text without markup, with formulas in words, for a screen reader.
+
+    ``A vector $\\vec{u}$`` is "A vector u": the text has said what it is.
+    """
+    return re.sub(r"\b(vector) vector\b", r"\1", plain_of(text, spoken), flags=re.IGNORECASE)
 
 
 _WORDS = {

@@ -303,6 +303,7 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
         (["a.gif", "--orbit=far"], "--orbit = 'far': must be a number of degrees."),
         (["a.gif", "--orbit", "--panes=ndc"], "--orbit: needs the pane world, and --panes = 'ndc'"),
         (["a.gif", "--stages", "--panes=image"], "--stages: needs the pane ndc"),
+        (["a.html", "--stages", "--panes=world,image"], "--stages: needs the pane ndc"),
         (["a.gif", "--orbit", "--size=9x9"], "--size width = 9: must be"),
         (["a.gif", "--orbit", "--set=view.stage=9"], "view.stage"),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=1"], "must be a whole number from 2 to 1000"),

@@ -11,7 +11,7 @@ import pytest
 from app.bootstrap import ROOT
 from app.lessons.checking import Report
 from app.lessons.lesson import MOST_STEPS, Lesson, is_lesson, parse_lesson, read
-from app.lessons.text import formulas_in, markdown, spoken
+from app.lessons.text import formulas_in, markdown, said_of, spoken
 from app.model.refusal import Refusal
 
 TOP = "---\ntitle: T\n---\n"
@@ -183,6 +183,10 @@ def test_markdown_leaves_formulas_alone_and_dollars_can_be_prices() -> None:
 )  # fmt: skip
 def test_a_formula_is_heard_in_words(tex: str, words: str) -> None:
     assert spoken(tex) == words
+
+
+def test_a_vector_is_heard_once() -> None:
+    assert said_of(r"Vector $\vec{u}$ is $\vec{n}$.") == "Vector u is vector n."
 
 
 FILES = [

@@ -39,6 +39,11 @@ def activate(window: QWidget) -> None:
     """Wait until the keyboard is the window's."""
     window.activateWindow()
     assert QTest.qWaitForWindowActive(window, PATIENCE_MS)
+    for _ in range(PATIENCE_MS):  # Qt takes a dialog for active already while its parent is
+        if QApplication.activeWindow() is window:
+            return
+        QTest.qWait(1)
+    raise AssertionError(f"{window} does not become active")
 
 
 def present(window: MainWindow) -> None:

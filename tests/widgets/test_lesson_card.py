@@ -364,6 +364,7 @@ value: 4
 Closer.
 until: near < 0.5
 hint: Drag it.
+right: lens.near=0.4
 ```
 """
 
@@ -382,6 +383,10 @@ def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_
     window.panes["world"].canvas.setFocus()
     press(KEY.Key_I, ALT)
     assert "Drag it." in texts(near), "which no cursor can be in"
+    assert "Show the answer" in buttons(near), "a right state, although nothing says why"
+    near.give_away()
+    settle()
+    assert "a state that fulfils the task" in texts(near) and "Show it" in buttons(near)
     assert "One by two." not in texts(card) and not card.hint.isEnabled()
     bare.field.setFocus()
     assert not card.hint.isEnabled(), "it has none"

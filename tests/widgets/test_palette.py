@@ -62,7 +62,12 @@ def test_a_frame_is_seen_against_the_window(
     for place, part in enumerate((field, combo, slider, choice, chosen, box, ticked)):
         part.setParent(behind)
         part.setGeometry(10, 10 + 100 * place, 300, 80)
-    behind.resize(320, 720)
+    marks = QWidget(behind, objectName="stepMarks")
+    marks.setGeometry(10, 710, 300, 80)
+    mark = QToolButton(marks)
+    mark.setGeometry(0, 0, 300, 80)
+    mark.setProperty("practice", True)
+    behind.resize(320, 800)
     behind.show()
     seen = rgb_of(behind.grab().toImage())
     window = hexadecimal(seen[2, 2])
@@ -79,6 +84,8 @@ def test_a_frame_is_seen_against_the_window(
         assert max(changed) >= 3.0, "what is chosen is seen"
     groove = seen[slider.y() + 40, slider.x() + 200]
     assert contrast(hexadecimal(groove), window) >= 3.0
+    dashes = [contrast(hexadecimal(pixel), window) >= 3.0 for pixel in seen[marks.y(), 20:300]]
+    assert 0.3 < np.mean(dashes) < 0.9, "of a step that is practice"
 
 
 def chosen_in_combo(root: QWidget) -> tuple[QWidget, QRect]:

@@ -1041,7 +1041,7 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
 @pytest.mark.parametrize(
     ("text", "shown"),
     [
-        ("A vector $\\vec{look}$ " * 40, "A vector vector look A vector vector look"),
+        ("A vector $\\vec{look}$ " * 40, "A vector look A vector look"),
         ("$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{\\frac{2}{3}} = 1$$", "k equals ("),
         ("|a|\n|---|\n|1|", ""),
     ],

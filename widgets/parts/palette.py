@@ -54,7 +54,7 @@ _STYLE_SHEET = """
     border-radius: 4px; }}
 #notice {{ background: {bar}; border: 1px solid {edge_of_bar}; border-radius: 4px; padding: 4px; }}
 #stepMarks QToolButton {{ border: 1px solid {Mid}; border-radius: 4px; padding: 2px 6px; }}
-#stepMarks QToolButton[practice="true"] {{ border-style: dashed; }}
+#stepMarks QToolButton[practice="true"] {{ border: 2px dashed {frame}; padding: 1px 5px; }}
 #stepMarks QToolButton:hover {{ background: {Mid}; }}
 #stepMarks QToolButton:checked {{ color: {HighlightedText}; background: {Highlight}; }}
 QPushButton#nextStep {{ font-weight: 600; }}

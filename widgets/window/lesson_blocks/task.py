@@ -78,18 +78,22 @@ class Tries(BlockView):
         """Show how the task is done."""
         self._hush()
         self._tell()
-        self._announce(self.task.why)
+        self._announce(self._told_why)
         self.tried.emit("", SHOWN)
         self._settle(TOLD)
 
+    @property
+    def _told_why(self) -> str:
+        return self.task.why or self.tr("You can see a state that fulfils the task.")
+
     def _tell(self) -> None:
-        self._say("help", "", self.task.why)
+        self._say("help", "", self._told_why)
         if self.task.right is not None:
             tip = self.tr("Show a state that makes it visible (Alt+W)")
             self._offer_state(self.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
 
     def _offer_answer(self, act: Callable[[], object]) -> None:
-        if self.task.why:
+        if self.task.why or self.task.right is not None:
             super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
