@@ -16,8 +16,10 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 from __future__ import annotations
 
 import os
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from numbers import Real
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -29,10 +31,12 @@ from app.document.document import Document, is_mesh
 from app.document.files import read
 from app.document.lengths import PX_PER, Size, parse_size
 from app.document.settings import set_values
+from app.document.view import MOST_PROBES, PANES
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
 from app.model.infinity import homogeneous
 from app.model.projection import (
+    FINITE_NUMBER,
     ONE_OF,
     Array,
     Camera,
@@ -73,6 +77,9 @@ Source: TypeAlias = Document | Projection
 A_SIZE = QT_TRANSLATE_NOOP(
     "Refusal", "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm."
 )
+A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
+SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
+MARKED = QT_TRANSLATE_NOOP("Refusal", "points: at most {0} can be marked, and {1} were given.")
 AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
 
 
@@ -93,7 +100,7 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
     Refusal
         For an unknown scene or path, a file that cannot be read, and an impossible value.
     """
-    name = os.fspath(source)
+    name, values = os.fspath(source), tuple(map(str, values))
     if is_mesh(name):
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
@@ -190,7 +197,7 @@ def figure(
     of: Source,
     points: ArrayLike | None = None,
     *,
-    panes: str = "world,ndc,image",
+    panes: str | Sequence[str] = "world,ndc,image",
     size: str | None = None,
     text_size: float | None = None,
     palette: str = "screen",
@@ -207,8 +214,8 @@ def figure(
     points : (n, 3) or (n, 4) array_like, optional
         At most six points in world units, or directions (w = 0), which are marked in all panes.
         They replace those of the document.
-    panes : str
-        In a row, ``"world,image"``, or in a column, ``"world/image"``.
+    panes : str or sequence of str
+        In a row, ``"world,image"`` or ``["world", "image"]``, or in a column, ``"world/image"``.
     size : str, optional
         On paper, ``"120mmx80mm"``, in mm, cm or in; or in pixels, 300 an inch. By default 640
         pixels a side for each pane.
@@ -233,18 +240,24 @@ def figure(
 
     document = _document(of)
     for name, value, known in (("palette", palette, PALETTES), ("hidden", hidden, HIDDEN)):
-        if value not in known:
+        if not isinstance(value, str) or value not in known:
             raise Refusal(name, value, ONE_OF, ", ".join(known))
     if points is not None:
         given = _checked(points)
         rows = given.reshape(-1, given.shape[-1]).tolist()
+        if len(rows) > MOST_PROBES:
+            raise Refusal.saying(MARKED, MOST_PROBES, len(rows))
         probes = tuple(
             Probe.of(number, homogeneous(*row[:3], *(row[3:] or [1.0])))
             for number, row in enumerate(rows, 1)
         )
         document = replace(document, view=replace(document.view, probes=probes))
-    column = "/" in panes
-    named = panes.split("/" if column else ",")
+    if not isinstance(panes, Sequence):
+        raise Refusal("panes", panes, SOME_PANES, ", ".join(PANES))
+    column = isinstance(panes, str) and "/" in panes
+    named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
+    if not isinstance(text_size, Real | None):
+        raise Refusal("text_size", text_size, FINITE_NUMBER)
     sides = None if size is None else _size(size)
     image = document.projection.image_size
     checked_size(image, named, sides, 1.0, column)
@@ -339,11 +352,15 @@ class Figure:
 
 
 def _projection(of: Source) -> Projection:
-    return of.projection if isinstance(of, Document) else of
+    return of if isinstance(of, Projection) else _document(of).projection
 
 
 def _document(of: Source) -> Document:
-    return of if isinstance(of, Document) else Document(projection=of)
+    if isinstance(of, Projection):
+        return Document(projection=of)
+    if not isinstance(of, Document):
+        raise Refusal("of", of, A_SOURCE, repr(of if isinstance(of, str) else "letter-f"))
+    return of
 
 
 def _checked(points: ArrayLike) -> Array:
@@ -362,5 +379,5 @@ def _checked(points: ArrayLike) -> Array:
 def _size(text: str) -> Size:
     try:
         return parse_size(text)
-    except ValueError:
+    except (ValueError, AttributeError):  # of what is no text, such as (84, 60)
         raise Refusal.saying(A_SIZE, repr(text), ", ".join(PX_PER)) from None

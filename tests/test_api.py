@@ -94,13 +94,27 @@ def test_a_matrix_is_the_product_of_those_before_it() -> None:
 
 def test_what_cannot_be_is_refused_in_a_sentence() -> None:
     document = api.load("letter-f")
+
+    def call(name: str) -> Any:
+        return getattr(api, name)  # its types do not matter here
+
     for refused, words in (
         (lambda: api.load("leter-f"), "letter-f"),
         (lambda: api.load("focus", "lens.near=-1"), "lens.near = -1"),
         (lambda: api.load("none.json"), "does not exist"),
         (lambda: api.project(document, [(1, 2), (3,)]), "points"),
         (lambda: api.project(document, [(1, 2, 3, "w")]), "w = 'w'"),
-        (lambda: api.figure(document, [(1, 2, 3)] * 7), "at most 6"),
+        (lambda: api.figure(document, [(1, 2, 3)] * 7), "points: at most 6 can be marked, and 7"),
+        (lambda: call("project")(document, [(1, 2, 3)], precision="float16"), "precision = 'float"),
+        (lambda: call("figure")("focus"), "of = 'focus': must be a document or a projection"),
+        (lambda: call("matrices")("focus"), "such as load('focus')."),
+        (lambda: call("load")("focus", {"lens.near": 2}), "must be written as NAME=VALUE"),
+        (lambda: call("project")(None, [(1, 2, 3)]), "such as load('letter-f')"),
+        (lambda: call("figure")(document, size=(84, 60)), "size = (84, 60): must be WIDTHxHEIGHT"),
+        (lambda: call("figure")(document, panes=3), "panes = 3: must be a text or a list of some"),
+        (lambda: api.figure(document, panes=["world", "film"]), "pane = 'film'"),
+        (lambda: call("figure")(document, palette=["print"]), "palette = ('print')"),
+        (lambda: call("figure")(document, text_size="8pt"), "text_size = '8pt'"),
         (lambda: api.figure(document, panes="world/ndc,image"), "'ndc,image'"),
         (lambda: api.figure(document, size="120"), "WIDTHxHEIGHT in mm"),
         (lambda: api.figure(document, palette="grey"), "palette = 'grey'"),
@@ -109,3 +123,9 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
     ):
         with pytest.raises(Refusal, match=re.escape(words)):
             refused()
+
+
+def test_panes_are_a_text_or_a_list() -> None:
+    assert api.figure(PLAIN, panes=["world", "image"]).options == (
+        api.figure(PLAIN, panes="world,image").options
+    )

@@ -10,7 +10,7 @@ from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
 from app.commands.options import CliError, parser_of, write_out
 from app.lecture.notation import Letters, matrices
-from app.lecture.paper import displayed
+from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
@@ -22,7 +22,7 @@ def run(arguments: Sequence[str]) -> int:
     """Print every stage's matrix; return the exit status."""
     found, words = parser_of("matrices").read(arguments)
     if found.format != "latex":
-        for option in ("digits", "letters", "symbols", "numbers"):
+        for option in ("digits", "letters", "symbols", "numbers", "width"):
             if getattr(found, option):
                 raise CliError(f"--{option}: needs --format latex.")
     document = document_of(words[0] if words else None, found.set)
@@ -79,6 +79,6 @@ def _latex(projection: Projection, found: argparse.Namespace, letters: Letters) 
         if found.symbols and matrix.name == "clip_from_world":
             notes.append("p_ij are the cells of clip_from_view")
         note = "".join(f"% {note}\n" for note in notes)
-        digits = found.digits or _DIGITS
-        blocks.append(note + displayed(matrix, letters, found.symbols, numbers, digits))
+        digits, width = found.digits or _DIGITS, found.width or TEXT_WIDTH_PT
+        blocks.append(note + displayed(matrix, letters, found.symbols, numbers, digits, width))
     return "\n".join(blocks)

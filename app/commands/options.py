@@ -46,6 +46,9 @@ MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
 FULL_TURN = 360.0
 """Of an orbit, in degrees."""
+TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
+WIDTHS_PT = 200.0, 1500.0
+"""Of a text or a column, for LaTeX; 72.27 of its points are an inch."""
 LOOPS = ("repeat", "once", "back-and-forth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
@@ -294,6 +297,18 @@ def _digits(value: str) -> int:
     return int(value)
 
 
+def _width(value: str) -> float:
+    match = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?)([a-z]{2})", value)
+    pt = float(match[1]) * TEX_PT_PER.get(match[2], 0.0) if match else 0.0
+    if not WIDTHS_PT[0] <= pt <= WIDTHS_PT[1]:
+        least, most = map(round, WIDTHS_PT)
+        raise CliError(
+            f"--width = {value!r}: must be a length in {', '.join(TEX_PT_PER)} from {least}pt to "
+            f"{most}pt, such as 84mm."
+        )
+    return pt
+
+
 def _sweep(value: str) -> tuple[str, str]:
     """Split ``near`` or ``near=1e-3:10`` into the parameter and its ends."""
     name, equals, ends = value.partition("=")
@@ -471,6 +486,11 @@ def _matrices() -> Parser:
     parser.add_argument(
         "--numbers", action="store_true", help="in LaTeX: numbers, also after --symbols"
     )
+    parser.add_argument(
+        "--width", type=_width, metavar="LENGTH",
+        help="in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt "
+        "(default: 345pt, the text of an article)",
+    )  # fmt: skip
     parser.add_set()
     return parser
 

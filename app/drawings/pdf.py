@@ -20,7 +20,7 @@ from app.drawings.label import (
 )
 from app.drawings.style import rgb
 from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
-from app.lessons.text import FONT
+from app.lessons.text import FONT, mathtext
 
 _SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI
@@ -177,7 +177,7 @@ class _Writer:
                 x = (place[0] + sin * down) / self._size[0]
                 y = 1.0 - (place[1] + cos * down) / self._size[1]
                 self._figure.text(
-                    x, y, f"${piece}$" if is_tex else piece.replace("$", r"\$"),
+                    x, y, mathtext(piece) if is_tex else piece.replace("$", r"\$"),
                     fontproperties=font, color=written.colour, alpha=written.opacity,
                     rotation=np.degrees(turn), rotation_mode="anchor", zorder=self._above(),
                     ha="left", va="baseline",
@@ -208,5 +208,5 @@ def _raised(tex: str, font: Any) -> float:
     for larger in (1.0, _LARGE):
         size = font.copy()
         size.set_size(larger * font.get_size_in_points())
-        heights.append(parser.parse(f"${tex}$", 72, size).glyphs[0][-1] / larger)
+        heights.append(parser.parse(mathtext(tex), 72, size).glyphs[0][-1] / larger)
     return float(heights[0] - heights[1])

@@ -1,4 +1,4 @@
-"""Matrices as displayed equations of LaTeX whose lines are not wider than a page's text.
+"""Matrices as displayed equations of LaTeX whose lines are not wider than a text.
 
 The widths of TeX's letters are estimated, rather too large: nobody needs TeX to write an equation.
 """
@@ -21,11 +21,16 @@ from app.lecture.notation import (
 
 TEXT_WIDTH_PT = 345.0
 """Of a line in LaTeX's classes, in 10 points."""
-_SIZES = {"": 1.0, r"\small": 0.93, r"\footnotesize": 0.86, r"\scriptsize": 0.81, r"\tiny": 0.72}
-"""TeX's smaller letters are wider in proportion, and the gaps between columns stay."""
+_SIZES = {
+    "": (1.0, 1.0), r"\small": (0.93, 0.95), r"\footnotesize": (0.86, 0.92),
+    r"\scriptsize": (0.81, 0.9), r"\tiny": (0.7, 0.87),
+}  # fmt: skip
+"""What a line keeps of its width, and what one with fractions or names does. TeX's smaller letters
+are wider in proportion, the gaps between columns stay, and no index is smaller than 5 points."""
+_SMALLEST = r"\tiny"
 _EQUAL_PT, _INDENT_PT, _FURTHER_PT = 13.4, 10.0, 20.0
 _COLUMN_PT, _BRACKETS_PT, _FRACTION_PT = 10.0, 18.0, 2.4
-_READABLE_PT = 400.0  # a product of formulas that is wider is left to its factors
+_READABLE = 1.16  # of a text's width: a wider product of formulas is left to its factors
 _LETTER_PT, _CAPITAL_PT, _SCRIPT = 5.6, 9.5, 0.72
 _PT = {
     **dict.fromkeys("0123456789/", 5.1), **dict.fromkeys("+-", 12.3), **dict.fromkeys("()", 3.9),
@@ -50,11 +55,13 @@ def displayed(
     symbols: bool = False,
     numbers: bool = True,
     digits: int = EVERY_DIGIT,
+    text_pt: float = TEXT_WIDTH_PT,
 ) -> str:
     """Write a matrix as an equation (amsmath): its product, its factors, and the matrix.
 
     The factors and the matrix have formulas (`symbols`), `numbers` of so many `digits`, or both
-    after each other. Letters are smaller where a line would be wider than `TEXT_WIDTH_PT`.
+    after each other. Letters are smaller where a line would be wider than the text; a comment says
+    where the smallest ones are perhaps too wide.
     """
     name, *chain = (latex_called(matrix.called) or latex_name(matrix.name)).split(" = ")
     if not matrix.called:
@@ -64,21 +71,32 @@ def displayed(
         for product in (matrix.factors, (matrix,)) if wanted else ():
             side = [_pmatrix(each, letters, formulas, digits) for each in product]
             is_product = formulas and bool(sides) and product is not matrix.factors
-            if side and side not in sides and not (is_product and side[0].width > _READABLE_PT):
+            is_left = is_product and side[0].width > _READABLE * text_pt
+            if side and side not in sides and not is_left:
                 sides.append(side)
     widest = max(part.width for side in sides for part in side)
-    is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= TEXT_WIDTH_PT
+    is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= text_pt
     begin = _width(name) if is_beside else _INDENT_PT
-    size, room = next(
-        (size, TEXT_WIDTH_PT / factor - begin)
-        for size, factor in _SIZES.items()
-        if begin + _FURTHER_PT + widest <= TEXT_WIDTH_PT / factor or factor == min(_SIZES.values())
-    )
-    lines = [line for side in sides for line in _lines(side, room)]
+
+    def room(side: Sequence[_Part], size: str) -> float:
+        has_indices = any(r"\frac" in part.tex or r"\text" in part.tex for part in side)
+        return text_pt / _SIZES[size][has_indices] - begin
+
+    def fits(size: str) -> bool:
+        return all(
+            (_FURTHER_PT if number else _EQUAL_PT) + part.width <= room(side, size)
+            for side in sides
+            for number, part in enumerate(side)
+        )
+
+    size = next(filter(fits, _SIZES), _SMALLEST)
+    lines = [line for side in sides for line in _lines(side, room(side, size))]
     first = f"{name} " if is_beside else f"&{name} \\\\\n"
     indent = "&" if is_beside else r"&\quad "
     body = first + " \\\\\n".join(indent + line for line in lines)
     equation = f"\\[\n\\begin{{aligned}}\n{body}\n\\end{{aligned}}\n\\]"
+    if not fits(size):
+        equation = f"% perhaps wider than {text_pt:.0f} pt\n{equation}"
     return f"{{{size}\n{equation}}}\n" if size else f"{equation}\n"
 
 

@@ -89,6 +89,14 @@ class Outline(NamedTuple):
     letters: tuple[tuple[str, int, int], ...] = ()
 
 
+def mathtext(tex: str) -> str:
+    """Return a formula as matplotlib reads it.
+
+    A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
+    """
+    return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
+
+
 @lru_cache(maxsize=1024)
 def outline(tex: str) -> Outline:
     """Return a formula's outlines; a `ValueError` says why it cannot be drawn."""
@@ -103,8 +111,7 @@ def outline(tex: str) -> Outline:
     logging.getLogger("matplotlib.mathtext").addFilter(_refuse)
     reader: Any = TextToPath()
     font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
-    # A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
-    text = "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
+    text = mathtext(tex)
     width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
     if not 0.0 <= width <= WIDEST * _EM:
         raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")

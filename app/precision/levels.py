@@ -384,7 +384,7 @@ def trace(
         For coordinates that are not finite numbers, or an unknown precision.
     """
     if precision not in PRECISIONS:
-        raise Refusal("rung", precision, ONE_OF, ", ".join(PRECISIONS))
+        raise Refusal("precision", precision, ONE_OF, ", ".join(PRECISIONS))
     if precision == "float64":
         return projection.trace(points, space)
     placed = projection.placed(points, space)

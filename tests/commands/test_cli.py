@@ -881,6 +881,8 @@ def test_latex_is_pmatrix_with_powers_of_ten_written_out() -> None:
     names = ["_from_".join(symbol).replace(" ", "_") for symbol in symbols]
     assert names == PERSPECTIVE_STAGES
     assert "e-" not in done.stdout
+    narrow = run_here("matrices", "--format=latex", "--width=71mm", "--digits=17")
+    assert "% perhaps wider than 202 pt\n" in narrow.stdout
 
 
 def test_set_uses_the_names_of_the_document(by_hand: Path) -> None:
@@ -1077,6 +1079,10 @@ def test_a_wrong_command_line_is_refused_in_a_sentence(by_hand: Path, tmp_path: 
         ("matrices", "--format=latex", "--digits=18"): (
             "--digits = '18': must be a whole number from 1 to 17."
         ),
+        ("matrices", "--format=latex", "--width=84"): (
+            "--width = '84': must be a length in mm, cm, in, pt from 200pt to 1500pt, such as 84mm."
+        ),
+        ("matrices", "--width=84mm"): "--width: needs --format latex.",
         ("matrices", "--digits=4"): "--digits: needs --format latex.",
         ("matrices", "--format", "xml"): "--format = 'xml': must be one of text, json, latex.",
         ("matrices", "--set", "lens.fra=3"): "lens.fra is not known; the nearest name is lens.far.",

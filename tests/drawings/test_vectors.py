@@ -286,7 +286,7 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
 
 
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
-    text = "near n ="
+    text = "near P' ="
     pieces = laid(text).pieces
     written = vectors.Written(
         text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
@@ -294,10 +294,12 @@ def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
     drawn = b"".join(streams_of(pdf([Text(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
     number = rb"(-?[\d.]+)"
     lines = re.findall(number + rb" cm\nBT\n(.*?)ET", drawn, re.DOTALL)
-    ups = [re.findall(number + b" " + number + rb" Td", part)[0][1] for _, part in lines]
-    assert len(lines) >= 3 and any(float(up) > 0.1 for up in ups), "as matplotlib raises them"
-    heights = [float(line) + float(up) for (line, _), up in zip(lines, ups, strict=True)]
+    moves = [re.findall(number + b" " + number + rb" Td", part) for _, part in lines]
+    ups = [[float(up) for _, up in each] for each in moves]
+    assert len(lines) >= 3 and any(each[0] > 0.1 for each in ups), "as matplotlib raises them"
+    heights = [float(line) + each[0] for (line, _), each in zip(lines, ups, strict=True)]
     assert heights == pytest.approx([40.0 * 0.24] * len(heights), abs=0.01)
+    assert [up for each in ups for up in each[1:]] == [0.0], "a prime is high enough by itself"
 
 
 def test_a_pdf_has_each_shape_at_its_place() -> None:

@@ -72,6 +72,18 @@ def test_products_are_named_and_what_is_too_wide_is_left_to_its_factors() -> Non
     assert r"M_{\text{canonical perspective}\leftarrow\text{view}} M_{\text{view}" in named
 
 
+def test_a_column_has_shorter_lines_and_says_what_it_cannot_hold() -> None:
+    """pdfTeX sets the formulas of lecture 000's oblique matrix 272 points wide in its tiny font."""
+    on_one_line = r"\end{pmatrix} \begin{pmatrix}"
+    assert on_one_line in displayed(one("image_from_ndc"), "own", digits=3)
+    assert on_one_line not in displayed(one("image_from_ndc"), "own", digits=3, text_pt=239.0)
+    oblique = Projection(lens=Oblique(-3.7, 3.7, -2.1, 2.1, 4.0, 18.0, alpha_deg=45.0))
+    matrix = one("clip_from_view", "000", oblique)
+    assert "%" not in displayed(matrix, "000", symbols=True, numbers=False)
+    narrow = displayed(matrix, "000", symbols=True, numbers=False, text_pt=239.0)
+    assert narrow.startswith("{\\tiny\n% perhaps wider than 239 pt\n\\[\n")
+
+
 @pytest.mark.parametrize("letters", LETTERS)
 def test_long_numbers_have_small_letters_and_short_lines(letters: Letters) -> None:
     """17 digits of CMR 5 are 3.4 points wide each; the figures of TeX's own fonts are all alike."""

@@ -446,7 +446,7 @@ def test_every_level_keeps_the_shape_of_the_points_and_takes_none() -> None:
 
 
 def test_an_unknown_level_and_invalid_points_are_refused() -> None:
-    with pytest.raises(Refusal, match="rung = 'float16': must be one of float32, float64"):
+    with pytest.raises(Refusal, match="precision = 'float16': must be one of float32, float64"):
         trace(Projection(), [(0.0, 0.0, 0.0)], "float16")  # type: ignore[arg-type]
     for level in PRECISIONS:
         with pytest.raises(Refusal, match=r"points = .*: must be three finite numbers"):
