@@ -348,9 +348,9 @@ def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: Make
     names = {field.accessibleName(): field for field in dialog.findChildren(QLineEdit)}
     letters = names["Height of the letters in points"]
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
-    assert letters.text() == "5.6" and dialog.choice().text_pt is None
+    assert letters.text() == "6.6" and dialog.choice().text_pt is None
     names["Height of the picture"].setText("300")
-    assert letters.text() == "2.8", "as usual for the size"
+    assert letters.text() == "3.3", "as usual for the size"
     letters.selectAll()
     QTest.keyClicks(letters, "7,5")
     assert dialog.choice().text_pt == 7.5 and save.isEnabled()
