@@ -64,12 +64,13 @@ class PaneView(NamedTuple):
 
     def spots(self, points: Array) -> Array:
         """Return where points, (..., 3), are in the pane: pixels, (..., 2), NaN behind."""
-        x, y, depth = np.moveaxis((points - self.eye) @ self.axes.T, -1, 0)
+        # As a plain matrix of points, which numpy multiplies several times as fast.
+        x, y, depth = self.axes @ (points.reshape(-1, 3) - self.eye).T
         in_view = (depth > 0.0) | (self.flat > 0.0)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             px = np.where(in_view, 1.0 / self.unit(depth), np.nan)
             spots: Array = np.stack([px * x, px * y], axis=-1) + np.array(self.size_px) / 2.0
-        return spots
+        return spots.reshape(*points.shape[:-1], 2)
 
     def pointed(self, points: Array) -> list[Spot]:
         """Where points are from the pane's top left, with an order that is linear there."""

@@ -13,6 +13,7 @@ from app.scenes.scene import Scene
 
 _MOST_FACES = 3_000  # of larger meshes, vertices are sampled
 _MOST_POINTS = 10_000
+_FEW = 500  # triangles
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
 
@@ -34,6 +35,11 @@ class Silhouette:
         else:
             points = surface.points[:: -(-len(surface.points) // _MOST_POINTS)]
             self.triangles = np.repeat(points.astype(np.float64)[:, None], 3, axis=1)
+
+    @property
+    def few(self) -> Array:
+        """Some of the triangles if they are many, for a picture of a scene in a picture."""
+        return self.triangles[:: max(1, len(self.triangles) // _FEW)]
 
     def ink(self, ground: Ground, spots: Array) -> None:
         """Tell the ground where the triangles are: pixels, (n, 3, 2); NaN behind the camera."""

@@ -435,8 +435,9 @@ class WorldDrawing(Drawing):
     def _ink(self, ground: Ground) -> None:
         """Tell the ground what is drawn."""
         pane, placed = self.own.pane, self._local_from_object
-        triangles = self._silhouette.triangles @ placed[:3, :3].T + placed[:3, 3]
-        self._silhouette.ink(ground, pane.spots(triangles))
+        triangles = self._silhouette.triangles
+        points = triangles.reshape(-1, 3) @ placed[:3, :3].T + placed[:3, 3]
+        self._silhouette.ink(ground, pane.spots(points.reshape(triangles.shape)))
         corners = self._corners_seen
         if self.picture.is_seen and "near-picture" not in self._canvas.hidden:
             self._silhouette.ink(ground, pane.spots(self._on_near_plane))
@@ -457,7 +458,7 @@ class WorldDrawing(Drawing):
     def _on_near_plane(self) -> Array:
         """The triangles of the picture on the near plane, (n, 3, 3); NaN outside the window."""
         clip = self._projection.clip_from_local(self._scene.origin, "object")
-        x, y, _, w = np.moveaxis(self._silhouette.triangles @ clip[:, :3].T + clip[:, 3], -1, 0)
+        x, y, _, w = np.moveaxis(self._silhouette.few @ clip[:, :3].T + clip[:, 3], -1, 0)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             inside = (w > 0.0) & (np.maximum(np.abs(x), np.abs(y)) <= w)
             across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
