@@ -162,6 +162,11 @@ def _start(scene: str) -> Projection:
 def _open(file: str) -> Document:
     if is_mesh(file):
         return _opened(file)
+    if not os.path.lexists(file):
+        with importing():
+            from app.scenes.scene import BUILT_IN
+        if file in BUILT_IN:
+            raise CliError(f"{file} is a scene: write --set scene={file}.")
     check_file(file)
     return read(file)
 

@@ -242,10 +242,6 @@ def check_file(word: str) -> None:
         return
     if word in SUMMARIES:
         raise CliError(f"{word} is a command and must come first: {bootstrap.PROGRAM} {word} ...")
-    from app.scenes.scene import BUILT_IN
-
-    if word in BUILT_IN:
-        raise CliError(f"{word} is a scene: write --set scene={word}.")
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
     known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
     raise CliError(f"{word!r} is neither a file nor a command; the {known}.")

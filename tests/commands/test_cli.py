@@ -969,6 +969,8 @@ def test_a_word_unlike_any_command_lists_all_commands() -> None:
     said = f"is neither a file nor a command; the commands are {commands}.\n"
     assert refused("frobnicate") == f"'frobnicate' {said}"
     assert refused("letter-f", "out.png") == f"'letter-f' {said}"
+    scene = "letter-f is a scene: write --set scene=letter-f.\n"
+    assert refused("export", "out.png", "letter-f") == scene
 
 
 def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
