@@ -13,7 +13,6 @@ from app.scenes.scene import Scene
 
 _MOST_FACES = 3_000  # of larger meshes, vertices are sampled
 _MOST_POINTS = 10_000
-_FEW = 500  # triangles
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
 
@@ -21,7 +20,8 @@ _MOST_PLACES = 200_000  # in all; more would overlap
 class Silhouette:
     """The faces of a scene; `em` is the height of the labels' font in pixels.
 
-    `triangles` (n, 3, 3) are in the coordinates of the scene's actors.
+    `triangles` (n, 3, 3), or points (n, 1, 3) of a large mesh, are in the coordinates of the
+    scene's actors.
     """
 
     def __init__(self, scene: Scene, em: float) -> None:
@@ -34,15 +34,10 @@ class Silhouette:
             self.triangles = np.asarray(mesh.points, dtype=np.float64)[mesh.regular_faces]
         else:
             points = surface.points[:: -(-len(surface.points) // _MOST_POINTS)]
-            self.triangles = np.repeat(points.astype(np.float64)[:, None], 3, axis=1)
-
-    @property
-    def few(self) -> Array:
-        """Some of the triangles if they are many, for a picture of a scene in a picture."""
-        return self.triangles[:: max(1, len(self.triangles) // _FEW)]
+            self.triangles = points.astype(np.float64)[:, None]
 
     def ink(self, ground: Ground, spots: Array) -> None:
-        """Tell the ground where the triangles are: pixels, (n, 3, 2); NaN behind the camera."""
+        """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind."""
         columns, rows = (side + 2 for side in ground.shape)  # with a rim that takes what is outside
         limit = np.array([[columns - 1.0], [rows - 1.0]])
         held = np.zeros(columns * rows, dtype=np.bool_)
@@ -58,7 +53,8 @@ class Silhouette:
             coarser = math.ceil(math.log(max(places / _MOST_PLACES, 1.0), 4.0))
             steps = np.maximum(steps >> coarser, 1)
             for count in sorted(set(steps.tolist())):
-                spread = _lattice(count) @ np.moveaxis(corners[:, :, steps == count], 1, 0)
+                weights = _lattice(count) if len(corners) == 3 else np.ones((1, 1))
+                spread = weights @ np.moveaxis(corners[:, :, steps == count], 1, 0)
                 x, y = np.clip(spread, 0.0, limit[:, None]).astype(np.int64)
                 held[x * rows + y] = True
         ground.ink(held.reshape(columns, rows)[1:-1, 1:-1])

@@ -458,7 +458,7 @@ class WorldDrawing(Drawing):
     def _on_near_plane(self) -> Array:
         """The triangles of the picture on the near plane, (n, 3, 3); NaN outside the window."""
         clip = self._projection.clip_from_local(self._scene.origin, "object")
-        x, y, _, w = np.moveaxis(self._silhouette.few @ clip[:, :3].T + clip[:, 3], -1, 0)
+        x, y, _, w = np.moveaxis(self._silhouette.triangles @ clip[:, :3].T + clip[:, 3], -1, 0)
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             inside = (w > 0.0) & (np.maximum(np.abs(x), np.abs(y)) <= w)
             across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
