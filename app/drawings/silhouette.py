@@ -38,6 +38,9 @@ class Silhouette:
 
     def ink(self, ground: Ground, spots: Array) -> None:
         """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind."""
+        if spots.shape[1] == 1:
+            ground.ink_points(spots[:, 0])
+            return
         columns, rows = (side + 2 for side in ground.shape)  # with a rim that takes what is outside
         limit = np.array([[columns - 1.0], [rows - 1.0]])
         held = np.zeros(columns * rows, dtype=np.bool_)
@@ -53,8 +56,7 @@ class Silhouette:
             coarser = math.ceil(math.log(max(places / _MOST_PLACES, 1.0), 4.0))
             steps = np.maximum(steps >> coarser, 1)
             for count in sorted(set(steps.tolist())):
-                weights = _lattice(count) if len(corners) == 3 else np.ones((1, 1))
-                spread = weights @ np.moveaxis(corners[:, :, steps == count], 1, 0)
+                spread = _lattice(count) @ np.moveaxis(corners[:, :, steps == count], 1, 0)
                 x, y = np.clip(spread, 0.0, limit[:, None]).astype(np.int64)
                 held[x * rows + y] = True
         ground.ink(held.reshape(columns, rows)[1:-1, 1:-1])

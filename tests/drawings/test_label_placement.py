@@ -23,6 +23,8 @@ from app.drawings.label_placement import (
     on,
     place,
 )
+from app.drawings.silhouette import Silhouette
+from app.scenes.scene import load
 
 EM = 15.0
 FRAME = (0.0, 0.0, 480.0, 320.0)
@@ -170,6 +172,19 @@ def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:
     places = along(point, (200.0, 200.0), (80.0, 14.0), EM)
     assert len(places.centres) > 0 and np.isfinite(places.centres).all()
     assert (np.abs(places.centres - 200.0) > (40.0, 7.0)).any(axis=1).all()
+
+
+def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is() -> None:
+    silhouette = Silhouette(load("far-plane-popping"), EM)
+    count = len(silhouette.triangles)
+    assert count > 3000 and silhouette.triangles.shape == (count, 1, 3)
+    ground, spots = Ground(FRAME, EM), np.full((count, 1, 2), np.nan)
+    spots[:2, 0] = (102.0, 51.0), (1e9, 51.0)
+    silhouette.ink(ground, spots)
+    boxes = np.array(
+        [(100.0, 50.0, 105.0, 55.0), (0.0, 0.0, 100.0, 320.0), (105.0, 0.0, 480.0, 320.0)]
+    )
+    assert ground.hidden(boxes).tolist() == [1.0, 0.0, 0.0]
 
 
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
