@@ -63,9 +63,10 @@ def place_of(course: Course, step: str | None) -> int:
         return names.index(step)
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
         near = max(names, key=lambda name: difflib.SequenceMatcher(None, step, name).ratio())
+        nearest = "" if step.isdigit() else f"; the nearest is {near}"
         raise CliError(
-            f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a step;"
-            f" the nearest is {near}."
+            f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a"
+            f" step{nearest}."
         )
     return int(step) - 1
 

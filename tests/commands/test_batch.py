@@ -153,6 +153,7 @@ def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
     _, whole, none = done.stderr.splitlines()
     assert whole.startswith(f"{source}, line 4: file = 'three.md': is a lesson; name its step")
     assert none.startswith(f"{source}, line 5: --step = '9': must be a number from 1 to 3")
+    assert none.endswith("or the name of a step."), "no name is near a number"
     slide = tmp_path / "slide.svg"
     for wanted, shown in ((), ("Image", "Cube")), (("--panes=world",), ("World",)):
         done = run_here(
