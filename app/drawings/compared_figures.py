@@ -197,10 +197,16 @@ def _line_px(style: Style) -> int:
     return round(LINE_EM * style.font_size)
 
 
+def _font(style: Style) -> ImageFont.FreeTypeFont:
+    # Pillow's other layout needs a system library, so that figures would differ between machines.
+    basic = ImageFont.Layout.BASIC
+    return ImageFont.truetype(font_file("DejaVuSans"), style.font_size, layout_engine=basic)
+
+
 def _lines_of(text: str, size: tuple[int, int], style: Style) -> list[str]:
     """Break a text into lines, at most a quarter of a height; the rest is dropped."""
     width, height = size
-    font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
+    font = _font(style)
     room = width - 2.0 * BARE_EM * style.font_size
     lines: list[str] = []
     for word in text.split():
@@ -213,7 +219,7 @@ def _lines_of(text: str, size: tuple[int, int], style: Style) -> list[str]:
 
 def _in_words(lines: Sequence[str], width: int, style: Style) -> Array:
     """Lines of text as ink from 0 to 1, (n, width)."""
-    font = ImageFont.truetype(font_file("DejaVuSans"), style.font_size)
+    font = _font(style)
     line_px = _line_px(style)
     band = Image.new("L", (width, line_px * len(lines)))
     for place, line in enumerate(lines):

@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from PIL import ImageFont
 
 from app.document.compare import Written, in_words
 from app.document.document import Document
@@ -109,6 +110,21 @@ def test_what_differs_is_written_below_pictures_side_by_side() -> None:
     figures = (figure(each, size=(800, 300))[-18:] for each in (nothing, one, two))
     rows = [(pixels != 255).any(axis=2) for pixels in figures]
     assert not rows[0].any() and 0 < rows[1].sum() < rows[2].sum()
+
+
+def test_words_below_pictures_do_not_depend_on_libraries_of_the_machine(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With FriBiDi, Pillow would set them closer together."""
+    monkeypatch.setattr(ImageFont.core, "HAVE_RAQM", True)
+    truetype, fonts = ImageFont.truetype, list[ImageFont.FreeTypeFont]()
+    monkeypatch.setattr(
+        ImageFont,
+        "truetype",
+        lambda *given, **more: fonts.append(truetype(*given, **more)) or fonts[-1],
+    )
+    figure(compared(Document("field-of-view", load("field-of-view").start), "photographs"))
+    assert {font.layout_engine for font in fonts} == {ImageFont.Layout.BASIC}
 
 
 def test_in_what_pictures_differ_in_words() -> None:
