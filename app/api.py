@@ -347,8 +347,9 @@ class Figure:
         """The scene, if this machine can draw it."""
         from app.drawings.off_screen import check_off_screen
 
+        scene = load_scene(self.document.scene, mesh=self.document.mesh)
         check_off_screen()
-        return load_scene(self.document.scene, mesh=self.document.mesh)
+        return scene
 
 
 def _projection(of: Source) -> Projection:

@@ -14,8 +14,10 @@ import pytest
 
 from app import api
 from app.bootstrap import ROOT
+from app.document.document import Document
 from app.document.files import read
 from app.model.refusal import Refusal
+from tests.support.commands import bare_machine
 
 #: At the origin, looking along -z; x and y of NDC are those of the view over w; 100 px are 1.
 PLAIN = api.Projection(
@@ -123,6 +125,14 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
     ):
         with pytest.raises(Refusal, match=re.escape(words)):
             refused()
+
+
+def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:
+    with bare_machine():
+        with pytest.raises(RuntimeError, match="no OpenGL"):
+            api.figure(PLAIN).save("figure.svg")
+        with pytest.raises(Refusal, match=r"gone\.stl"):
+            api.figure(Document("gone.stl")).save("figure.svg")
 
 
 def test_panes_are_a_text_or_a_list() -> None:

@@ -75,9 +75,11 @@ def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
     _check(found, out, _ENDINGS)
     document = document_of(file, found.set, found.step)
     scene = load_scene(document.scene, document.mesh, file)
+    warning = _warning(document, scene)  # or a `Refusal`, before any drawing
+    _sizes(found, [document], sweep.panes(found))
     check_drawing()
     _write(found, out, document, scene)
-    return _warning(document, scene)
+    return warning
 
 
 def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
@@ -93,16 +95,14 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     if found.transparent and _ending(out) in (".gif", ".mp4"):
         lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
         raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
-    if _ending(out) == ".mp4":
-        with importing(), blamed_on(out, UNWRITABLE):
-            from app.drawings.mp4 import program
-
-            program()
-    with _of_options(found):
-        states = sweep.states(found, file)
+    states = sweep.states(found, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
-    warnings = [_warning(state, scene) for state in states]  # or a `Refusal`, before any drawing
+    warnings = [_warning(state, scene) for state in states]
+    sizes = _sizes(found, states, sweep.panes(found))
+    if not names:
+        _check_film(found, out, sizes)
     check_drawing()
+    states = sweep.with_views(found, file, states)
     if names:
         first: dict[int, str] = {}
         for name, state in zip(names, _told(order), strict=True):
@@ -112,7 +112,7 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
                 first[state] = name
                 _write(found, name, states[state], scene)
     else:
-        _write_film(found, out, [states[state] for state in order], scene)
+        _write_film(found, out, [states[state] for state in order], scene, sizes.pop())
     return next(filter(None, warnings), "")
 
 
@@ -121,11 +121,14 @@ def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
     _choose_panes(found, file)
     _check(found, out, (".html",))
     page.check(found)
-    with _of_options(found):
-        states = page.states(found, file)
+    asked = page.asked(found)
+    states = sweep.states(asked, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
+    for pane in sweep.panes(found):
+        _sizes(found, states, [pane])
     check_drawing()
+    states = sweep.with_views(asked, file, states)
     with _of_options(found):
         large = page.write(found, out, _told(states), states, scene, partial(_options, found))
     return next(filter(None, [large, *warnings]), "")
@@ -165,6 +168,40 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     check_out("OUT", out)
 
 
+def _sizes(
+    found: argparse.Namespace, states: Sequence[Document], panes: Sequence[str]
+) -> set[tuple[int, int]]:
+    """Return the sizes of figures in pixels; refuse impossible ones, also of letters."""
+    from app.drawings.figure_size import checked_size, checked_text
+
+    column, sizes = "/" in found.panes and len(panes) > 1, set[tuple[int, int]]()
+    with _of_options(found):
+        for image in {state.projection.image_size for state in states}:
+            sizes.add(checked_size(image, panes, found.size, found.scale, column))
+            checked_text(image, panes, found.size, found.text_size, column)
+    return sizes
+
+
+def _check_film(found: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
+    """Refuse sizes that a film cannot have, and then a machine that cannot encode it."""
+    with importing():
+        from app.drawings.moving import WEBP_PX
+        from app.drawings.mp4 import program
+    if len(sizes) > 1:
+        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
+    (size,) = sizes
+    if _ending(out) == ".webp" and max(size) > WEBP_PX:
+        raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
+    if _ending(out) == ".mp4":
+        if size[0] % 2 or size[1] % 2:
+            sides = "x".join(map(str, size))
+            raise CliError(
+                f"OUT = {out!r}: .mp4 has even sides in pixels, not {sides}; set --size."
+            )
+        with blamed_on(out, UNWRITABLE):
+            program()
+
+
 def _ending(out: str) -> str:
     return os.path.splitext(out)[1].lower()
 
@@ -189,25 +226,14 @@ def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene
 
 
 def _write_film(
-    found: argparse.Namespace, out: str, frames: Sequence[Document], scene: Scene
+    found: argparse.Namespace,
+    out: str,
+    frames: Sequence[Document],
+    scene: Scene,
+    size: tuple[int, int],
 ) -> None:
     with importing():
-        from app.drawings.figure_size import checked_size
-        from app.drawings.moving import WEBP_PX, encoded, moving
-    panes, column = sweep.panes(found), "/" in found.panes
-    with _of_options(found):
-        sizes = {
-            checked_size(frame.projection.image_size, panes, found.size, found.scale, column)
-            for frame in frames
-        }
-    if len(sizes) > 1:
-        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
-    size = sizes.pop()
-    if _ending(out) == ".webp" and max(size) > WEBP_PX:
-        raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
-    if _ending(out) == ".mp4" and (size[0] % 2 or size[1] % 2):
-        sides = "x".join(map(str, size))
-        raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {sides}; set --size.")
+        from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
     for frame in _told(frames):

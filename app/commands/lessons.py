@@ -53,7 +53,6 @@ def _line(file: Path) -> str:
 
 def _checked(report: Report, composed: Composed, files: Sequence[Path], own: bool) -> Iterator[str]:
     """Yield a line for each mistake, and a summary line."""
-    draw = measure()
     if own:
         ideas_report = Report()
         ideas_report.take(ideas().lesson)
@@ -64,7 +63,7 @@ def _checked(report: Report, composed: Composed, files: Sequence[Path], own: boo
         yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
         if len(report.wrong) == said:
             before = len(composed.wrong)
-            report.wrong += taken(composed, Course(read(file)), draw, ())
+            report.wrong += taken(composed, Course(read(file)), measure(), ())
             wrong = *report.wrong[said:], *composed.wrong[before:]
             yield from (f"{printable(str(fault))}\n" for fault in wrong)
     yield f"{report}\n"

@@ -21,7 +21,7 @@ from app.commands.options import (
     write_out,
 )
 from app.document.files import write_bytes_atomically
-from app.drawings.off_screen import check_off_screen
+from app.drawings import off_screen
 from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
@@ -62,7 +62,7 @@ def run(arguments: Sequence[str]) -> int:
         swept = dict.fromkeys(SWEEPS, (None, None))
     opengl = True
     try:
-        check_off_screen()
+        off_screen.check_off_screen()
     except RuntimeError as error:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]

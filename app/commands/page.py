@@ -9,7 +9,7 @@ from functools import reduce
 from typing import TYPE_CHECKING, Any
 
 from app.commands import sweep
-from app.commands.arguments import document_of, importing
+from app.commands.arguments import importing
 from app.commands.options import CliError
 from app.document.compare import Written, names_in
 from app.document.document import Document
@@ -35,17 +35,15 @@ def check(found: Namespace) -> None:
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 
 
-def states(found: Namespace, file: str | None) -> list[Document]:
-    """Return the states of a page: one, or those of a motion, which does not rest at stages."""
+def asked(found: Namespace) -> Namespace:
+    """Return the options for the states of a page, which does not rest at stages."""
     if found.stages:
         sweep.check_stages(found)
         found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
-    if not sweep.motions(found):
-        return [document_of(file, found.set, found.step)]
     # The page has each pane alone.
     alone = "world" if "world" in sweep.panes(found) else found.panes
     frames = FRAMES if found.frames is None else found.frames
-    return sweep.states(Namespace(**vars(found) | {"panes": alone, "frames": frames}), file)
+    return Namespace(**vars(found) | {"panes": alone, "frames": frames})
 
 
 def write(

@@ -15,7 +15,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from app.commands.arguments import (
-    check_drawing,
     course_of,
     document_before,
     importing,
@@ -76,13 +75,19 @@ def speed(found: argparse.Namespace) -> float:
 
 
 def states(found: argparse.Namespace, file: str | None) -> list[Document]:
-    """Return the states, from the first value to the last; a `Refusal` if one is impossible."""
+    """Return the states, from the first value to the last; a `Refusal` if one is impossible.
+
+    They still lack the place from which the world is seen. Without a motion there is one state.
+    """
     count = max(order(found)) + 1
     if found.transition:
         return _transition(found, file, count)
     before = document_before(file, found.set, found.step)
     if found.orbit is not None:
-        return _orbit(found, file, with_values(before, found.set), count)
+        _check_orbit(found)
+        return [with_values(before, found.set)] * count
+    if not motions(found):
+        return [with_values(before, found.set)]
     parts = [step / (count - 1) for step in range(count)]
     if found.stages:
         check_stages(found)
@@ -93,7 +98,18 @@ def states(found: argparse.Namespace, file: str | None) -> list[Document]:
     for part in parts:
         numbers = [a * (1.0 - part) + b * part for a, b in zip(first, last, strict=True)]
         values.append(f"{path}={','.join(map(_written, numbers))}")
-    return still(found, file, [with_values(before, [*found.set, value]) for value in values])
+    return [with_values(before, [*found.set, value]) for value in values]
+
+
+def with_views(
+    found: argparse.Namespace, file: str | None, states: list[Document]
+) -> list[Document]:
+    """Return states with the places from which their worlds are seen, on a machine that draws."""
+    if found.transition:
+        return _along(found, file, states)
+    if found.orbit is not None:
+        return _round(found, file, states)
+    return _still(found, file, states) if found.sweep else states
 
 
 def check_stages(found: argparse.Namespace) -> None:
@@ -134,6 +150,25 @@ def _transition(found: argparse.Namespace, file: str | None, count: int) -> list
     """
     from app.lessons import transition
 
+    place, start, end = _steps(found, file)
+    moves = transition.can_move(start, end)
+    if not moves and start != end:
+        raise CliError(
+            f"--transition: step {place} shows another scene or another kind of lens than the"
+            " step before; nothing moves from one to the other."
+        )
+    states = list[Document]()
+    for step in range(count):
+        part = _eased(step / (count - 1))
+        state = transition.between(start, end, part) if moves and part < 1.0 else end
+        state = state or (states or [end])[-1]
+        stage = (1.0 - part) * start.view.stage + part * end.view.stage
+        states.append(replace(state, view=replace(state.view, stage=stage)))
+    return states
+
+
+def _steps(found: argparse.Namespace, file: str | None) -> tuple[int, Document, Document]:
+    """Return the number of the step that a transition leads to, and both ends of it."""
     if file is None or found.step is None:
         raise CliError("--transition: needs a lesson or a talk as FILE, and --step.")
     course = course_of(file)
@@ -141,42 +176,34 @@ def _transition(found: argparse.Namespace, file: str | None, count: int) -> list
     if not place:
         raise CliError(f"--transition: no step comes before --step {found.step}.")
     start, end = (with_values(state_at(course, at), found.set) for at in (place - 1, place))
-    moves = transition.can_move(start, end)
-    if not moves and start != end:
-        raise CliError(
-            f"--transition: step {place + 1} shows another scene or another kind of lens than the"
-            " step before; nothing moves from one to the other."
-        )
-    stages, views = (start.view.stage, end.view.stage), _views_of(found, file, start, end)
-    if not moves and stages[0] == stages[1] and (views is None or views[0] == views[1]):
-        raise CliError(f"--transition: step {place + 1} shows the same as the step before.")
-    states = list[Document]()
-    for step in range(count):
-        part = _eased(step / (count - 1))
-        state = transition.between(start, end, part) if moves and part < 1.0 else end
-        state = state or (states or [end])[-1]
-        stage = (1.0 - part) * stages[0] + part * stages[1]
-        if views is not None:
-            state = _seen(state, transition.camera_between(views[0], views[1], part))
-        states.append(replace(state, view=replace(state.view, stage=stage)))
-    return states
+    return place + 1, start, end
 
 
-def _views_of(
-    found: argparse.Namespace, file: str | None, *states: Document
-) -> list[Camera] | None:
-    """Return from where the world of each state is seen; None if one is seen from a fixed view."""
-    if any(_is_fixed(state, file) for state in states):
-        return None
-    moments = [still(found, file, [state])[0].view.panes.get("world") for state in states]
-    views = [view for view in moments if view is not None]
-    return views if len(views) == len(states) else None
+def _along(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+    """Return states whose world is seen on the way from the view of one step to that of another."""
+    from app.lessons.transition import camera_between
+
+    place, *ends = _steps(found, file)
+    views: list[Camera | None] = [None, None]
+    if not any(_is_fixed(end, file) for end in ends):
+        views = [_still(found, file, [end])[0].view.panes.get("world") for end in ends]
+    first, last = views
+    stages = {end.view.stage for end in ends}
+    if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
+        raise CliError(f"--transition: step {place} shows the same as the step before.")
+    if first is None or last is None:
+        return states
+    parts = (_eased(step / (len(states) - 1)) for step in range(len(states)))
+    return [
+        _seen(state, camera_between(first, last, part))
+        for state, part in zip(states, parts, strict=True)
+    ]
 
 
 # --------------------------------------------------------------------------- the world's view
 
 
-def still(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+def _still(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
     """Return states whose world is seen from one place, as in the window while a value changes."""
     first = states[0]
     if "world" not in panes(found) or "world" in first.view.panes or _is_fixed(first, file):
@@ -193,10 +220,7 @@ def _is_fixed(state: Document, file: str | None) -> bool:
     return bool(seen_from(state.view, scene))
 
 
-def _orbit(
-    found: argparse.Namespace, file: str | None, document: Document, count: int
-) -> list[Document]:
-    """Return states whose world is seen from places around it; the camera stays where it is."""
+def _check_orbit(found: argparse.Namespace) -> None:
     if not 0.0 < abs(found.orbit) <= FULL_TURN:
         raise CliError(
             f"--orbit = {found.orbit:g}: must be from -{FULL_TURN:g} to {FULL_TURN:g} degrees, not"
@@ -204,6 +228,11 @@ def _orbit(
         )
     if "world" not in panes(found):
         raise CliError(f"--orbit: needs the pane world, and --panes = {found.panes!r}.")
+
+
+def _round(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+    """Return states whose world is seen from places around it; the camera stays where it is."""
+    document, count = states[0], len(states)
     # Round and round, the step after the last one leads to the first.
     steps = count if found.loop == "repeat" and abs(found.orbit) == FULL_TURN else count - 1
     turns_deg = [found.orbit * step / steps for step in range(count)]
@@ -228,7 +257,6 @@ def _standing(
     found: argparse.Namespace, file: str | None, states: Sequence[Document], turns: list[float]
 ) -> list[Camera]:
     scene = load_scene(states[0].scene, states[0].mesh, file)
-    check_drawing()
     with importing():
         from app.drawings.standing import standing
     return standing(

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap
-from app.commands.arguments import check_out, importing
-from app.commands.composed import SLIDE_PX, Composed, Measure, measure, taken
+from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.composed import SLIDE_PX, Composed, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import Report, counted
@@ -34,10 +34,9 @@ def talk(arguments: Sequence[str]) -> int:
     one_of("--for", readers, READERS)
     if found.readers and found.handout is None:
         raise CliError("--for: needs --handout OUT.pdf.")
-    draw = measure()
     status = 0
     if found.check:
-        wrong, sums = _tried(file_of(name), draw)
+        wrong, sums = _tried(file_of(name))
         write_out(f"{line}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if found.handout is not None and not status:
@@ -45,7 +44,7 @@ def talk(arguments: Sequence[str]) -> int:
     return status
 
 
-def _tried(path: Path, draw: Measure) -> tuple[list[str], list[str]]:
+def _tried(path: Path) -> tuple[list[str], list[str]]:
     """Return everything that is wrong with a talk, and the lines that sum it up."""
     report, composed, left = Report(), Composed(), ""
     try:
@@ -53,7 +52,7 @@ def _tried(path: Path, draw: Measure) -> tuple[list[str], list[str]]:
     except Refusal as error:
         report.wrong.append(error)
     else:
-        report.wrong += taken(composed, course, draw, report.wrong)
+        report.wrong += taken(composed, course, measure(), report.wrong)
         left = _take_texts(composed, course.lesson)
     steps = counted(composed.steps, "step")
     sums = [f"{path.name}: {steps} drawn, {len(report.wrong)} wrong", str(composed)]
@@ -79,6 +78,7 @@ def _take_texts(composed: Composed, lesson: Lesson) -> str:
 
 
 def _print(lesson: Lesson, out: str, answers: bool) -> None:
+    check_drawing()
     with importing():
         from widgets.program.handout import handout
         from widgets.program.handout_page import handout_page

@@ -55,7 +55,14 @@ from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.oracles import exact
 from tests.support.carrier import carrier
-from tests.support.commands import comma_locale, refused, refused_by_a_process, run, run_here
+from tests.support.commands import (
+    comma_locale,
+    one_sentence,
+    refused,
+    refused_by_a_process,
+    run,
+    run_here,
+)
 from tests.support.drawings import colours_of
 from widgets.program import application
 
@@ -1327,7 +1334,8 @@ def test_export_to_a_full_disk_is_a_sentence(
 
     monkeypatch.setattr(os, "fsync", full)
     out = tmp_path / "full.png"
-    assert "full.png cannot be written: No space left" in refused("export", out, "--size=96x32")
+    said = one_sentence(run_here("export", out, "--size=96x32"), 2)
+    assert "full.png cannot be written: No space left" in said
     assert not list(tmp_path.iterdir())
 
 

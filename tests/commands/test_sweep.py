@@ -16,14 +16,14 @@ import pytest
 from PIL import Image
 
 from app.commands.options import parser_of
-from app.commands.sweep import order, states, usual_loop
+from app.commands.sweep import order, states, usual_loop, with_views
 from app.document.document import Document
 from app.document.files import read, write
 from app.document.view import View
 from app.drawings import figures
 from app.model.projection import Camera
 from app.scenes.scene import load
-from tests.support.commands import refused, run_here
+from tests.support.commands import one_sentence, refused, run_here
 
 SMALL = ("--size=48x32", "--panes=image")
 WORLD = ("--size=48x48", "--panes=world")
@@ -121,7 +121,8 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
     found, (out, file) = parser_of("export").read(["a.gif", "b.json", *back, "--panes=world"])
     found.loop = usual_loop(found, numbered=False)
     assert (found.loop, out, file) == ("back-and-forth", "a.gif", "b.json")
-    moments = states(found, str(tmp_path / "turned.json"))
+    turned = str(tmp_path / "turned.json")
+    moments = with_views(found, turned, states(found, turned))
     first, middle, last = (each.view.panes["world"] for each in moments)
     assert first == view and middle.target == last.target == view.target
     assert last.orbit.azimuth_deg == pytest.approx(view.orbit.azimuth_deg - 60.0)
@@ -204,12 +205,13 @@ def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_pa
     assert set(middle.view.panes) == {"world"}, "which goes from one view to the other"
     for step, words in (
         ("1", "--transition: no step comes before --step 1."),
-        ("3", "--transition: step 3 shows the same as the step before."),
         ("four", "--transition: step 4 shows another scene or another kind of lens"),
         ("5", "--step = '5': must be a number from 1 to 4, or the name of a step"),
         ("tow", "or the name of a step; the nearest is two."),
     ):
         assert words in refused("export", "a.gif", talk, "--transition", "--step", step)
+    same = one_sentence(run_here("export", "a.gif", talk, "--transition", "--step=3"), 2)
+    assert same == "--transition: step 3 shows the same as the step before.\n"
 
 
 def test_an_interrupted_film_leaves_the_old_one(
@@ -265,7 +267,8 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
 
     ffmpeg.write_text("#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n")
     ffmpeg.chmod(0o755)
-    assert refused(*command) == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
+    said = one_sentence(run_here(*command), 2)
+    assert said == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
 
     pid = tmp_path / "pid"
     interrupted = "read first_line\nkill -INT $PPID\nexec /bin/sleep 60\n"

@@ -16,7 +16,7 @@ from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.model.limits import NOT_ZERO
 from app.model.refusal import Refusal
-from tests.support.commands import one_sentence, run, run_here
+from tests.support.commands import bare_machine, one_sentence, refused, run, run_here
 from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
 from widgets.parts.messages import read_text
@@ -108,6 +108,16 @@ def test_a_mistake_is_reported_with_its_line(
     assert re.search(f"small.md.*{said}", lines[0]), lines
     assert lines[-1] == f"small.md: {last}"
     assert len(lines) == int(last.split()[-2]) + 1
+
+
+@pytest.mark.parametrize("command", [("talk", "--check"), ("lesson", "check")])
+def test_a_missing_file_is_named_where_nothing_can_be_drawn(
+    command: tuple[str, ...], tmp_path: Path
+) -> None:
+    with bare_machine():
+        done = run_here(*command, tmp_path / "none.md")
+    assert (done.returncode, done.stderr) == (1, "")
+    assert done.stdout.startswith(f"{tmp_path / 'none.md'} does not exist.\n")
 
 
 def test_the_next_step_is_drawn_after_one_that_cannot_be(talk: Path) -> None:
@@ -310,7 +320,7 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
     assert "line 26" in one_sentence(run_here("talk", talk, "--handout", out), 2)
     assert out.read_bytes() == b"of before"
     talk.unlink()
-    assert "small.md does not exist" in one_sentence(run_here("talk", talk, "--handout", out), 2)
+    assert "small.md does not exist" in refused("talk", talk, "--handout", out)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["out.pdf"]
 
 
@@ -329,4 +339,4 @@ def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_pat
     ],
 )
 def test_a_wrong_command_line_is_refused(talk: Path, arguments: tuple[str, ...], said: str) -> None:
-    assert said in one_sentence(run_here("talk", talk, *arguments), 2)
+    assert said in refused("talk", talk, *arguments)

@@ -8,14 +8,17 @@ import os
 import subprocess
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from app.bootstrap import ROOT
 from app.commands import cli
+from app.commands.arguments import check_drawing
 from app.document.document import Document
 from app.document.files import write
+from app.drawings import off_screen
 from app.model.projection import Projection
 from tests import PATIENCE_S
 
@@ -81,8 +84,23 @@ def refused_by_a_process(*arguments: str | Path, status: int = 2) -> str:
 
 
 def refused(*arguments: str | Path, text: str | bytes = b"", status: int = 2) -> str:
-    """The same in this process."""
-    return one_sentence(run_here(*arguments, text=text), status)
+    """The same in this process, on a bare machine: what is typed is checked before the machine."""
+    with bare_machine():
+        return one_sentence(run_here(*arguments, text=text), status)
+
+
+@contextlib.contextmanager
+def bare_machine() -> Iterator[None]:
+    """Let this machine have no programs and no OpenGL."""
+
+    def check_off_screen() -> None:
+        raise RuntimeError("There is no OpenGL.")
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("PATH", "")
+        patch.setattr(off_screen, "check_off_screen", check_off_screen)
+        check_drawing.cache_clear()
+        yield
 
 
 @pytest.fixture(scope="session")
