@@ -252,6 +252,26 @@ def test_an_mp4_has_the_frames_of_the_numbered_figures(tmp_path: Path) -> None:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a script stands for ffmpeg")
+def test_ffmpeg_gets_the_frames_of_the_numbered_figures(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    sweep = ("--sweep=lens.far=15:17", "--frames=3", *SMALL)
+    assert run_here("export", tmp_path / "%d.png", *sweep).returncode == 0
+    ffmpeg = tmp_path / "ffmpeg"
+    ffmpeg.write_text('#!/bin/sh\nfor film; do :; done\nexec /bin/cat > "$film"\n')
+    ffmpeg.chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    assert run_here("export", tmp_path / "film.mp4", *sweep).returncode == 0
+    begin = b"\x89PNG\r\n"
+    _, *frames = (tmp_path / "film.mp4").read_bytes().split(begin)
+    for number, frame in enumerate(frames):
+        (tmp_path / "frame.png").write_bytes(begin + frame)
+        (pixels,), (figure,) = (frames_of(tmp_path / n) for n in ("frame.png", f"{number}.png"))
+        assert np.array_equal(pixels, figure)
+    assert len(frames) == 3
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script stands for ffmpeg")
 def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
