@@ -16,7 +16,8 @@ from mpmath import mp
 from app.document.settings import set_values
 from app.lessons.blocks.block import Here, of_kind
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.question import Question
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Marked, Question
 from app.lessons.blocks.task import Task
 from app.lessons.checking import Report
 from app.lessons.course import CONTENT, Course, contained
@@ -143,6 +144,28 @@ def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:
             tasks = [part.name for part in of_kind(step.blocks, Task)]
             wanted = {(name, verdict) for name in tasks for verdict in ("done", "open")}
             assert wanted <= tried, (path.name, step.name)
+
+
+def test_every_right_answer_is_right_as_a_student_types_it() -> None:
+    """With four digits and a comma; a window is needed for one lesson of each kind only."""
+    marked = 0
+    for path in contained():
+        course = Course(read(path))
+        for place, step in enumerate(course.lesson.steps):
+            for part in step.asked:
+                asked, here = part, course.at(place)
+                if isinstance(part, Exercise):
+                    asked, here = (variant := part.variant(here, 2)).question, variant.here
+                if isinstance(asked, Marked):
+                    values = asked.values(here, *asked.key)
+                    width = asked.columns if isinstance(asked, Matrix) else len(values)
+                    typed = [f"{value:.4g}".replace(".", ",") for value in values]
+                    rows = [typed[at : at + width] for at in range(0, len(typed), width)]
+                    between = " | " if isinstance(asked, Matrix) else " "
+                    answer = "; ".join(between.join(row) for row in rows)
+                    assert asked.mark(here, answer).right, (path.name, step.name, answer)
+                    marked += 1
+    assert marked > 50
 
 
 @pytest.mark.parametrize(

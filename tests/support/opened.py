@@ -57,6 +57,8 @@ def close(windows: list[MainWindow]) -> None:
     survivors = [ref for ref in canvases if ref() is not None]
     assert not held, f"PySide holds {held} items of layouts"
     assert not survivors, f"{len(survivors)} interactors outlive their windows"
+    if not any(isinstance(widget, MainWindow) for widget in QApplication.topLevelWidgets()):
+        gc.freeze()  # what has stayed until now is not searched after the next window
 
 
 def delete_what_is_due() -> None:

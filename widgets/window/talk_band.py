@@ -8,6 +8,7 @@ is shown.
 from __future__ import annotations
 
 import re
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
@@ -147,10 +148,13 @@ class TalkBand(QFrame):
 
     def _squeezed(self, text: str) -> str:
         """Lay out as much of a text as fits in smaller letters, at least a word; return it."""
-        shown, pieces = text, _PIECE.findall(text)
-        while not self._fits(shown, SMALLER) and len(pieces) > 1:
-            pieces.pop()
-            shown = f"{' '.join(pieces)} …"
+        pieces = _PIECE.findall(text)
+        if self._fits(text, SMALLER) or len(pieces) < 2:
+            return text
+        shorter = [f"{' '.join(pieces[:count])} …" for count in range(1, len(pieces))]
+        too_long = bisect_left(shorter, True, key=lambda each: not self._fits(each, SMALLER))
+        shown = shorter[max(0, too_long - 1)]
+        self._fits(shown, SMALLER)
         return shown
 
     def _fits(self, text: str, letters: tuple[float, ...] = LINES) -> bool:
