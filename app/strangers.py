@@ -1,14 +1,17 @@
-"""Files from strangers: open regular files only, and print no control characters."""
+"""Files from strangers: open regular files only, decode their text, print no control characters."""
 
 from __future__ import annotations
 
 import errno
+import json
 import os
 import stat
 from typing import BinaryIO
 
 LARGEST_FILE = 2 * 2**30
 """Most bytes of a file that is opened."""
+LATIN_1 = "is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong"
+"""The note beside a text whose encoding `decode` could not tell."""
 
 
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
@@ -42,6 +45,19 @@ def _check_regular(status: os.stat_result) -> None:
         raise OSError(errno.EINVAL, "it is a pipe or a device, not a regular file")
     if status.st_size > LARGEST_FILE:
         raise OSError(errno.EFBIG, f"it is larger than {LARGEST_FILE >> 30} GiB")
+
+
+def decode(content: bytes) -> tuple[str, bool]:
+    """Return the text of a file, and whether its encoding is certain.
+
+    UTF-8, UTF-16 and UTF-32 are known by their byte-order mark, or by their zero bytes. What is
+    none of them is read as Latin-1, which has a letter for every byte.
+    """
+    encoding = json.detect_encoding(content[:4])
+    try:
+        return content.decode(encoding), True
+    except UnicodeDecodeError:
+        return content.decode("latin-1"), False
 
 
 def printable(text: str) -> str:

@@ -11,14 +11,15 @@ import re
 import stat
 import sys
 from collections.abc import Callable, Iterator, Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Self
 
 from app import bootstrap
-from app.commands.options import CliError, parse_number
+from app.commands.options import CliError, complain, parse_number
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.projection import FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal
+from app.strangers import LATIN_1, decode
 
 LARGEST_INPUT = 2**30
 """Most bytes read as points."""
@@ -63,73 +64,138 @@ class Read(NamedTuple):
 
 
 def read(source: str) -> Read:
-    """Read points from a CSV file or standard input, separated by commas or tabs.
+    """Read points from a file or standard input, as spreadsheets and numpy write them.
 
-    The first row may name the columns: x, y, z, perhaps w, then any others. Without names, a
-    number in the fourth column is w.
+    Commas, tabs, semicolons or blanks separate the columns; a line that begins with ``#`` is a
+    comment. The first row, or a comment before it, may name the columns, in any order. Without
+    names, x is the first number of the first row, and a number after z is w.
     """
     name = "Standard input" if source == "-" else source
     try:
-        # Some spreadsheets put a byte order mark before UTF-8.
-        text = _read_input(source).decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise CliError(f"{name} is not UTF-8 text.") from error
+        text, is_certain = decode(_read_input(source))
     except ValueError as error:  # a NUL in the file's name
         raise CliError(f"{name!r} is not a name that a file can have.") from error
     except OSError as error:
         raise CliError(f"{name} cannot be read: {error.strerror or error}.") from error
+    separator = _separator(text)
+    rows = csv.reader(_lines(text, separator), delimiter=separator, skipinitialspace=True)
+    layout: _Layout | None = None
     points: list[Row] = []
-    columns, head, is_first = Columns([], []), list[str](), True
-    first_cell, *tabbed = text.lstrip().partition("\n")[0].strip().split("\t")
-    separator = "\t" if len(tabbed) > 1 and "," not in first_cell else ","
-    rows = csv.reader(io.StringIO(text, newline=""), delimiter=separator, skipinitialspace=True)
+    kept: list[list[str]] = []
     has_w = False
     try:
         for row in rows:
             cells, where = [cell.strip() for cell in row], f"{name}, line {rows.line_num}"
-            if not any(cells):
+            while cells and not cells[-1]:
+                cells.pop()
+            if not cells:
                 continue
-            if is_first and [cell.lower() for cell in cells[:3]] == ["x", "y", "z"]:
-                head = cells if len(cells) > 3 else []
-                has_w = [cell.lower() for cell in cells[3:4]] == ["w"]
-                columns.names.extend(cells[3 + has_w :])
-                if len(set(columns.names)) < len(columns.names):
-                    raise CliError(f"{where}: has two columns of the same name.")
-            else:
-                others = _others(cells, head, has_w, where)
-                has_w |= len(cells) - len(others) == 4
-                points.append(_point(cells[: len(cells) - len(others)], where))
-                columns.rows.append(others)
-            is_first = False
+            if layout is None:
+                layout = _Layout.of(cells, where)
+                if layout.names:
+                    continue
+            coordinates, others = layout.split(cells, where)
+            has_w |= len(coordinates) == 4
+            points.append(_point(coordinates, where, separator))
+            kept.append(others)
     except csv.Error as error:
         raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
-    if not points:
+    if layout is None or not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
-    widest = max(map(len, columns.rows))
-    columns.names.extend(f"column_{n + 4}" for n in range(len(columns.names), widest))
-    for others in columns.rows:
-        others.extend([""] * (len(columns.names) - len(others)))
-    return Read(points, has_w, columns)
+    if not is_certain:
+        complain(f"{name} {LATIN_1}.", 0)
+    names = layout.names_of_others(max(map(len, kept)))
+    for others in kept:
+        others.extend([""] * (len(names) - len(others)))
+    return Read(points, has_w, Columns(names, kept))
 
 
-def _others(cells: list[str], head: list[str], has_w: bool, where: str) -> list[str]:
-    """Return the cells of a row after its coordinates; without names, a number there is w."""
-    if len(cells) > len(head) > 0:
-        raise CliError(f"{where}: has {len(cells)} columns, but the first row names {len(head)}.")
-    if head:
-        return cells[3 + has_w :]
-    while len(cells) > 3 and not cells[-1]:
-        cells.pop()
-    try:
-        parse_number(cells[3])
-    except (IndexError, ValueError):
-        return cells[3:]
-    if len(cells) > 4:
-        raise CliError(
-            f"{where}: has {len(cells)} columns, must have three: x,y,z, or w too;"
-            " name other columns in a first row: x,y,z,name."
-        )
-    return []
+_DECLARED = re.compile(r"sep=(.)\s*")
+"""Excel's own first line."""
+
+
+def _separator(text: str) -> str:
+    """Return the separator of the columns, as the first line that is no comment shows it."""
+    lines = (line.strip() for line in io.StringIO(text))
+    first = next((line for line in lines if line and not line.startswith("#")), "")
+    if declared := _DECLARED.fullmatch(first):
+        return declared[1]
+    if ";" in first:
+        return ";"
+    cells = first.split("\t")
+    if len(cells) > 2 and not cells[0].endswith(","):
+        return "\t"
+    return "," if "," in first else " "
+
+
+def _lines(text: str, separator: str) -> Iterator[str]:
+    """Yield each line for `csv.reader`; an empty one for a comment that does not name x, y, z."""
+    for line in io.StringIO(text, newline=""):
+        stripped = line.strip()
+        if _DECLARED.fullmatch(stripped):
+            line = "\n"
+        elif stripped.startswith("#"):
+            titles = stripped.lstrip("#").strip()
+            cells = titles.lower().split(None if separator == " " else separator)
+            line = titles + "\n" if {"x", "y", "z"} <= {cell.strip() for cell in cells} else "\n"
+        yield line.strip(" ") if separator != " " else line.strip(" \t").replace("\t", " ")
+
+
+class _Layout(NamedTuple):
+    """Where the coordinates stand in a row.
+
+    Attributes
+    ----------
+    places : tuple of int
+        The columns of x, y, z and perhaps w.
+    names : list of str
+        The names of all columns; empty if the first row holds a point.
+    """
+
+    places: tuple[int, ...]
+    names: list[str]
+
+    @classmethod
+    def of(cls, cells: list[str], where: str) -> Self:
+        """Read the first row: the names of the columns, or a point."""
+        lower = [cell.lower() for cell in cells]
+        if {"x", "y", "z"} <= set(lower):
+            if len(set(lower)) < len(lower):
+                raise CliError(f"{where}: has two columns of the same name.")
+            return cls(tuple(lower.index(axis) for axis in "xyzw" if axis in lower), cells)
+        numbers = [place for place, cell in enumerate(cells) if _number(cell, ";") is not None]
+        first = next((place for place in numbers if place + 3 <= len(cells)), 0)
+        if not numbers and len(cells) > 2:
+            raise CliError(f"{where}: must name columns x, y and z, or hold a point.")
+        return cls((first, first + 1, first + 2), [])
+
+    def split(self, cells: list[str], where: str) -> tuple[list[str], list[str]]:
+        """Return the coordinates of a row, and its other cells."""
+        width, places = len(self.names), self.places
+        if len(cells) <= 3 and places == (0, 1, 2):
+            return cells, []
+        if len(cells) > width > len(places):
+            raise CliError(f"{where}: has {len(cells)} columns, but the first row names {width}.")
+        after = places[-1] + 1
+        if not width and after < len(cells) and _number(cells[after], ";") is not None:
+            if len(cells) > after + 1:
+                raise CliError(
+                    f"{where}: has {len(cells)} columns, must have three: x,y,z, or w too;"
+                    " name other columns in a first row: x,y,z,name."
+                )
+            places = (*places, after)
+        cells = [*cells, *[""] * (max(places) + 1 - len(cells))]
+        others = [cell for place, cell in enumerate(cells) if place not in places]
+        return [cells[place] for place in places], others
+
+    def names_of_others(self, count: int) -> list[str]:
+        """Return names for the columns that are no coordinates; `count` of them at least."""
+        names = dict(enumerate(self.names))
+        places = (place for place in itertools.count() if place not in self.places)
+        return [
+            names.get(place) or f"column_{place + 1}"
+            for place in itertools.islice(places, max(count, len(names) - len(self.places)))
+        ]
 
 
 def _read_input(source: str) -> bytes:
@@ -148,18 +214,24 @@ def _read_input(source: str) -> bytes:
     return content
 
 
-def _point(cells: list[str], where: str) -> Row:
+def _number(cell: str, separator: str) -> float | None:
+    """Return the number in a cell, perhaps with a decimal comma; None for another text."""
+    if separator != ",":
+        cell = cell.replace(",", ".")
+    try:
+        return parse_number(cell.replace("\u2212", "-"))
+    except ValueError:
+        return None
+
+
+def _point(cells: list[str], where: str, separator: str) -> Row:
     if len(cells) < 3:
         found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
-        hint = ", with commas between them and decimal points" if ";" in "".join(cells) else ""
-        raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too{hint}.")
+        raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too.")
     values = []
     for name, cell in zip("xyzw", cells, strict=False):
-        try:
-            value = parse_number(cell)
-        except ValueError:
-            value = math.nan
-        if not math.isfinite(value):
+        value = _number(cell, separator)
+        if value is None or not math.isfinite(value):
             raise CliError(f"{where}: {name} = {cell!r}: {FINITE_NUMBER}.")
         if abs(value) > LARGEST:
             raise CliError(f"{where}: {name} = {cell}: must lie within ±{LARGEST}.")

@@ -25,8 +25,8 @@ Tree: TypeAlias = dict[str, Any]
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 LOOKS = QT_TRANSLATE_NOOP(
     "Refusal",
-    "must be world or ndc with the pane's eye, as in ndc: 1.3,0.2,0.3, and perhaps its target (what"
-    " a class sees is view.slide)",
+    "must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or"
+    " ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)",
 )
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 

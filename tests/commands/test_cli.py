@@ -372,10 +372,14 @@ def test_points_come_from_a_file_too_and_the_letter_f_is_the_default(tmp_path: P
 def test_csv_of_many_programs_is_read() -> None:
     for text in (
         b"\xef\xbb\xbfx,y,z\r\n1,2,3\r\n", b"X, Y, Z\n\n1,2,3\n\n", b' 1 , 2 ,"3"\n',
-        b"+1,2e0,.3e1", b"1,2,3\r",
+        b"+1,2e0,.3e1", b"1,2,3\r", "x,y,z\n1,2,3\n".encode("utf-16"), b"1;2;3\n",
+        b"1.000000000000000000e+00 2.000000000000000000e+00 3.000000000000000000e+00\n",
+        b"# x y z\n# by hand\n1 2 3\n", b"  1\t 2  3 \n", b"1,\t2,\t3\n", b"z,x,y\n3,1,2\n",
+        b"# points x, y and z\n1,2,3\n", b"sep=;\r\nx;y;z\r\n1,0;2,0;3\r\n", b"1,0\t2,0\t3\n",
+        "1,2,3\n0,\u22121,-2\n".encode(),
     ):  # fmt: skip
         done = run_here("project", "-", "--format", "json", text=text)
-        assert [point["world"] for point in json.loads(done.stdout)["points"]] == [[1, 2, 3]], text
+        assert json.loads(done.stdout)["points"][0]["world"] == [1, 2, 3], text
 
 
 @pytest.mark.parametrize(
@@ -391,6 +395,11 @@ def test_csv_of_many_programs_is_read() -> None:
         ("1,2,3,corner,7\n", None, {"column_4": "corner", "column_5": "7"}),
         ("1,2,3,\n", None, None),
         ("x,y,z\n1,2,3,é\n", None, {"column_4": "é"}),
+        ("name,x,y,z\nA,1,2,3\n", None, {"name": "A"}),
+        (",x,y,z\n0,1,2,3\n", None, {"column_1": "0"}),  # pandas
+        ("n;w;Z;Y;X\n7;1;3;2;1\n", 1, {"n": "7"}),
+        ("A 1 2 3 0\n", 0, {"column_1": "A"}),
+        ('"A B"  1  2  3 \n', None, {"column_1": "A B"}),
     ],
 )
 def test_other_columns_of_the_points_are_kept(
@@ -406,6 +415,12 @@ def test_other_columns_of_the_points_are_kept(
     table = run_here("project", "-", text=text).stdout
     for name, value in (columns or {}).items():
         assert f"{name:>10}  {value}\n" in table
+
+
+def test_letters_of_an_unknown_encoding_are_noted() -> None:
+    done = run_here("project", "-", "--format", "csv", text="1,2,3,caf\u00e9\n".encode("latin-1"))
+    assert done.returncode == 0 and done.stdout.endswith(",caf\u00e9\n")
+    assert "read as Latin-1" in done.stderr and done.stderr.count("\n") == 1
 
 
 def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
@@ -427,15 +442,17 @@ def test_a_name_of_a_point_cannot_write_to_the_terminal() -> None:
         (b"1,2,3,nan\n", ["line 1", "w = 'nan'", "finite number"]),
         (b"1,2,3,1e308\n", ["line 1", "w = 1e308", f"{LARGEST}"]),
         (b"1e100,2,3,1e-300\n", ["line 1", "x/w = inf", "finite number"]),
-        (b"1;2;3\n", ["line 1", "has 1 column, must", "with commas between them"]),
-        (b"0,5;1;2\n", ["line 1", "has 2 columns, must", "and decimal points"]),
+        (b"1;2\n", ["line 1", "has 2 columns, must"]),
+        (b"a;b;c\n", ["line 1", "must name columns x, y and z"]),
+        (b"name,px,py\nA,1,2\n", ["line 1", "must name columns x, y and z"]),
+        (b"name,x,y,z\nA,1,2\n", ["line 2", "z = ''", "finite number"]),
+        (b"A,1,2,3\nB,1,b,3\n", ["line 2", "y = 'b'", "finite number"]),
         (b"1,2,3\n\n1,b,3\n", ["line 3", "y = 'b'", "finite number"]),
         (b"1,2,nan\n", ["line 1", "z = 'nan'", "finite number"]),
         (b"1e200,2,3\n", ["line 1", "x = 1e200", f"{LARGEST}"]),
         (b"1_000,2,3\n", ["line 1", "x = '1_000'", "finite number"]),
         (b"1,,3\n", ["line 1", "y = ''", "finite number"]),
-        (b"1,2,3\n\xff\xfe\n", ["UTF-8"]),
-        ("1,2,3\n".encode("utf-16"), ["UTF-8"]),
+        (b"1,2,3\n\xff\xfe\n", ["line 2: has 1 column"]),
         (b"1,2," + b"3" * 200_000, ["line 1", "CSV"]),
         (b"1,2,3\0\n", ["line 1", "z = '3\\x00'"]),
     ],

@@ -1681,6 +1681,17 @@ def test_a_control_is_found_by_each_of_its_names(controls: Column, record: Recor
         assert record.events == []
 
 
+def test_a_search_leaves_no_title_without_a_row(controls: Column) -> None:
+    def title() -> bool:
+        labels = controls.widget().findChildren(QLabel)
+        return next(each for each in labels if each.text().startswith("Calibrated")).isVisible()
+
+    assert look_for(controls, "horizontal") == ["fov_x_deg"] and not title()
+    assert look_for(controls, "fx") == ["fx"] and title()
+    show(controls, SLANTED)  # no K
+    assert not title()
+
+
 def test_a_found_row_can_be_edited_and_stays_unfolded(controls: Column, record: Record) -> None:
     look_for(controls, "width pixels")
     row = number(controls, "width")

@@ -14,6 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from tests.support.meshes import PYRAMID, obj_file
 from tests.support.window import MakeWindow, rgb_of, settle
+from widgets.controls.scene_card import SceneCard
 from widgets.parts.note import Balanced
 from widgets.parts.plain import Label, Markup, message_box, set_tip, subscripts
 from widgets.parts.progress import progress
@@ -142,15 +143,25 @@ def test_letters_after_an_underscore_are_subscripts_and_the_rest_stays_plain() -
     assert subscripts(f"x_p {PICTURE}").startswith("x<sub>p</sub> &lt;img")
 
 
+def below(label: Label) -> int:
+    """Return the ink of the lowest row: under letters, only an underscore has any."""
+    label.resize(300, 60)
+    ink = rgb_of(label.grab().toImage()).min(axis=2) < 128
+    rows = np.flatnonzero(ink.any(axis=1))
+    return int(ink[rows[-1]].sum())
+
+
 def test_a_balanced_text_paints_no_underscore(qtbot: QtBot) -> None:
-    """An underscore is the only ink in the rows below the letters of a line."""
+    subscripts, underscores = Balanced("x_x x_x x_x"), Balanced("xx_ xx_ xx_")
+    qtbot.addWidget(subscripts)
+    qtbot.addWidget(underscores)
+    assert below(subscripts) < 0.5 * below(underscores)
 
-    def below(text: str) -> int:
-        label = Balanced(text)
-        qtbot.addWidget(label)
-        label.resize(300, 60)
-        ink = rgb_of(label.grab().toImage()).min(axis=2) < 128
-        rows = np.flatnonzero(ink.any(axis=1))
-        return int(ink[rows[-1]].sum())
 
-    assert below("x_x x_x x_x") < 0.5 * below("xx_ xx_ xx_")
+def test_the_name_of_a_file_is_no_formula(qtbot: QtBot) -> None:
+    card = SceneCard()
+    qtbot.addWidget(card)
+    card.show_scene("x_x x_x x_x", (), None)
+    underscores = Balanced("xx_ xx_ xx_")
+    qtbot.addWidget(underscores)
+    assert below(card.title) > 0.9 * below(underscores)

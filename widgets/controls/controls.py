@@ -489,6 +489,8 @@ class Controls(Dock, RowHolder):
         for binding in self._bindings.values():
             row = binding.row
             row.setVisible(self._in_use(binding) and (found is None or row in found))
+        for rows in self._parts:
+            rows.show_titles()
         self._show_values(PARTS)
 
     def _show_values(self, parts: Collection[str]) -> None:

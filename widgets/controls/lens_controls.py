@@ -39,7 +39,6 @@ from app.model.refusal import Refusal
 from widgets.parts.fields import Choice
 from widgets.parts.messages import translated
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.plain import Label
 from widgets.parts.scales import Linear, Log, Scale
 from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
 
@@ -241,9 +240,7 @@ class LensControls(QObject):
         typed = Typed(
             lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics
         )
-        self._of_k = Label(self.tr("Calibrated camera (OpenCV K)"))
-        quiet(self._of_k)
-        self._more.add(self._of_k)
+        self._more.add_title(self.tr("Calibrated camera (OpenCV K)"))
         for key, tip in tips.items():
             self._more.add_number(
                 key, "lens", tip, Log(1.0, 10.0), self.tr("px"), self.tr("pixels"),
@@ -279,7 +276,6 @@ class LensControls(QObject):
             if not binding.lenses or kind in binding.lenses:
                 source = defaults if key == "kind" else alike
                 binding.row.setDefault(binding.read(source))
-        self._of_k.setVisible(projection.lens.central)
         self.follow(projection)
 
     def _fit_planes(self, start: Projection, size: float) -> None:

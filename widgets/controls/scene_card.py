@@ -97,7 +97,7 @@ class SceneCard(QWidget, RowHolder):
         self._readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self._readable.changed)
 
-        self.title, self.tries = Balanced(), Balanced()
+        self.title, self.tries = Balanced(name=True), Balanced()
         self.warning = RefusalLabel()
         self.readout = Readout()
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))

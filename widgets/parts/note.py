@@ -85,10 +85,14 @@ class Title(Note):
 
 
 class Balanced(Label):
-    """Plain text that wraps into lines of about equal length, without a lonely last word."""
+    """Plain text that wraps into lines of about equal length, without a lonely last word.
 
-    def __init__(self, text: str = "") -> None:
+    Letters after an underscore are subscripts, but not in a `name`, such as that of a file.
+    """
+
+    def __init__(self, text: str = "", *, name: bool = False) -> None:
         super().__init__(text)
+        self._is_name = name
         self.setWordWrap(True)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -109,7 +113,7 @@ class Balanced(Label):
             widths = range(min(longest + 2, inside.width()), inside.width())
             place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
             width = widths.start + place
-            if "_" in part:
+            if "_" in part and not self._is_name:
                 self._paint_subscripts(painter, inside.left(), top, width, part)
             else:
                 painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)

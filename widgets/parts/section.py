@@ -6,6 +6,7 @@ value in several ways (fov and focal length, orbit and vectors) are several bind
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, TypeAlias
@@ -129,6 +130,7 @@ class Rows(QWidget):
         super().__init__()
         self.bindings: dict[str, Binding] = {}
         self._order: list[QWidget] = []
+        self._titles: list[Label] = []
         self.body = QWidget()
         self._rows = in_column(on=self.body, margins=(0, 0, 0, GAP_PX), gap=GAP_PX)
         self._column = in_column(self.body, on=self, margins=(0, 0, 0, 0), gap=2)
@@ -181,6 +183,20 @@ class Rows(QWidget):
         """Add a widget below the others."""
         self._order.append(widget)
         self._rows.addWidget(widget)
+
+    def add_title(self, text: str) -> None:
+        """Add a quiet title of the rows that follow."""
+        title = Label(text)
+        quiet(title)
+        self._titles.append(title)
+        self.add(title)
+
+    def show_titles(self) -> None:
+        """Show the quiet titles that have a shown row below them."""
+        for title in self._titles:
+            rows = self._order[self._order.index(title) + 1 :]
+            below = itertools.takewhile(lambda row: row not in self._titles, rows)
+            title.setVisible(any(not row.isHidden() for row in below))
 
     def bring_home(self) -> None:
         """Return every borrowed row to its place."""
