@@ -49,7 +49,7 @@ class Held:
     """A state that does not follow the document; `settings` belong to the scene's phenomenon."""
 
     projection: Projection
-    settings: Settings = field(default_factory=lambda: MappingProxyType({}))
+    settings: Settings = field(default_factory=lambda: MappingProxyType({}), hash=False)
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,7 @@ class View:
     """The values that a class sees being changed, by their paths, or `STRIP`."""
     equation: str = ""
     """The matrices of an equation that is a slide; see `app.lecture.equation`."""
-    panes: dict[str, Camera] = field(default_factory=dict)
+    panes: dict[str, Camera] = field(default_factory=dict, hash=False)
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
     def __post_init__(self) -> None:

@@ -143,6 +143,8 @@ class WorldDrawing(Drawing):
         self._standing = self._stand(scene.start.camera)
         self.camera.show(self._standing)
         self.own = OwnView(canvas, self._origin, self._objects.mean(axis=0))
+        self._goes_to: Framed | None = None
+        """What is framed at the end of the way that the pane is on."""
         self._show_named()
         self._look_around()
         self.show_projection(scene.start)
@@ -642,6 +644,7 @@ class WorldDrawing(Drawing):
         return self.own.pose
 
     def begin_glide(self, start: Pose) -> None:
+        self._goes_to = self._framed()
         self.own.begin_glide(start)
 
     def glide(self, part: float) -> None:
@@ -652,7 +655,7 @@ class WorldDrawing(Drawing):
         if part < 1.0:
             self.own.glide(part)
         else:
-            self.own.is_turned = False
+            self.own.is_turned, self._goes_to = False, None
         self._canvas.fade_labels(light_of_labels(part))
         self.reset_clipping_range(afresh=part == 1.0)
 
@@ -663,7 +666,7 @@ class WorldDrawing(Drawing):
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
         """Fit a view that nobody has moved into a window of another size."""
         if not (self.own.was_moved or self.own.is_turned):
-            self.own.place(self._framed())
+            self.own.place(self._goes_to or self._framed())
             self.own.keep_goal()
         self.reset_clipping_range()
 

@@ -61,7 +61,7 @@ _SHOWN_DEPTHS = 2.5  # a frustum is framed to this many times the depth of the s
 _FLAT = 0.1  # depth of the picture relative to NDC, invisible from the front
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Morph:
     """The strip's matrices for one projection and one scene.
 

@@ -168,9 +168,9 @@ class Choice:
     cost_p95: float | None
     error: float | None
     predicted: float | None = None
-    values: Mapping[str, float] = field(default_factory=dict)
+    values: Mapping[str, float] = field(default_factory=dict, hash=False)
     note: str = ""
-    use: Mapping[str, str] = field(default_factory=dict)
+    use: Mapping[str, str] = field(default_factory=dict, hash=False)
     bytes: float | None = None
     library: bool = False
 
@@ -266,7 +266,7 @@ class Sweep:
     parameter: str
     unit: str
     values: tuple[float, ...]
-    curves: Mapping[str, Curve]
+    curves: Mapping[str, Curve] = field(hash=False)
     complete: bool = True
 
     def use(self, row: int, column: int) -> dict[str, str]:
@@ -297,9 +297,9 @@ class Results:
     """
 
     date: str
-    machine: Mapping[str, str]
-    versions: Mapping[str, str]
-    document: Mapping[str, Any]
+    machine: Mapping[str, str] = field(hash=False)
+    versions: Mapping[str, str] = field(hash=False)
+    document: Mapping[str, Any] = field(hash=False)
     trades: tuple[Trade, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True

@@ -476,7 +476,7 @@ def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
     return [x_ndc, y_ndc, z_ndc, (x_ndc + 1) * half_width, (-y_ndc + 1) * half_height, depth]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Bounded:
     """A double-double array with a bound on its absolute error, usable like a number."""
 

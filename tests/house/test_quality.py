@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import ast
+import dataclasses
+import importlib
 import re
 import subprocess
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any, get_args, get_origin, get_type_hints
 from xml.etree import ElementTree
 
 from app.bootstrap import ROOT
@@ -87,6 +90,37 @@ def test_every_refusal_can_be_translated() -> None:
                 makers.append(place)
     assert refusals > 200
     assert makers == [], "QT_TRANSLATE_NOOP alone makes a Bound"
+
+
+def parts_of(hint: Any) -> Iterator[Any]:
+    """A type, and those that it is made of."""
+    yield get_origin(hint) or hint
+    for part in get_args(hint) if get_origin(hint) is not Callable else ():
+        yield from parts_of(part)
+
+
+def test_frozen_values_are_hashable() -> None:
+    """A set or a table may hold them: what has no hash is left out of theirs."""
+    found, count = [], 0
+    for path in SOURCES:
+        source = path.read_text(encoding="utf-8")
+        for node in ast.walk(ast.parse(source)) if "frozen=True" in source else ():
+            if not isinstance(node, ast.ClassDef) or "frozen=True" not in ast.unparse(node):
+                continue
+            module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
+            made = getattr(importlib.import_module(module.removesuffix(".__init__")), node.name)
+            own = any(getattr(each, "name", "") == "__hash__" for each in node.body)
+            if own or not made.__dataclass_params__.eq:
+                continue
+            hints, count = get_type_hints(made), count + 1
+            found += [
+                f"{module}.{node.name}.{each.name}"
+                for each in dataclasses.fields(made)
+                if (each.compare if each.hash is None else each.hash)
+                and any(getattr(part, "__hash__", 0) is None for part in parts_of(hints[each.name]))
+            ]
+    assert count > 60
+    assert not found, found
 
 
 def outcomes(node: ast.expr) -> list[ast.expr]:

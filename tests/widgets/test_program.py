@@ -536,15 +536,34 @@ def test_repeated_exceptions_do_not_pile_up_windows(
     watch: report.ExceptionWatch, display: Any
 ) -> None:
     before = len(display.topLevelWidgets())
-    for number in range(5):
-        fail(display, ValueError(f"number {number}"))
+    for number, follows in enumerate(("", "Another error followed", "2 more errors followed")):
+        fail(display, ValueError(f"number {number} of the moon's phases"))
+        assert watch.report is not None and "number 0" in said(watch.report)
+        assert follows in said(watch.report) and ("followed" in said(watch.report)) is bool(follows)
+        for label in watch.report.findChildren(QLabel):
+            assert label.height() >= label.heightForWidth(label.width()), "cut off"
     assert len(display.topLevelWidgets()) == before + 1
-    assert watch.report is not None
-    assert "number 0" in said(watch.report) and "occurred 4 more times" in said(watch.report)
     watch.report.close()
     fail(display, KeyError("another day"))
-    assert "another day" in said(watch.report) and "more times" not in said(watch.report)
+    assert "another day" in said(watch.report) and "followed" not in said(watch.report)
     assert len(display.topLevelWidgets()) == before + 1
+
+
+def test_a_report_waits_until_presenting_ends(watch: report.ExceptionWatch, display: Any) -> None:
+    watch.put_off(True)
+    for text in ("a new moon", "a full moon"):
+        fail(display, ValueError(text))
+    assert watch.report is not None and not watch.report.isVisible()
+    watch.put_off(False)
+    assert watch.report.isVisible()
+    assert "a new moon" in said(watch.report) and "Another error" in said(watch.report)
+    watch.put_off(True)
+    assert not watch.report.isVisible()
+    watch.put_off(False)
+    watch.report.close()
+    for waits in (True, False):
+        watch.put_off(waits)
+        assert not watch.report.isVisible(), "it was read"
 
 
 def test_an_exception_in_a_thread_is_reported_too(
@@ -578,9 +597,12 @@ def after():
     from PySide6.QtWidgets import QApplication
     reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
     print([report.isVisible() for report in reports])
+    window.present.end()
+    print([report.isVisible() for report in reports])
     reports[0].close()
     window.close()
 QTimer.singleShot(0, lambda: QTimer.singleShot(0, after))
+window.present.begin()
 qWarning("a word of Qt")
 reader = vtkSTLReader()
 reader.SetFileName("/no/such.stl")
@@ -588,7 +610,7 @@ reader.Update()
 raise LookupError("lost")
 """
     )
-    assert (done.returncode, done.stdout) == (0, "[True]\n")
+    assert (done.returncode, done.stdout) == (0, "[False]\n[True]\n"), "not before a class"
     # The terminal gets the exception, which is a fault of ours, and nothing of the rest.
     assert done.stderr.count("Traceback") == 1 and "LookupError: lost" in done.stderr
     assert "Qt" not in done.stderr and "such.stl" not in done.stderr

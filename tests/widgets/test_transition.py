@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from itertools import product
 from pathlib import Path
 from typing import Any
 
@@ -9,8 +11,9 @@ import numpy as np
 import pytest
 
 from app.drawings.pane_view import Pose
+from app.lessons.course import CONTENT
 from app.model.projection import Perspective
-from tests.support.window import activate, arrive, pixels, present, seen, settle, tick
+from tests.support.window import MakeWindow, activate, arrive, pixels, present, seen, settle, tick
 from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
@@ -81,7 +84,8 @@ def window(window: MainWindow, tmp_path: Path) -> MainWindow:
 def camera_of(window: MainWindow) -> np.ndarray:
     """Place and focus of the world pane's own camera."""
     camera = window.panes["world"].canvas.renderer.GetActiveCamera()
-    return np.array([*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp()])
+    scale = camera.GetParallelScale() if camera.GetParallelProjection() else 0.0
+    return np.array([*camera.GetPosition(), *camera.GetFocalPoint(), *camera.GetViewUp(), scale])
 
 
 def old_of(window: MainWindow) -> Any:
@@ -119,6 +123,36 @@ def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(
     np.testing.assert_allclose(camera_of(window), wanted, atol=1e-9)
     assert (pixels(window) == picture).all()
     assert not window.lessons.is_away and window.panes["world"].view is None
+
+
+def test_the_pane_rests_where_it_would_without_motion(make_window: MakeWindow) -> None:
+    """After what a prediction shows, a step that ended another early, and a change of size."""
+    window = make_window()
+    lessons = window.lessons
+
+    def rests() -> Iterator[np.ndarray]:
+        for file, places in (("l02-columns", (1, 2)), ("l16-eye-plane", (7, 8))):
+            assert lessons.open(CONTENT / f"{file}.md") and lessons.course is not None
+            for part in lessons.course.lesson.steps[0].parts:
+                if part.show is not None:
+                    lessons.show_predicted(part.show)
+                    yield rest()
+            window.store.begin_gesture()  # a slider is held, and let go on the way
+            assert all(map(lessons.go, places))
+            window.store.end_gesture()
+            yield rest()
+
+    def rest() -> np.ndarray:
+        assert lessons.is_moving is not window.settings.reduce_motion
+        if lessons.is_moving:
+            arrive(lessons)
+        settle()
+        return camera_of(window)
+
+    window.settings.reduce_motion = True
+    wanted = list(rests())
+    window.settings.reduce_motion = False
+    np.testing.assert_allclose(list(rests()), wanted, atol=1e-9)
 
 
 def test_labels_appear_after_sixty_percent(window: MainWindow) -> None:
@@ -194,6 +228,40 @@ def test_a_change_by_hand_ends_a_transition(window: MainWindow) -> None:
     assert window.lessons.go(2) and window.lessons.is_moving
     window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
     assert not window.lessons.is_moving and light_of(window) == 1.0
+
+
+@pytest.mark.undrawn
+def test_a_held_picture_can_be_left_for_every_view(window: MainWindow) -> None:
+    lessons = window.lessons
+    assert lessons.course is not None
+    views = range(len(lessons.course.lesson.steps))
+
+    def hold(place: int) -> None:
+        assert lessons.go(place)
+        arrive(lessons)
+        if window.comparing.is_on:  # the step compares pictures itself
+            window.menus.compare.trigger()
+        window.menus.compare.trigger()
+        compared = window.store.look().compare
+        assert [each.held is not None for each in compared] == [True, False]
+
+    def leave(place: int, other: int) -> None:
+        hold(place)
+        assert lessons.go(other) and lessons.place == other
+        arrive(lessons)
+        assert window.store.look().compare == lessons.course.shown(other).view["compare"]
+
+    for place, other in product(views, views):  # the next step, the previous one, the same again
+        leave(place, other)
+    window.present.end()
+    for place in views[:-1]:
+        leave(place, place + 1)
+        hold(place)
+        lessons.show(lessons.course.shown(place + 1).document)  # as "Show it" does
+        arrive(lessons)
+    hold(0)
+    lessons.close()
+    assert lessons.course is None and window.comparing.is_on
 
 
 def test_the_menu_reduces_motion_and_that_is_kept(window: MainWindow) -> None:

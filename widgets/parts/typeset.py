@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
@@ -68,8 +68,8 @@ class Typeset:
     ascent: float
     descent: float
     runs: tuple[tuple[float, float, str, QFont], ...] = ()
-    rules: tuple[QLineF, ...] = ()
-    cells: tuple[QRectF, ...] = ()
+    rules: tuple[QLineF, ...] = field(default=(), hash=False)
+    cells: tuple[QRectF, ...] = field(default=(), hash=False)
 
     @property
     def height(self) -> float:

@@ -229,6 +229,7 @@ def run_window(
             window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
         if options.start_card and settings.start_card and not options.screenshot:
             window.filled.connect(window.show_start_card)
+        window.present.switched.connect(watch.put_off)
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)

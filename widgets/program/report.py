@@ -28,7 +28,9 @@ class Report(QDialog):
     def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Something went wrong"))
-        self._log_file, self._count, self._details = log_file, 0, ""
+        self._log_file, self._details = log_file, ""
+        self.count = 0
+        """The errors since the report was closed."""
         self._sentence, self._place = (
             Label(
                 wordWrap=True,
@@ -42,26 +44,29 @@ class Report(QDialog):
         set_tip(copy, self.tr("Copies the details that a developer needs"))
         copy.clicked.connect(self._copy)
         buttons.rejected.connect(self.reject)
+        self.finished.connect(self._forget)
         in_column(self._sentence, self._place, buttons, on=self)
 
     def tell(self, summary: str, details: str) -> None:
-        """Show an exception and its traceback; while it is shown, count further ones."""
-        if self.isHidden():
-            self._count = 0
-        self._count += 1
-        if self._count == 1:
+        """Say an exception and keep its traceback; until the report is closed, count more."""
+        self.count += 1
+        if self.count == 1:
             self._details, self._summary = details, summary
         text = self.tr("An error in the program: {0}. Your work is still there.")
         text = text.format(self._summary.rstrip("."))
-        if self._count > 1:
-            more = self.tr("This or other errors occurred {0} more times.")
-            text += " " + more.format(self._count - 1)
+        if self.count == 2:
+            text += " " + self.tr("Another error followed it.")
+        elif self.count > 2:
+            text += " " + self.tr("{0} more errors followed it.").format(self.count - 1)
         self._sentence.setText(text)
         place = self.tr("There is no log, because it could not be written.")
         if self._log_file:
             place = self.tr("The log: {0}").format(self._log_file)
         self._place.setText(place)
-        self.show()
+        self.adjustSize()  # or more text than before is cut off
+
+    def _forget(self) -> None:
+        self.count = 0
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(
@@ -71,7 +76,10 @@ class Report(QDialog):
 
 
 class ExceptionWatch(QObject):
-    """Logs the uncaught exceptions of slots and threads, counts them, and shows the report."""
+    """Logs the uncaught exceptions of slots and threads, counts them, and shows the report.
+
+    A class does not see it, and it takes no key from a talk: it waits until presenting ends.
+    """
 
     _seen = Signal(str, str)
 
@@ -80,6 +88,7 @@ class ExceptionWatch(QObject):
         self._log_file = log_file
         self.report: Report | None = None
         self.caught = 0
+        self._waits = False
         # Queued: a thread must not touch widgets, and a slot may run inside a paint event.
         self._seen.connect(self._show, Qt.ConnectionType.QueuedConnection)
 
@@ -108,10 +117,17 @@ class ExceptionWatch(QObject):
         if args.exc_type is not SystemExit and args.exc_value is not None:
             self._caught(args.exc_type, args.exc_value, args.exc_traceback)
 
+    def put_off(self, waits: bool) -> None:
+        """Hide a report from a class, or show it."""
+        self._waits = waits
+        if self.report is not None and self.report.count:
+            self.report.setVisible(not waits)
+
     def _show(self, summary: str, details: str) -> None:
         try:
             if self.report is None:
                 self.report = Report(self._log_file)
             self.report.tell(summary, details)
+            self.put_off(self._waits)
         except Exception:  # raising it would call this method again, forever
             log.critical("the report itself failed", exc_info=True)

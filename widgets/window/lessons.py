@@ -307,10 +307,7 @@ class Lessons(QObject):
         panes = self._panes
         moves, fades = panes is None or panes.is_wanted, False
         if moves and panes is not None:
-            slides = (
-                (view.slide, view.large, view.equation, view.compare) for view in (look, end.view)
-            )
-            fades = panes.begin(cuts=not same or len(set(slides)) > 1)
+            fades = panes.begin(cuts=not same or _slide(look) != _slide(end.view))
         # Nobody would see the model move under a picture that fades.
         if moves and not fades and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
@@ -329,16 +326,17 @@ class Lessons(QObject):
         else:  # first the end, for the undo history; then from the start to the end, frame by frame
             # The end also determines the cameras of the panes that the user has not turned.
             is_there = store.set_document(end)
-            if is_there and first is not None:
-                store.go_on(first)
-        self._moving = False
         if not is_there or not moves:
+            self._moving = False
             return is_there
         if fades or not same:
             self._stages = end.view.stage, end.view.stage
         goes = first is not None or self._stages[0] != self._stages[1]
-        if panes is not None:
+        if panes is not None:  # before the model stands at the start again, which they would frame
             goes = panes.start(goes)
+        if first is not None:
+            store.go_on(first)
+        self._moving = False
         if goes:
             self._part = 0.0
             self._to_stage(self._stages[0])
@@ -460,6 +458,11 @@ def _fields(document: Document, asked: Mapping[str, Any]) -> dict[str, Any]:
         for name in FIELDS
         if name in asked or getattr(document.view, name) != getattr(AS_EVER, name)
     }
+
+
+def _slide(view: View) -> tuple[object, ...]:
+    """Return what a class sees as another slide if it differs."""
+    return view.slide, view.large, view.equation, view.compare
 
 
 def named(error: Refusal, path: Path) -> str:

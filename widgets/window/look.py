@@ -134,11 +134,11 @@ class Look(QObject):
 
     def glide(self, part: float) -> None:
         """Show a part of the way, 0 to 1."""
-        if part == 1.0:
-            self._glides = False
-            self.adaptive.step(self._store.in_gesture)
+        ends, self._glides = part == 1.0 and self._glides, self._glides and part < 1.0
         for pane in self._panes.values():
             pane.glide(part)
+        if ends and not self._store.in_gesture:
+            self.rest()
 
     def set_waiting(self, waits: bool) -> None:
         """Suspend or resume the panes while the window takes over a whole document."""

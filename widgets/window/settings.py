@@ -131,7 +131,7 @@ class Progress:
     """
 
     step: str = ""
-    answers: Mapping[str, str] = field(default_factory=dict)
+    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
     done: int = 0
     of: int = 0
 
