@@ -27,6 +27,7 @@ from app.lessons.results import read
 from tests.support.exercises import WIDE
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
+from widgets.window.lesson_blocks.view import Sign
 from widgets.window.main_window import RECORD, MainWindow
 from widgets.window.overview import Overview
 from widgets.window.self_test import SelfTestDialog
@@ -146,6 +147,8 @@ def test_a_test_is_taken_by_keyboard_alone(
             given[name] = f"lens.near={wanted:g}"
         settle()
         assert not view.is_open and "Your answer is kept until the end." in texts(card)
+        assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
+        assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
         assert "Right" not in texts(card) and "idea" not in texts(card)
         assert "Show the answer" not in buttons(card)
         if place == 0:  # it is left, and gone on with
