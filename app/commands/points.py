@@ -18,7 +18,7 @@ from app.commands.options import CliError, parse_number
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.projection import FINITE_NUMBER, LARGEST
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 
 LARGEST_INPUT = 2**30
 """Most bytes read as points."""
@@ -150,7 +150,7 @@ def _read_input(source: str) -> bytes:
 
 def _point(cells: list[str], where: str) -> Row:
     if len(cells) < 3:
-        found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
+        found = counted(len(cells), "column")
         hint = ", with commas between them and decimal points" if ";" in "".join(cells) else ""
         raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too{hint}.")
     values = []

@@ -49,10 +49,11 @@ def review_text(waiting: Waiting) -> str:
     some = exercises_text(count)
     if count > MOST:
         some = QCoreApplication.translate("Practice", "{0} of {1}").format(MOST, some)
-    minutes = QCoreApplication.translate("Practice", "about %n minutes", "", waiting.minutes)
-    if waiting.minutes == 1:
-        minutes = QCoreApplication.translate("Practice", "about 1 minute")
-    return QCoreApplication.translate("Practice", "&Review: {0}, {1}").format(some, minutes)
+    minutes = waiting.minutes  # lupdate finds no text before an attribute
+    time_needed = QCoreApplication.translate("Practice", "about %n minutes", "", minutes)
+    if minutes == 1:
+        time_needed = QCoreApplication.translate("Practice", "about 1 minute")
+    return QCoreApplication.translate("Practice", "&Review: {0}, {1}").format(some, time_needed)
 
 
 def next_review(waiting: Waiting) -> str:

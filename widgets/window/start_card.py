@@ -104,8 +104,9 @@ class StartCard(QWidget):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
-            _heading(self.tr("Learn")), *self._lessons(progress), *self._review(review, next_review),
-            12, _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
+            _heading(self.tr("Learn")), *self._lessons(progress),
+            *self._review(review, next_review), 12,
+            _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
         set_tip(always, self.tr("Help > Start card shows it at any time"))
