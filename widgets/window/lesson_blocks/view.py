@@ -139,7 +139,7 @@ class BlockView(QFrame):
     @property
     def hides(self) -> frozenset[str]:
         """Return what must not be seen now, because it would show the answer."""
-        return frozenset()
+        return self.block.hides if self.is_open else frozenset()
 
     @property
     def aims(self) -> BlockView | None:
