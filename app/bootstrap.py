@@ -560,7 +560,7 @@ class Environment:
                 self.mark_unfinished()
                 before, count = self._installed(), line.count(",") + 1
                 held.say(
-                    f"  installing {count} packages",
+                    f"  installing packages: {count}",
                     lambda: f"{max(0, self._installed() - before)} done",
                 )
             elif (text := _progress(line)) is not None and text not in told:

@@ -16,6 +16,7 @@ from app.commands.composed import PANE_EM_PX, faults_in
 from app.document.document import Document
 from app.drawings.composition import Measured, measured
 from app.drawings.style import DARK, LIGHT
+from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
 
 WINDOWS = {
@@ -46,8 +47,8 @@ def main(scenes: Sequence[str]) -> int:
             for _, text in faults:
                 print(f"{scene}, {pane}, {window}, {style}: {text}")
     print(
-        f"{sums['overlap']} overlaps, {sums['crowded']} crowded, {sums['empty']} empty,"
-        f" {sums['hidden']} hidden of {count} pictures"
+        f"{counted(sums['overlap'], 'overlap')}, {sums['crowded']} crowded, {sums['empty']} empty,"
+        f" {sums['hidden']} hidden of {counted(count, 'picture')}"
     )
     return 1 if sums else 0
 

@@ -24,6 +24,7 @@ from app.drawings.style import PALETTES
 from app.lecture.notation import LETTERS, matrices
 from app.lecture.paper import displayed
 from app.lessons.course import scene_of
+from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
 
 STAGES = (0.0, 1.0, 2.0, 2.5, 3.0, 4.0)
@@ -108,7 +109,7 @@ def main(scenes: Sequence[str]) -> int:
             for fault in faults:
                 count += 1
                 print(fault, flush=True)
-    print(f"{count} faults")
+    print(counted(count, "fault"))
     return 1 if count else 0
 
 

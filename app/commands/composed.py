@@ -14,7 +14,7 @@ from app.lessons.blocks.block import of_kind
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 
 if TYPE_CHECKING:
     from app.drawings.composition import Measured
@@ -43,8 +43,8 @@ class Composed:
 
     def __str__(self) -> str:
         return (
-            f"{self.overlaps} overlaps, {self.crowded} crowded, {self.empty} empty,"
-            f" {self.hidden} hidden of {self.steps} steps"
+            f"{counted(self.overlaps, 'overlap')}, {self.crowded} crowded, {self.empty} empty,"
+            f" {self.hidden} hidden of {counted(self.steps, 'step')}"
         )
 
     def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:

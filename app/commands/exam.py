@@ -134,6 +134,7 @@ def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
             [part.text for part in found.words],
             found.exercise.variant(found.here, seed),
             found.exercise.hides,
+            found.here.document if "scale" in found.exercise.hides else None,
         )
         for title, found in posed
     ]

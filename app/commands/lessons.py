@@ -13,6 +13,7 @@ from app.lessons.checking import Report
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
 from app.lessons.names import page
+from app.model.refusal import counted
 from app.strangers import printable
 
 
@@ -48,7 +49,7 @@ def _line(file: Path) -> str:
     steps = len(found.steps)
     kind = "talk" if found.is_talk else "lesson"
     topics = found.lecture if found.is_talk else ", ".join(found.topics)
-    return f"{kind:<7}{topics:<8}{steps:>3} steps  {found.title}  ({file.name})\n"
+    return f"{kind:<7}{topics:<8}{counted(steps, 'step'):>9}  {found.title}  ({file.name})\n"
 
 
 def _checked(report: Report, composed: Composed, files: Sequence[Path], own: bool) -> Iterator[str]:

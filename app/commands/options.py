@@ -17,6 +17,7 @@ from typing import NoReturn, TextIO, TypeVar
 
 from app import __version__, bootstrap
 from app.document.lengths import PX_PER, Size, parse_size
+from app.model.refusal import counted
 from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
@@ -167,7 +168,7 @@ class Parser(argparse.ArgumentParser):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
             takes = self._names or "no names"
-            raise CliError(f"{command} takes {takes}, and {len(words)} names were given.")
+            raise CliError(f"{command} takes {takes}, and was given {counted(len(words), 'name')}.")
         return found, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:

@@ -18,7 +18,7 @@ from app.commands.options import CliError, complain, parse_number
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.projection import FINITE_NUMBER, LARGEST
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 from app.strangers import LATIN_1, decode
 
 LARGEST_INPUT = 2**30
@@ -226,7 +226,7 @@ def _number(cell: str, separator: str) -> float | None:
 
 def _point(cells: list[str], where: str, separator: str) -> Row:
     if len(cells) < 3:
-        found = "1 column" if len(cells) == 1 else f"{len(cells)} columns"
+        found = counted(len(cells), "column")
         raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too.")
     values = []
     for name, cell in zip("xyzw", cells, strict=False):

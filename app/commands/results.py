@@ -16,7 +16,7 @@ from app.document.files import write_bytes_atomically
 from app.lessons.course import idea_named
 from app.lessons.record import RIGHT, SHOWN, WRONG
 from app.lessons.results import Marked, Marker, Results, read
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 from app.strangers import printable
 
 MOST_LISTED = 40
@@ -97,15 +97,15 @@ def _summary(students: Sequence[Sequence[Marked]]) -> Iterator[str]:
     ideas = Counter(key for key in map(_idea, answers) if key is not None)
     wrong = words[WRONG] + ideas.total()
     yield (
-        f"{len(students)} files, {len(answers)} answers: {words[RIGHT]} right, {wrong} wrong, "
-        f"{words[SHOWN]} shown, {words['']} not marked"
+        f"{counted(len(students), 'file')}, {counted(len(answers), 'answer')}: "
+        f"{words[RIGHT]} right, {wrong} wrong, {words[SHOWN]} shown, {words['']} not marked"
     )
     changed = sum(
         bool(each.word) and (each.word == RIGHT) != (each.attempt.verdict == RIGHT)
         for each in answers
     )
     if changed:
-        yield f"{changed} marks differ from those in the files"
+        yield f"{counted(changed, 'mark')} not as in the files"
     if ideas:
         yield "Wrong ideas (answers, students):"
     for key in sorted(ideas, key=lambda each: (-ideas[each], each)):

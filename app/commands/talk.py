@@ -10,10 +10,10 @@ from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.composed import SLIDE_PX, Composed, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
-from app.lessons.checking import Report, counted
+from app.lessons.checking import Report
 from app.lessons.course import Course, file_of
 from app.lessons.lesson import Lesson, read
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 
 READERS = ("teacher", "students")
 """Of a handout; the first ones unless others are asked for."""

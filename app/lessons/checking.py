@@ -23,7 +23,7 @@ from app.lessons.lines import refused
 from app.lessons.record import WRONG
 from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in, outline
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
 
 MOST_STEPS, MOST_PRACTICE = 7, 3
 """Most steps of a lesson without an exercise, and most with one."""
@@ -83,10 +83,6 @@ class Report:
         self.checks += trial.checks
         self.wrong += trial.wrong
         return course
-
-
-def counted(count: int, word: str) -> str:
-    return f"{count} {word}{'' if count == 1 else 's'}"
 
 
 def _check(course: Course, trial: Trial) -> None:

@@ -81,7 +81,7 @@ STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no lin
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "begins a block, but is indented: ``` must begin the line"
 )
-TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L24, separated by commas")
+TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L25, separated by commas")
 
 Complain: TypeAlias = Callable[[Refusal], object]
 
@@ -129,7 +129,7 @@ class Lesson:
     Attributes
     ----------
     topics : tuple of str
-        ``L1`` to ``L24``.
+        ``L1`` to ``L25``.
     letters : str, optional
         The lecture whose letters the formulas use; None for the window's choice.
     minutes : float
@@ -212,7 +212,7 @@ def _lines(text: str) -> list[str]:
     return text.removeprefix("\ufeff").split("\n")
 
 
-_TOPIC = re.compile(r"L([1-9]|1\d|2[0-4])")
+_TOPIC = re.compile(r"L([1-9]|1\d|2[0-5])")
 _TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "version")
 
 

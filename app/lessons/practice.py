@@ -10,6 +10,7 @@ import random
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from datetime import date
 from functools import cache, cached_property
 from itertools import islice
 from pathlib import Path
@@ -17,9 +18,9 @@ from typing import NamedTuple
 
 from app.lessons.blocks.block import Asked, Here, Words, of_kind
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
-from app.lessons.course import AtStep, Course, Shown, contained, file_of
+from app.lessons.course import CONTENT, AtStep, Course, Shown, contained, file_of
 from app.lessons.lesson import Lesson, Step, read
-from app.lessons.record import RIGHT, WRONG, Standing
+from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
 from app.model.refusal import Refusal
 
 MOST = 12
@@ -126,10 +127,15 @@ def exercises_of(course: Course) -> Iterator[Found]:
 
 
 @cache
+def _contained(path: Path) -> Course:
+    return Course(read(path))
+
+
+@cache
 def topics() -> Mapping[str, Course]:
-    """Return the lessons that come with the program by their topics, ``L1`` to ``L24``."""
-    lessons = [read(path) for path in contained() if path.stem.startswith("l")]
-    return {lesson.topics[0]: Course(lesson) for lesson in lessons if lesson.topics}
+    """Return the lessons that come with the program by their topics, ``L1`` to ``L25``."""
+    courses = [_contained(path) for path in contained() if path.stem.startswith("l")]
+    return {course.lesson.topics[0]: course for course in courses if course.lesson.topics}
 
 
 def practised(names: Iterable[str]) -> dict[str, Course]:
@@ -143,20 +149,19 @@ def practised(names: Iterable[str]) -> dict[str, Course]:
     return found
 
 
-def find(key: tuple[str, str]) -> Found | None:
-    """Return the exercise of a record's key; None if its lesson no longer has it."""
-    course = course_named(key[0])
-    found = exercises_of(course) if course is not None else ()
-    return next((each for each in found if each.key[1] == key[1]), None)
+def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Found]:
+    """Return the exercises of a record's keys that their lessons still have."""
+    wanted = set(keys)
+    courses = (course_named(name) for name in sorted({lesson for lesson, _ in wanted}))
+    found = (each for course in courses if course is not None for each in exercises_of(course))
+    return {each.key: each for each in found if each.key in wanted}
 
 
 def course_named(name: str) -> Course | None:
     """Return a lesson by its name in the record; None if it cannot be read."""
-    for course in topics().values():
-        if course.name == name:
-            return course
+    own = CONTENT / f"{name}.md"
     try:
-        return Course(read(file_of(name)))
+        return _contained(own) if own in contained() else Course(read(file_of(name)))
     except Refusal:
         return None
 
@@ -211,19 +216,55 @@ def _suited(found: Found, seeds: Iterable[int]) -> Item | None:
     return None
 
 
-def to_review(
-    due: Sequence[tuple[str, str]], known: Mapping[tuple[str, str], Standing]
-) -> list[Item]:
-    """Return exercises that have come back, each with numbers that the student has not seen."""
-    found: list[Item] = []
-    for key in due:
-        exercise, seen = find(key), known[key].seeds
-        if exercise is not None and len(found) < MOST:
+class Waiting(NamedTuple):
+    """What is to be practised again.
+
+    Attributes
+    ----------
+    due : tuple of Found
+        The exercises that have come back, the longest waiting ones first.
+    minutes : int
+        How long a review of them will take, of `MOST` at once.
+    following : date, optional
+        When the next ones come back.
+    """
+
+    due: tuple[Found, ...]
+    minutes: int
+    following: date | None
+
+
+def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
+    """Return what is to be practised again of the exercises that still exist."""
+    today = today or date.today()
+    known = standings(attempts)
+    there = existing(key for key, each in known.items() if each.due)
+    come_back = due(known, today)
+    later = (known[key].due or today for key in there.keys() - {*come_back})
+    found = tuple(there[key] for key in come_back if key in there)
+    minutes = round(min(MOST, len(found)) * minutes_each(attempts))
+    return Waiting(found, max(1, minutes), min(later, default=None))
+
+
+def to_review(come_back: Sequence[Found], known: Mapping[tuple[str, str], Standing]) -> list[Item]:
+    """Return exercises that have come back, each with numbers that the student has not seen.
+
+    Their lessons are mixed: none comes twice in a row as long as there is another one.
+    """
+    items: dict[str, list[Item]] = {}
+    for found in come_back:
+        seen = known[found.key].seeds
+        if sum(map(len, items.values())) < MOST:
             # After the largest one comes 1 again.
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
-            item = _suited(exercise, islice((n for n in numbers if n not in seen), _DRAWS))
-            found += [] if item is None else [item]
-    return found
+            item = _suited(found, islice((n for n in numbers if n not in seen), _DRAWS))
+            items.setdefault(found.course.name, []).extend([] if item is None else [item])
+    mixed: list[Item] = []
+    while any(items.values()):
+        last = mixed[-1].found.course.name if mixed else ""
+        name = max(items, key=lambda name: (bool(items[name]) and name != last, len(items[name])))
+        mixed.append(items[name].pop(0))
+    return mixed
 
 
 class Mark(NamedTuple):

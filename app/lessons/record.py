@@ -21,6 +21,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date, timedelta
 from pathlib import Path
+from statistics import median
 from typing import Any, NamedTuple
 
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on
@@ -33,6 +34,10 @@ RIGHT, WRONG, SHOWN = "right", "wrong", "shown"
 """The verdicts."""
 ALONE, HELPED = "alone", "helped"
 """How an exercise was solved, besides `SHOWN`: at the first try without a hint, or otherwise."""
+MINUTES_EACH = 2.0
+"""How long an exercise takes, until the record has `TIMED` of them."""
+TIMED, PAUSE_S = 5, 600
+"""Least number of timed exercises, and what is no work any more but a pause, in seconds."""
 AGAIN_AFTER_DAYS = 1, 3, 7
 """After how many days an exercise that was not solved alone comes back."""
 LARGEST = 2 * 2**20
@@ -267,6 +272,19 @@ def due(
     today = today or date.today()
     waiting = [(each.due, key) for key, each in known.items() if each.due and each.due <= today]
     return [key for _, key in sorted(waiting)]
+
+
+def minutes_each(attempts: Iterable[Attempt]) -> float:
+    """Return how long an exercise takes: the median of all, from one answer to the next."""
+    spent = dict[tuple[tuple[str, str], int], int]()
+    before: int | None = None
+    for attempt in attempts:
+        seconds = -1 if before is None else attempt.when - before
+        if attempt.seed and 0 <= seconds <= PAUSE_S:
+            variant = attempt.key, attempt.seed
+            spent[variant] = spent.get(variant, 0) + seconds
+        before = attempt.when
+    return median(spent.values()) / 60.0 if len(spent) >= TIMED else MINUTES_EACH
 
 
 class Met(NamedTuple):

@@ -116,7 +116,7 @@ def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
 
 def where(results: Results) -> str:
     """Name the date, the machine and the versions of results."""
-    parts = {**results.machine, "cores": f"{results.machine.get('cores', '?')} cores"}
+    parts = {**results.machine, "cores": f"cores: {results.machine.get('cores', '?')}"}
     machine = ", ".join(filter(None, parts.values()))
     versions = ", ".join(f"{name} {version}" for name, version in results.versions.items())
     return f"{results.date} · {machine} · {versions}"

@@ -203,3 +203,8 @@ def _as_written(value: object) -> str:
 def shown_name(name: str) -> str:
     """Return a name, quoted if it has control characters."""
     return name if name.isprintable() else repr(name)
+
+
+def counted(count: int, word: str) -> str:
+    """Write a number of things: ``1 step``, ``2 steps``."""
+    return f"{count} {word}{'' if count == 1 else 's'}"

@@ -21,7 +21,7 @@ WIDE_GAP = QT_TRANSLATE_NOOP(
 )
 FEW_DIGITS = QT_TRANSLATE_NOOP(
     "Health",
-    "In float64 only {0} decimals of a pixel and {1} of the depth would be certain: the numbers "
+    "In float64 few decimals would be certain, {0} of a pixel and {1} of the depth: the numbers "
     "are computed exactly",
 )
 NO_PICTURE = QT_TRANSLATE_NOOP(

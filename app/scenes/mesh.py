@@ -44,8 +44,7 @@ NO_FACES = QT_TRANSLATE_NOOP(
 )
 FACE_SIZE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: a face has {1} corners, but only faces of 3 to {2} corners can be drawn; "
-    "divide or repair it.",
+    "{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.",
 )
 NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
     "Refusal",

@@ -697,7 +697,7 @@ def test_packages_are_counted_while_they_are_installed(
 
     def said(count: int) -> list[str]:
         start = "\r" if live else "\n"
-        line = f"{start}frustum-lab:   installing 2 packages, {count} done"
+        line = f"{start}frustum-lab:   installing packages: 2, {count} done"
         return re.findall(line, out.getvalue())
 
     def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:

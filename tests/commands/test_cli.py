@@ -510,7 +510,7 @@ def test_after_two_dashes_all_words_are_names(tmp_path: Path, by_hand: Path) -> 
     (tmp_path / "-x.json").write_bytes(by_hand.read_bytes())
     done = started("matrices", "--format=json", "--", "-x.json", cwd=tmp_path)
     assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
-    assert "2 names were given" in refused("matrices", by_hand, "--", "--format")
+    assert "was given 2 names" in refused("matrices", by_hand, "--", "--format")
     assert "-- does not exist" in refused("matrices", "--", "--")
 
 
@@ -1000,7 +1000,7 @@ def test_a_word_unlike_any_command_lists_all_commands() -> None:
 def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
     bare = by_hand.rename(tmp_path / "exprot")
     done = started(bare.name, "out.png", cwd=tmp_path)
-    assert done.stderr == "The window takes [FILE], and 2 names were given.\n"
+    assert done.stderr == "The window takes [FILE], and was given 2 names.\n"
 
 
 def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
@@ -1118,9 +1118,9 @@ def test_a_wrong_command_line_is_refused_in_a_sentence(by_hand: Path, tmp_path: 
         ("matrices", by_hand, "--set", "scene=post"): "did you mean “posts”",
         ("--set", "lens.far=9", "matrices"): "matrices is a command and must come first",
         ("exprot", "--size=100x100", "a.png"): "the nearest command is export.",
-        (by_hand, by_hand): "takes [FILE], and 2 names were given",
-        ("project",): "project takes [FILE] POINTS, and 0 names were given",
-        ("project", by_hand, by_hand, "-"): "and 3 names were given",
+        (by_hand, by_hand): "takes [FILE], and was given 2 names",
+        ("project",): "project takes [FILE] POINTS, and was given 0 names",
+        ("project", by_hand, by_hand, "-"): "and was given 3 names",
         ("project", by_hand): "POINTS is missing",
         ("project", tmp_path / "none.csv"): "none.csv cannot be read: No such file",
         ("project", tmp_path): "cannot be read: Is a directory",
@@ -1335,7 +1335,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["figure.png", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
         (["figure.png", "--hidden=grey"], "--hidden: is for .svg, .pdf"),
         (["figure.png", "--palette=pink"], "must be one of screen, print, dark, contrast"),
-        ([], "export takes OUT [FILE], and 0 names were given"),
+        ([], "export takes OUT [FILE], and was given 0 names"),
     ],
 )
 def test_bad_export_is_refused(arguments: list[str], words: str) -> None:

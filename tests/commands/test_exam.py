@@ -15,15 +15,17 @@ from PySide6.QtGui import QImage, QPainter
 
 from app.commands import exam as command
 from app.commands.exam import Posed
+from app.lessons.blocks.click import Click
+from app.lessons.blocks.question import Question
 from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson
-from app.lessons.practice import exercises_of
+from app.lessons.practice import exercises_of, topics
 from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run_here
 from tests.support.exercises import WIDE
 from tests.support.pdf import pages_of, printed
 from widgets.program import paper
-from widgets.program.exam import Numbered, paged
+from widgets.program.exam import Numbered, exam, paged
 
 LESSON = (
     """---
@@ -127,7 +129,8 @@ def test_a_test_has_the_questions_of_its_variant_and_the_key_their_answers(
         angle = math.degrees(2.0 * math.atan(a * math.tan(math.radians(fov / 2.0))))
         assert f"The picture is {fov:g}° high" in said and f"twice {d:g}?" in said
         assert f"{2 * d + 100:g}" in said  # a choice, but nothing says which
-        for answer in (f"{angle:.4g}", "✓", "By tangents.", f"({x:g}, {y:g})"):
+        linear, mirrored = f"Twice the angle is twice the width: {a * fov:.4g}°", f"({800 - x:g}, "
+        for answer in (f"{angle:.4g}", "✓", "By tangents.", f"({x:g}, {y:g})", linear, mirrored):
             assert answer in key and answer not in said, answer
         assert f"B {2 * d + 100:g} ✓" in key and f"{3 * d + 2:g} " not in key
     assert "until" not in key and "degrees wide" not in key
@@ -144,6 +147,56 @@ def test_what_an_exercise_hides_is_not_drawn() -> None:
     assert (wide.panes, cells.panes, place.panes) == (["ndc"], ["world"], ["image"])
     hidden = LESSON.replace("hide: world", "hide: world, ndc, image")
     assert exercises(1, hidden)[0].panes == []
+
+
+OF_THE_WINDOW = re.compile(
+    r"\b(click|drag|dock|pane|panel|slider|press|button|probe|window's|typed?)\b|\*\*(World|Image|NDC)",
+    re.IGNORECASE,
+)
+
+
+def test_paper_speaks_of_nothing_that_is_in_the_window() -> None:
+    said = []
+    for found in (each for course in topics().values() for each in exercises_of(course)):
+        if found.exercise.is_on_paper:
+            question = found.exercise.variant(found.here, 1).question
+            assert isinstance(question, Question)
+            said += [part.text for part in found.words] + [question.posed(), question.why]
+    assert len(said) > 100
+    assert [text for text in said if OF_THE_WINDOW.search(text)] == []
+
+
+def test_a_figure_in_which_the_answer_could_be_measured_is_a_sketch(qapp: Any) -> None:
+    wide, _, place, _ = exercises(5)
+    assert wide.sketch is None and wide.drawn == wide.variant.here.document
+    one, other = (exercises(n, LESSON.replace("hide: world", "hide: scale"))[0] for n in (5, 6))
+    assert one.variant.here.document != other.variant.here.document
+    assert one.drawn == other.drawn == Course(parse_lesson(LESSON, Path("l.md"))).shown(0).document
+    assert one.panes == ["world"] and place.sketch is None
+    said = [printed(exam("Angles", 5, [each], lambda: None)) for each in (one, wide)]
+    assert ["A sketch, not to scale." in runs for runs in said] == [True, False]
+
+
+MEASURED = {
+    "l03-field-of-view": ("alpha", "e"),  # half of the angle, and its cotangent, from above
+    "l04-view-volumes": ("h",),  # D to h, from the side
+    "l05-similar-triangles": ("y-p", "product"),  # y to y_p and w to d
+    "l10-parallel-lens": ("height",),  # y' in the picture itself
+    "l15-clipping": ("cut",),  # the share of the edge that is inside
+    "l19-planar-shadow": ("shadow",),  # it lies on the squares of the ground
+    "l21-camera-obscura": ("height",),  # h to h'
+}
+"""Exercises whose answer is a length, an angle or a share in their own picture."""
+
+
+def test_no_answer_can_be_measured_on_paper() -> None:
+    """Of places, which are marked in the figure itself, only the construction is asked."""
+    for course in topics().values():
+        for found in (each for each in exercises_of(course) if each.exercise.is_on_paper):
+            (each,) = command.with_numbers([Posed("", found)], 1)
+            is_measured = found.exercise.name in MEASURED.get(course.name, ())
+            assert (each.sketch is not None) == is_measured, found.key
+            assert not (is_measured and isinstance(each.question, Click)), found.key
 
 
 def drawn(block: paper.Block) -> np.ndarray[Any, Any]:
@@ -172,6 +225,8 @@ def test_the_key_marks_the_place_in_the_picture(qapp: Any) -> None:
     middle = (columns.min() + columns.max() + 1) / 2, (rows.min() + rows.max() + 1) / 2
     assert middle == pytest.approx((x / 800 * width, y / 400 * height), abs=1.0)
     assert columns.max() - columns.min() == pytest.approx(2 * 0.03 * width, abs=5.0)
+    for edge in ((800.0, 400.0), (0.0, 0.0)):
+        drawn(paper.figure(document, 401.0, 199.7, ["image"], paper.Mark(edge, 0.03)))
     with pytest.raises(Refusal, match="is not in the picture that is printed"):
         drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.Mark((-50.0, 10.0), 0.03)))
 

@@ -105,7 +105,7 @@ def test_every_mark_comes_from_what_was_typed(
     assert run("a.json", "b.json", table="out.csv") == 0
     said = capsys.readouterr().out
     assert "2 files, 9 answers: 2 right, 5 wrong, 1 shown, 1 not marked\n" in said
-    assert "3 marks differ" in said and "    2    2  angle-linear  " in said
+    assert "3 marks not as in the files" in said and "    2    2  angle-linear  " in said
     assert "    1    1  own.md: far  That is far.\n" in said
     assert "    1  own.md one/wide 1: 77 (56.374)" in said
     found = rows(folder / "out.csv")
@@ -163,7 +163,7 @@ def test_a_bad_file_gets_a_sentence_and_the_others_go_on(
     out, err = capsys.readouterr()
     bad, none = err.splitlines()
     assert bad.startswith("bad.json") and said in bad and "none.json does not exist." in none
-    assert "1 files, 1 answers: 1 right" in out
+    assert "1 file, 1 answer: 1 right" in out
 
 
 def test_its_options_are_its_own() -> None:

@@ -305,6 +305,24 @@ def test_no_page_of_a_handout_is_half_blank(qapp: Any, talk: Path, answers: bool
         assert not page.pieces[-1].block.kept, "a title is not alone at the end of a page"
 
 
+NUMBERED = "---\ntitle: Matrices\n---\n" + "---\n".join(
+    f"# Step {{#s{number}}}\nWords.\n```state\nscene=letter-f\nlens.near={number}\n{shown}\n```\n"
+    for number, shown in enumerate(
+        4 * ("view.slide=equation,world\nview.equation=frustum", "view.panel=matrices"), 1
+    )
+)
+
+
+@pytest.mark.parametrize("answers", [True, False])
+def test_a_matrix_is_on_the_page_of_its_figure(qapp: Any, talk: Path, answers: bool) -> None:
+    talk.write_text(NUMBERED)
+    pages = paged(Course(read(talk)), 490.0, 745.0, answers)
+    assert len(pages) > 2
+    for page in pages:
+        assert page.pieces[0].block.kept, "it begins with a title"
+        assert not page.pieces[-1].block.kept
+
+
 def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
     question = (
         "```answer\nHow wide?\nvalue: 2*atan(aspect*tan(45/2))\nunit: °\nwhy: By tangents.\n```\n"

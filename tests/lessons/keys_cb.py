@@ -77,11 +77,11 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # 000, (3): lambda * (-1/d) = -1, so lambda = d = 4; TEACHING signed: 1/d for -1/d.
     ("l13-homogeneous", "compute/scaled", "right"): lambda: -1 / (-1 / mpf(4)),
     ("l13-homogeneous", "compute/scaled", "signed"): lambda: -1 / (1 / mpf(4)),
-    # 002: y_win = h/2 (1 - y'), y' = cot(fov/2) d_y/(-d_z); h = 720, fov = 60, (0, 1, -2).
-    ("l13-homogeneous", "infinity/row", "right"): lambda: 360 * (1 - sqrt(mpf(3)) / 2),
-    ("l13-homogeneous", "infinity/row", "y-up"): lambda: 360 * (1 + sqrt(mpf(3)) / 2),
+    # 002: y_win = h/2 (1 - y'), y' = cot(fov/2) d_y/(-d_z); h = 720, fov = 70, (0, 1, -2).
+    ("l13-homogeneous", "infinity/row", "right"): lambda: 360 * (1 - cot(radians(35)) / 2),
+    ("l13-homogeneous", "infinity/row", "y-up"): lambda: 360 * (1 + cot(radians(35)) / 2),
     # TEACHING inf-far: of p + 10 dir, p = (0, 0, -1).
-    ("l13-homogeneous", "infinity/row", "inf-far"): lambda: 360 * (1 - sqrt(mpf(3)) * 10 / 21),
+    ("l13-homogeneous", "infinity/row", "inf-far"): lambda: 360 * (1 - cot(radians(35)) * 10 / 21),
     # L14. 002: y_win = h/2 (1 - y'), y' = 1, h = 720; TEACHING y-up; and the middle.
     ("l14-to-pixels", "top/top", "1"): lambda: mpf(720) / 2 * (1 - 1),
     ("l14-to-pixels", "top/top", "2"): lambda: mpf(720) / 2 * (1 + 1),

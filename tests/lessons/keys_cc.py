@@ -142,8 +142,8 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # 44 ahead and 15 to the right; f = 34. dist-depth: where it is 34 away.
     ("l23-popping", "formula/drive", "right"): lambda: mpf(44) - 34,
     ("l23-popping", "formula/drive", "dist-depth"): lambda: 44 - sqrt(mpf(34) ** 2 - 15**2),
-    # 001: linear fog from 15 to 44 leaves (end - w)/(end - start).
-    ("l23-popping", "formula/fog", "right"): lambda: 100 * mpf(44 - 34) / (44 - 15),
+    # 001: linear fog from 15 to 66 leaves (end - w)/(end - start).
+    ("l23-popping", "formula/fog", "right"): lambda: 100 * mpf(66 - 34) / (66 - 15),
     # L24. F = 0.05, N = 2.8, c = 0.03 mm, s = 5. TEACHING dof-sym: 2 s - s/(1 + q).
     ("l24-focus", "behind/far", "1"): lambda: 10 - _sharp("5", "2.8")[0],
     ("l24-focus", "behind/far", "2"): lambda: _sharp("5", "2.8")[1],

@@ -1,4 +1,4 @@
-"""Right and wrong answers of the exercises of L17 to L24, reckoned without the lessons' formulas.
+"""Right and wrong answers of the exercises of L17 to L25, reckoned without the lessons' formulas.
 
 Each is reckoned another way than the lesson's formula: by the lecture's matrix and its divide, by
 cutting a ray with a plane, by bisecting for a limit, in 40 digits. The numbers are those of the
@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 from mpmath import atan, cos, findroot, mp, mpf, radians, sin, sqrt, tan
 
 from tests.lessons.by_hand import cross, unit
@@ -55,6 +56,21 @@ def _row(x: Any, y: Any, z: Any, w: Any, h: Any) -> Point:
     p, light = (0, 1, 0, -h), (x, y, z, w)
     dot = sum(a * b for a, b in zip(p, light, strict=True))
     return tuple((dot if j == 0 else 0) - light[0] * p[j] for j in range(4))
+
+
+def _places(b: Any) -> Any:
+    """How far apart 2^b places are over 8 units, the first and the last at its ends."""
+    return mpf(8) / (len(range(2 ** int(b))) - 1)
+
+
+def _apart(y: Any, D: Any, fov: int) -> Any:
+    """How many of 240 pixels are between the images of 0 and y."""
+    return 240 * (y / (D * tan(radians(mpf(fov) / 2)))) / 2
+
+
+def _next_to(x: Any) -> Any:
+    """How far it is from a number to the next float32."""
+    return mpf(float(np.spacing(np.float32(x))))
 
 
 def _through_pixel(x: Any, y: Any, z: Any) -> Point:
@@ -164,6 +180,7 @@ def _last_tree(x: Any, z: Any, far: Any, straight: bool) -> Point:
 _17, _18, _19 = "l17-depth-buffer", "l18-interpolation", "l19-planar-shadow"
 _20, _21, _22 = "l20-zoom-or-walk", "l21-camera-obscura", "l22-walk-round-the-f"
 _23, _24 = "l23-popping", "l24-focus"
+_25 = "l25-how-many-bits"
 _P: tuple[Any, ...] = mpf("1.5"), mpf(5), mpf("0.5")
 
 KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
@@ -266,4 +283,18 @@ KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     ),
     (_24, "practise-3/range", "done"): lambda a, b: _focused(2 / (1 / a + 1 / b), b),
     (_24, "practise-3/range", "dof-sym"): lambda a, b: _focused((a + b) / 2, b),
+    # L25. Two points half a place apart, each projected by 003's cot(fov/2) y/D onto 240 pixels.
+    (_25, "practise-1/pixels", "right"): lambda b, D: _apart(_places(b) / 2, D, 48),
+    (_25, "practise-1/pixels", "whole-step"): lambda b, D: _apart(_places(b), D, 48),
+    (_25, "practise-1/pixels", "full-angle"): lambda b, D: _apart(_places(b) / 2, D, 96),
+    # The numbers next to m u, of numpy's own float32.
+    (_25, "practise-2/half-gap", "right"): lambda u, m: _next_to(m * u) / 2,
+    (_25, "practise-2/half-gap", "whole-gap"): lambda u, m: _next_to(m * u),
+    (_25, "practise-2/half-gap", "seven-digits"): lambda u, m: m * u / 10**7,
+    (_25, "practise-2/half-gap", "one-bit-more"): lambda u, m: _next_to(m * u / 2) / 2,
+    # From D the picture has as many pixels a unit as the error needs; from 2 D half of them.
+    (_25, "practise-3/stand", "done"): lambda D, h: _set(camera__eye=(mpf(0), mpf("2.5"), D)),
+    (_25, "practise-3/stand", "whole-step"): lambda D, h: (
+        _set(camera__eye=(mpf(0), mpf("2.5"), 2 * D))
+    ),
 }  # fmt: skip

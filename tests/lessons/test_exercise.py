@@ -211,7 +211,11 @@ def test_a_number_has_any_letter_of_a_lecture() -> None:
         ("vary a:", "vary fov:", "varies fov twice"),
         ("{=720*a}", "{=720*b}", "unknown name, b; the nearest is fov, a"),
         ("lens.fov_y_deg={=fov}", "lens.fov_y_deg={=9*fov+1000}", "finds no numbers that suit"),
-        ("20..100 step 5", "20..30 step 10", "has about 10 variants; it needs at least 20"),
+        (
+            "20..100 step 5",
+            "20..30 step 10",
+            "has too few variants, about 10; it needs at",
+        ),
         ("where: fov_x < 150", "where: fov_x", "must be a condition"),
         ("value: 2*atan(a*tan(fov/2))", "value: 2*atan(a*tan(fow/2))", "unknown name, fow"),
     ],
@@ -244,6 +248,6 @@ def test_an_answer_that_the_scene_shows_must_be_hidden() -> None:
     assert faults(FILM + "hide: numbers\n") == ""
     assert faults(FILM.replace("5*d/9", "5*d/8")) == ""
     assert exercise(FILM + "hide: world, numbers\n")[0].hides == {"world", "numbers"}
-    assert "line 10 = 'film': must be one of numbers, lens, world, ndc, image" in faults(
+    assert "line 10 = 'film': must be one of numbers, lens, scale, world, ndc, image" in faults(
         FILM + "hide: film\n"
     )

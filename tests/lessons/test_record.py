@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from datetime import date, timedelta
 from pathlib import Path
@@ -9,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from app.lessons import record
-from app.lessons.record import Attempt, Record, due, met, standings
+from app.lessons.record import Attempt, Record, due, met, minutes_each, standings
 from app.model.refusal import Refusal
 
 DAY_S = 86_400
@@ -136,3 +137,17 @@ def test_what_waits_longest_comes_first_and_ideas_are_counted() -> None:
     assert met(said, known) == {("l03", "a"): (2, ""), ("l04", "b"): (1, "")}
     said.append(attempt(1, exercise="x/y"))
     assert met(said, standings(said))["l03", "a"] == (2, "helped"), "as where it was met last"
+
+
+def test_an_exercise_takes_as_long_as_most_have_taken() -> None:
+    assert minutes_each([]) == 2.0
+
+    def answers(*gaps: int, seeds: int = 9) -> list[Attempt]:
+        times = itertools.accumulate(gaps, initial=1_700_000_000)
+        return [attempt(1 + n % seeds)._replace(when=when) for n, when in enumerate(times)]
+
+    assert minutes_each(answers(60, 60, 60, 60)) == 2.0, "they are too few"
+    assert minutes_each(answers(60, 90, 30, 90, 3000, 90)) == 1.5, "a pause does not count"
+    assert minutes_each(answers(60, -50, 60, 60, 60, 180)) == 1.0, "nor a clock that is set back"
+    assert minutes_each(answers(*[40] * 11, seeds=6)) == 80 / 60, "all tries at a variant do"
+    assert minutes_each([each._replace(seed=0) for each in answers(*[30] * 8)]) == 2.0

@@ -326,7 +326,7 @@ def test_a_pdf_holds_vectors_and_is_the_same_every_time() -> None:
 
 def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
     assert chart.where(RESULTS) == (
-        "2026-11-21T08:46:06+00:00 · Box 7, 2 cores, softpipe · frustum-lab 1"
+        "2026-11-21T08:46:06+00:00 · Box 7, cores: 2, softpipe · frustum-lab 1"
     )
     assert chart.seen(RESULTS) == (
         "letter-f; eye (6, 5, 9), target (0, 2.25, 0), perspective, fov_y_deg 45"

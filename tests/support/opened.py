@@ -13,6 +13,7 @@ from shiboken6.Shiboken import createdByPython, getAllValidWrappers
 
 from app.document.document import Document
 from tests import PATIENCE_MS
+from tests.support.keys import clashes
 from widgets.window.main_window import MainWindow
 
 
@@ -40,8 +41,9 @@ def close(windows: list[MainWindow]) -> None:
     """Close windows, the last first, and see that no interactor outlives them.
 
     Nor may PySide hold an item of a layout that Qt has made: what comes to lie in its place is
-    taken for it.
+    taken for it. Nor may a key mean two things in the state that a test has led to.
     """
+    ambiguous = [found for window in windows if (found := clashes(window))]
     items = [one for one in getAllValidWrappers() if isinstance(one, (QSpacerItem, QWidgetItem))]
     held = sum(not createdByPython(item) for item in items)
     del items
@@ -55,6 +57,7 @@ def close(windows: list[MainWindow]) -> None:
     delete_what_is_due()
     gc.collect()
     survivors = [ref for ref in canvases if ref() is not None]
+    assert not ambiguous, f"keys that mean two things: {ambiguous}"
     assert not held, f"PySide holds {held} items of layouts"
     assert not survivors, f"{len(survivors)} interactors outlive their windows"
     if not any(isinstance(widget, MainWindow) for widget in QApplication.topLevelWidgets()):

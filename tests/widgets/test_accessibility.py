@@ -24,9 +24,14 @@ from PySide6.QtWidgets import (
 from pytestqt.qtbot import QtBot
 
 from app.bootstrap import ROOT
-from tests.support.window import MakeWindow, activate, show_scene
+from tests.support.keys import clashes
+from tests.support.window import MakeWindow, activate, settle, show_scene
 from widgets.parts.diagram import DiagramView
+from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
+from widgets.window.self_test import SelfTestDialog
+from widgets.window.speaker import SpeakerWindow
+from widgets.window.talk_writing import TitleDialog
 
 SAID = QAccessible.Text
 LABEL = QAccessible.RelationFlag.Label
@@ -104,6 +109,26 @@ def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
         assert "near 2.5" in said(window.panes["image"].canvas, SAID.Description)
     finally:
         QAccessible.setActive(False)
+
+
+@pytest.mark.undrawn
+def test_no_key_of_a_dialog_means_two_things(window: MainWindow) -> None:
+    """`tests.support.opened.close` looks at the window itself, in the state of every test."""
+    panes = {name: pane.name for name, pane in window.panes.items()}
+    window.practice.show_overview()
+    window.menus.start_card.trigger()
+    for dialog in (
+        window,
+        window.practice.overview,
+        ExportDialog(panes, (640, 360), window),
+        SelfTestDialog({"L1": ("One", 3)}, 1, window),
+        TitleDialog("Add a step", "Depth", True, window),
+        SpeakerWindow(window.settings, window),
+    ):
+        dialog.show()
+        settle()
+        assert not clashes(dialog), dialog
+        dialog.close()
 
 
 def test_a_message_is_announced_and_esc_closes_it(

@@ -41,6 +41,7 @@ from app.lessons.state import path_of
 from app.lessons.text import said_of
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
+from tests.support.keys import clashes
 from tests.support.mistakes import LESSON as RIGHT_LESSON
 from tests.support.mistakes import MISTAKES
 from tests.support.window import (
@@ -395,6 +396,14 @@ def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_
     one.field.setFocus()
     press(KEY.Key_I, ALT)
     assert "One by two." in texts(one) and not card.hint.isEnabled()
+    assert one.is_open and bare.is_open and other.is_open and not clashes(window)
+    assert {"Check", "Show the answer"} == {*buttons(one)} & {*buttons(other)}
+    press(KEY.Key_A, ALT)
+    assert not one.is_open and other.is_open, "so is a key of theirs"
+    other.field.setFocus()
+    QTest.keyClicks(other.field, "0.333")
+    press(KEY.Key_K, ALT)
+    assert not other.is_open and bare.is_open
 
 
 @pytest.mark.undrawn
@@ -649,6 +658,7 @@ def test_lessons_can_be_done_with_the_keyboard_alone(make_window: MakeWindow) ->
             assert lessons.place == place, f"{path.name}: {step.name}"
             for number in range(len(step.asked)):
                 block = card.blocks[number]
+                assert not clashes(window), f"{path.name}: {step.name}"
                 if block.is_open:
                     solved(window, block, step)
                     QTest.qWait(0)

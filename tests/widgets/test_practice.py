@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
+from datetime import date, timedelta
 from pathlib import Path
 
 import pytest
-from PySide6.QtCore import QTimer
+from PySide6.QtCore import QDate, QLocale, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
     QFileDialog,
     QInputDialog,
+    QLabel,
     QLineEdit,
     QRadioButton,
     QToolButton,
@@ -21,14 +24,18 @@ from PySide6.QtWidgets import (
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
-from app.lessons.practice import drawn, exercises_of
-from app.lessons.record import Attempt
+from app.lessons.practice import drawn, exercises_of, find_waiting, to_review
+from app.lessons.record import Attempt, standings
 from app.lessons.results import read
 from tests.support.exercises import WIDE
+from tests.support.layout import cut
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
+from widgets.parts.icons import WarningLabel
+from widgets.window.lesson_blocks.view import Sign
 from widgets.window.main_window import RECORD, MainWindow
 from widgets.window.overview import Overview
+from widgets.window.practice import review_text
 from widgets.window.self_test import SelfTestDialog
 from widgets.window.settings import data_folder
 
@@ -146,6 +153,8 @@ def test_a_test_is_taken_by_keyboard_alone(
             given[name] = f"lens.near={wanted:g}"
         settle()
         assert not view.is_open and "Your answer is kept until the end." in texts(card)
+        assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
+        assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
         assert "Right" not in texts(card) and "idea" not in texts(card)
         assert "Show the answer" not in buttons(card)
         if place == 0:  # it is left, and gone on with
@@ -194,17 +203,15 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     menu, record = window.menus.lesson_menu, window.record
     menu.aboutToShow.emit()
     assert menu.review.text() == "&Review" and not menu.test_again.isVisible()
+    menu.review.trigger()
+    assert window.messages.text.endswith("What you do not solve alone comes back in a day.")
+    assert not window.messages.findChild(WarningLabel).warns, "all is well"
     for exercise, verdict in (("choose", "wrong"), ("wide", "right"), ("gone", "shown")):
         lesson = practice.topics()["L3" if exercise == "wide" else "L5"].name
         record.add(Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict))
     menu.aboutToShow.emit()
-    assert menu.review.text() == "&Review: 1 exercise"
-    window.menus.start_card.trigger()
-    settle()
-    assert window.start_card is not None
-    names = [button.text() for button in window.start_card.findChildren(QToolButton)]
-    assert "&Review: 1 exercise" in names
-    window.start_card.close()
+    assert menu.review.text() == "&Review: 1 exercise, about 2 minutes"
+    assert of_start_card(window) == ["&Review: 1 exercise, about 2 minutes"]
     menu.review.trigger()
     come_to_rest(window)
     (view,) = window.lesson_card.blocks
@@ -218,6 +225,47 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     settle()
     assert "Done: “Review”." in texts(window.lesson_card)
     assert not any("Review" in name for name in window.settings.progress)
+    window.lesson_card.leave()
+    in_3_days = QLocale().toString(QDate.currentDate().addDays(3))
+    assert of_start_card(window) == [f"The next review is on {in_3_days}."]
+    menu.review.trigger()
+    said = f"Nothing has come back today. The next review is on {in_3_days}."
+    assert window.messages.text == said
+    lesson = practice.topics()["L3"].name
+    record.add(Attempt(int(time.time()), lesson, "practise/set", 1, "1", "wrong"))
+    assert of_start_card(window) == ["The next review is tomorrow."]
+
+
+def of_start_card(window: MainWindow) -> list[str]:
+    """Return what the start card says of reviews."""
+    window.menus.start_card.trigger()
+    settle()
+    card = window.start_card
+    assert card is not None and cut(card) == []
+    said = [each.text() for kind in (QToolButton, QLabel) for each in card.findChildren(kind)]
+    card.close()
+    return [text for text in said if "eview" in text]
+
+
+def test_a_review_mixes_the_topics_and_says_how_long_it_takes() -> None:
+    lessons = {name: course.name for name, course in practice.topics().items()}
+    begin = 1_700_000_000
+    said = [
+        Attempt(begin + 60 * n, lessons[lesson], f"practise/{name}", n + 1, "1", "wrong")
+        for n, (lesson, name) in enumerate((("L3", "wide"), ("L3", "set"), ("L5", "choose")))
+    ]
+    said += [each._replace(when=begin + 1000 + 50 * n, seed=9) for n, each in enumerate(said * 2)]
+    found = find_waiting(said)
+    assert [each.exercise.name for each in found.due] == ["set", "wide", "choose"]
+    assert (found.minutes, found.following) == (3, None)
+    mixed = to_review(found.due, standings(said))
+    assert [item.found.exercise.name for item in mixed] == ["set", "choose", "wide"]
+    assert all(item.seed not in (1, 2, 3, 9) for item in mixed)
+    assert review_text(found) == "&Review: 3 exercises, about 3 minutes"
+    short = found._replace(minutes=1, due=found.due * 7)
+    assert review_text(short) == "&Review: 12 of 21 exercises, about 1 minute"
+    day = date.fromtimestamp(begin)
+    assert find_waiting(said, day) == ((), 1, day + timedelta(days=1))
 
 
 def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_path: Path) -> None:
@@ -248,7 +296,10 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_
         "L5, exercise 1: not yet", "own, exercise 1: not yet", "own, exercise 2: not yet",
     ]  # fmt: skip
     activate(overview)
-    assert overview.review.text() == "&Review: 3 exercises" and keyboard() is overview.review
+    assert (
+        overview.review.text() == "&Review: 3 exercises, about 6 minutes"
+        and keyboard() is overview.review
+    )
     for _ in range(30):
         press(KEY.Key_Tab)
         if "exercise 2" in keyboard().accessibleName():

@@ -34,7 +34,7 @@ class MessageBar(QFrame):
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._said = ""
         self._choices: list[QPushButton] = []
-        self._offer: tuple[str, tuple[Choice, ...]] | None = None
+        self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
         tip = self.tr("Dismiss this message")
         self._close = tool_button("", tip, self._dismiss, icon="close", name=tip, flat=True)
@@ -46,15 +46,19 @@ class MessageBar(QFrame):
         """The sentence shown, or nothing."""
         return self._said if not self.isHidden() else ""
 
-    def say(self, sentence: str, *choices: Choice) -> None:
-        """Show a sentence with a button for each choice; a button closes the bar first."""
+    def say(self, sentence: str, *choices: Choice, warns: bool = True) -> None:
+        """Show a sentence with a button for each choice; a button closes the bar first.
+
+        It has a warning sign, unless it only says what has happened as the user wanted.
+        """
         is_news = sentence != self.text
         if choices:
-            self._offer = sentence, choices
+            self._offer = sentence, choices, warns
         for button in self._choices:
             button.deleteLater()
         self._choices = []
         self._said = sentence
+        self._text.set_warns(warns)
         self._text.setText(breakable(sentence))
         for label, act in choices:
             button = push_button(label, act=self._dismiss)
@@ -87,8 +91,8 @@ class MessageBar(QFrame):
 
     def _offer_again(self) -> None:
         if self._offer is not None and not self._waits:
-            sentence, choices = self._offer
-            self.say(sentence, *choices)
+            sentence, choices, warns = self._offer
+            self.say(sentence, *choices, warns=warns)
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:

@@ -14,21 +14,26 @@ from typing import NamedTuple
 from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from app.document.document import Document
 from app.document.view import PANES
 from app.drawings.style import LIGHT
-from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.block import Here
+from app.lessons.blocks.choices import LETTERS, Choices
 from app.lessons.blocks.click import PICTURE_PX, Click
 from app.lessons.blocks.exercise import Variant
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Marked, Question
 from app.lessons.course import panes_of
 from app.lessons.lines import refused
+from app.lessons.text import escaped
 from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.lesson_text import answer_of
+from widgets.parts.messages import FEW, figure_text
 from widgets.program import paper
 from widgets.program.paper import (
     BETWEEN_PT,
     BETWEEN_STEPS_PT,
+    FOOT_PT,
     NOTE_INDENT_PT,
     RULE_PT,
     TEXT_PT,
@@ -57,12 +62,13 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
 
 class Numbered(NamedTuple):
     """An exercise of a test: the title of its lesson, what its step says, its numbers, and what is
-    hidden."""
+    hidden; a sketch has other numbers, so that nothing can be measured in it."""
 
     title: str
     words: Sequence[str]
     variant: Variant
     hides: frozenset[str]
+    sketch: Document | None = None
 
     @property
     def question(self) -> Question:
@@ -71,11 +77,16 @@ class Numbered(NamedTuple):
         return question
 
     @property
+    def drawn(self) -> Document:
+        """The state of its picture."""
+        return self.sketch or self.variant.here.document
+
+    @property
     def panes(self) -> list[str]:
         """The panes to draw: that of the click, or those of the state that are not hidden."""
         if isinstance(self.question, Click):
             return [self.question.pane]
-        wanted = panes_of(self.variant.here.document)
+        wanted = panes_of(self.drawn)
         seen = [pane for pane in wanted if pane not in self.hides]
         return seen or [pane for pane in PANES if pane not in self.hides][:1]
 
@@ -173,7 +184,7 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
         parts.append(f"**{answer}**")
     if isinstance(question, Marked):
         parts.append(question.solution(here))
-    texts = "\n\n".join(filter(None, (*parts, question.why)))
+    texts = "\n\n".join(filter(None, (*parts, question.why, _mistaken(question, here))))
     if not isinstance(question, Click):
         yield paper.text(texts, width, TEXT_PT)
         return
@@ -181,6 +192,31 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
     figure = paper.figure(here.document, width, IN_KEY * width, exercise.panes, mark)
     left = figure.wide + NOTE_INDENT_PT
     yield paper.beside(figure, [paper.text(texts, width - left, TEXT_PT)], left)
+
+
+def _mistaken(question: Question, here: Here) -> str:
+    """Return the wrong ideas with the answers that they lead to, a line each."""
+    lines = []
+    for letter, reply in zip(LETTERS, question.replies, strict=False):
+        if reply.right or not reply.idea:
+            continue
+        idea = here.idea(reply.idea)
+        name = reply.idea.replace("-", " ") if idea is None else idea.title.rstrip(".")
+        found = question.values(here, reply.formulas, reply.line)
+        cells = [figure_text(number, FEW) for number in found]
+        value = ", ".join(cells) or letter
+        if isinstance(question, Matrix):
+            width = question.columns
+            rows = (cells[at : at + width] for at in range(0, len(cells), width))
+            value = "; ".join(map(", ".join, rows))
+        elif isinstance(question, Click):
+            value = f"({value})"
+        elif isinstance(question, Marked) and question.unit:
+            value += question.unit if question.unit == "°" else f" {question.unit}"
+        lines.append(f"{escaped(name)}: {value}")
+    if not lines:
+        return ""
+    return "  \n".join((QCoreApplication.translate("Exam", "Wrong ideas:"), *lines))
 
 
 # --------------------------------------------------------------------------- a page of a test
@@ -248,13 +284,16 @@ def _ends(heights: Sequence[float], height: float) -> list[int]:
 
 def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
     """An exercise: title, text beside its picture, room to write, and the place for the answer."""
-    question, document = exercise.question, exercise.variant.here.document
+    question = exercise.question
     title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
     figure, is_click = None, isinstance(question, Click)
     if exercise.panes:
         figure = paper.figure(
-            document, width, (CLICKED if is_click else share) * width, exercise.panes
+            exercise.drawn, width, (CLICKED if is_click else share) * width, exercise.panes
         )
+        if exercise.sketch is not None:
+            said = QCoreApplication.translate("Exam", "A sketch, not to scale.")
+            figure = paper.below(figure, paper.text(said, figure.wide, FOOT_PT))
     told = [*exercise.words, question.posed()]
     if is_click:
         told.append(

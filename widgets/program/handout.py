@@ -17,6 +17,7 @@ from app.lessons.course import Course
 from widgets.parts.typeset import Typeset, typeset
 from widgets.program import paper
 from widgets.program.handout_content import (
+    Content,
     Equation,
     Figure,
     Heading,
@@ -84,20 +85,30 @@ class _Sheet:
             yield from blocks
 
     def _of(self, place: int) -> Iterator[Block]:
+        """Yield a step's blocks; matrices and numbers are on the page of their figure."""
+        above: list[Block] = []
         for each in contents(self._course, place, self._answers):
-            if isinstance(each, Figure):
-                yield from self._with_figure(each)
-            elif isinstance(each, Numbers):
-                yield from (paper.text(text, self._width, NOTE_PT) for text in each.texts)
-                yield from _side_by_side(each.formulas, self._width)
-            elif isinstance(each, Equation):
-                yield from _beside(each.tables, self._width)
-            elif isinstance(each, Heading):
-                yield paper.text(each.text, self._width, TITLE_PT, title=True)
-            elif isinstance(each, ToWrite):
-                yield self._lines(LINES_BELOW * RULE_PT)
-            else:
-                yield paper.text(each, self._width, TEXT_PT)
+            blocks = list(self._blocks(each))
+            if isinstance(each, Equation | Numbers) and blocks:
+                for block in (*above, *blocks[:-1]):
+                    block.kept = True
+            above = blocks or above
+            yield from blocks
+
+    def _blocks(self, content: Content) -> Iterator[Block]:
+        if isinstance(content, Figure):
+            yield from self._with_figure(content)
+        elif isinstance(content, Numbers):
+            yield from (paper.text(text, self._width, NOTE_PT) for text in content.texts)
+            yield from _side_by_side(content.formulas, self._width)
+        elif isinstance(content, Equation):
+            yield from _beside(content.tables, self._width)
+        elif isinstance(content, Heading):
+            yield paper.text(content.text, self._width, TITLE_PT, title=True)
+        elif isinstance(content, ToWrite):
+            yield self._lines(LINES_BELOW * RULE_PT)
+        else:
+            yield paper.text(content, self._width, TEXT_PT)
 
     def _with_figure(self, shown: Figure) -> Iterator[Block]:
         """Yield a figure and its texts: beside it if they are narrow and low enough."""

@@ -39,8 +39,10 @@ from widgets.window.pictures import image_of
 MARGIN_MM = 18.0
 TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.0, 8.0
 BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
-NOTE_INDENT_PT = 12.0
+NOTE_INDENT_PT, CAPTION_PT = 12.0, 2.0
 FIGURE_PX_PER_INCH, FIGURE_TEXT_PT = 220, 7.0
+EDGE_PT = 0.5
+"""How far beyond the edge of a figure a place on it may come by rounding."""
 PANE_ASPECT = 1.6
 """Width to height of a figure of one pane; the image has its own."""
 BLANK = 0.3
@@ -140,6 +142,17 @@ def beside(figure: Block, others: Sequence[Block], left: float) -> Block:
     return Block(max(figure.height, right), paint)
 
 
+def below(figure: Block, caption: Block) -> Block:
+    """A figure, and a line of text below it."""
+
+    def paint(painter: QPainter, part: QRectF) -> None:
+        figure.paint(painter, part)
+        painter.translate(0.0, figure.height + CAPTION_PT)
+        caption.paint(painter, QRectF(0.0, 0.0, caption.wide, caption.height))
+
+    return Block(figure.height + CAPTION_PT + caption.height, paint, wide=figure.wide)
+
+
 def ruled(width: float, height: float) -> Block:
     """Lines to write on."""
 
@@ -227,7 +240,8 @@ def figure(
             painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
             painter.drawRect(place)
         for spot in spots:
-            if not place.contains(spot):  # nor does it if the spot is not a number
+            # A place on the edge is in it, but not a place that is not a number.
+            if not place.adjusted(-EDGE_PT, -EDGE_PT, EDGE_PT, EDGE_PT).contains(spot):
                 raise Refusal("place", mark.place if mark else (), NOT_IN_PICTURE)
             for brush, thick in ((Qt.GlobalColor.white, 3.0), (QColor(LIGHT.ink), 1.2)):
                 painter.setPen(QPen(brush, thick))

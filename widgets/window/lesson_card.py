@@ -272,7 +272,7 @@ class LessonCard(QFrame):
         self._aside = None
         self._notice.hide()
         self._call_handles()
-        self._show_hint()
+        self._share_keys()
         self.look_again()
 
     def _call_handles(self) -> None:
@@ -342,18 +342,21 @@ class LessonCard(QFrame):
         assert lesson is not None
         place, count = self._lessons.place, len(lesson.steps)
         self._counted.setText(self.tr("Step {0} of {1}").format(place + 1, count))
+        tick, done = "✓", self.tr("done")
+        if self._is_test:  # which says later what is right
+            tick, done = "•", self.tr("answered")
         for number, (mark, step) in enumerate(zip(self._numbers, lesson.steps, strict=False)):
             is_done = self._is_done(step)
             mark.setChecked(number == place)
-            mark.setText("✓" if is_done and number != place else str(number + 1))
+            mark.setText(tick if is_done and number != place else str(number + 1))
             said = self.tr("Step {0}: {1}")
             if _practises(lesson, step):
                 said = self.tr("Step {0}, practice: {1}")
             mark.setAccessibleName(said.format(number + 1, in_line(step.title)))
-            mark.setAccessibleDescription(self.tr("done") if is_done else "")
+            mark.setAccessibleDescription(done if is_done else "")
         self.back.setEnabled(place > 0)
         self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
-        self._show_hint()
+        self._share_keys()
         self.went_on.emit()
 
     def _hide(self) -> None:
@@ -420,7 +423,7 @@ class LessonCard(QFrame):
 
     def _reveal(self) -> None:
         """Show a response: with its question if there is room, else all of it, or its beginning."""
-        self._show_hint()
+        self._share_keys()
         block, self._speaker = self._speaker, None
         if block is None or block not in self.blocks or not block.said:
             return
@@ -462,10 +465,18 @@ class LessonCard(QFrame):
         for block in self.blocks:
             if focus is not None and block.isAncestorOf(focus):
                 self._current = block
-                self._show_hint()
+                self._share_keys()
 
-    def _show_hint(self) -> None:
+    def _share_keys(self) -> None:
+        """Enable the hint; give a key of several blocks to that with the cursor, or the first."""
         self.hint.setEnabled(self._hinting is not None)
+        taken = set[QKeySequence]()
+        for block in sorted(self.blocks, key=lambda block: block is not self._current):
+            for button in block.findChildren(QPushButton):
+                key = QKeySequence.mnemonic(button.text())
+                button.setShortcut(QKeySequence() if key in taken else key)
+                if button.isVisibleTo(self):
+                    taken.add(key)
 
     def _is_done(self, step: Step) -> bool:
         """Whether all blocks of a step are answered; one without blocks is done once it is left."""
@@ -568,7 +579,7 @@ class LessonCard(QFrame):
         if block is not None:
             block.give_hint()
             self._area.ensureWidgetVisible(block)
-            self._show_hint()
+            self._share_keys()
             self.went_on.emit()
 
     def check(self) -> None:
@@ -647,7 +658,7 @@ class LessonCard(QFrame):
         self._shown = None
         self._lessons.close()
         save = _push(
-            self.tr("&Save the result…"), self.tr("Write a file for your teacher"),
+            self.tr("Save the &result…"), self.tr("Write a file for your teacher"),
             partial(self.result_wanted.emit, marks),
         )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)

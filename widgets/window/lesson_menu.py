@@ -114,7 +114,7 @@ class LessonMenu(QMenu):
 
     def _show_practice(self, practice: Practice) -> None:
         """Say what has come back, and whether a test waits."""
-        self.review.setText(review_text(len(practice.due)))
+        self.review.setText(review_text(practice.waiting))
         self.test_again.setVisible(bool(practice.begun))
 
     def _show(self, card: LessonCard) -> None:

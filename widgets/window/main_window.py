@@ -69,7 +69,7 @@ from widgets.window.look import Look, dress
 from widgets.window.pane_words import PaneWords
 from widgets.window.pictures import Pictures
 from widgets.window.pointing import Pointing
-from widgets.window.practice import Practice, review_text
+from widgets.window.practice import Practice, next_review, review_text
 from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
@@ -373,7 +373,7 @@ class MainWindow(QMainWindow):
 
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
         text = self.tr("The answers in “{0}” were deleted.").format(title)
-        self.messages.say(text, (self.tr("Undo"), take_back))
+        self.messages.say(text, (self.tr("Undo"), take_back), warns=False)
 
     def _tell_unsaved(self, path: Path) -> None:
         text = self.tr(
@@ -466,11 +466,11 @@ class MainWindow(QMainWindow):
         if self.start_card is not None:
             return
         settings = self.settings
-        count = len(self.practice.due)
+        waiting = self.practice.waiting
         self.start_card = card = StartCard(
             self, self.menus.scene_titles, self.files.recent, settings.progress,
-            review=review_text(count) if count else "", at_every_start=settings.start_card,
-            dark=palette.is_dark(settings.theme),
+            review=review_text(waiting) if waiting.due else "", next_review=next_review(waiting),
+            at_every_start=settings.start_card, dark=palette.is_dark(settings.theme),
         )  # fmt: skip
         card.scene_chosen.connect(self.guide.choose)
         card.file_chosen.connect(self.files.open)

@@ -147,9 +147,9 @@ class Overview(QDialog):
             idea = idea_named(name)
             if lesson == course.name:
                 title = idea.title.rstrip(".") if idea is not None else name.replace("-", " ")
-                times = self.tr("once") if met.times == 1 else self.tr("{0} times")
+                times = self.tr("once") if met.times == 1 else self.tr("%n times", "", met.times)
                 text = self.tr("“{0}” {1}; then: {2}")
-                said.append(text.format(title, times.format(met.times), self._words[met.outcome]))
+                said.append(text.format(title, times, self._words[met.outcome]))
         return "\n".join(said)
 
     def _go(self, signal: SignalInstance, *what: object) -> None:

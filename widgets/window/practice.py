@@ -5,45 +5,66 @@ from __future__ import annotations
 import random
 import time
 from collections.abc import Sequence
+from datetime import date, timedelta
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, QObject
+from PySide6.QtCore import QCoreApplication, QDate, QLocale, QObject
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from app import __version__
 from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
+    MOST,
     Found,
     Sheet,
+    Waiting,
     drawn,
     exercises_of,
-    find,
+    find_waiting,
     name_of_test,
     named_test,
     practised,
     to_review,
     topics,
 )
-from app.lessons.record import Attempt, Record, due, met, standings
+from app.lessons.record import Attempt, Record, met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.plain import set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lesson_card import LessonCard
 from widgets.window.overview import Overview
-from widgets.window.self_test import SelfTestDialog
+from widgets.window.self_test import SelfTestDialog, exercises_text
 from widgets.window.settings import Settings
 
 
-def review_text(count: int) -> str:
+def review_text(waiting: Waiting) -> str:
     """Return the name of the action that practises what has come back, with a mnemonic."""
-    if count == 1:
-        return QCoreApplication.translate("Practice", "&Review: 1 exercise")
-    if count:
-        return QCoreApplication.translate("Practice", "&Review: {0} exercises").format(count)
-    return QCoreApplication.translate("Practice", "&Review")
+    count = len(waiting.due)
+    if not count:
+        return QCoreApplication.translate("Practice", "&Review")
+    some = exercises_text(count)
+    if count > MOST:
+        some = QCoreApplication.translate("Practice", "{0} of {1}").format(MOST, some)
+    minutes = waiting.minutes  # lupdate finds no text before an attribute
+    time_needed = QCoreApplication.translate("Practice", "about %n minutes", "", minutes)
+    if minutes == 1:
+        time_needed = QCoreApplication.translate("Practice", "about 1 minute")
+    return QCoreApplication.translate("Practice", "&Review: {0}, {1}").format(some, time_needed)
+
+
+def next_review(waiting: Waiting) -> str:
+    """Return the sentence that says when the next exercises come back; empty if none will."""
+    day = waiting.following
+    if day is None:
+        return ""
+    if day <= date.today() + timedelta(days=1):
+        return QCoreApplication.translate("Practice", "The next review is tomorrow.")
+    said = QLocale().toString(QDate(day.year, day.month, day.day))
+    return QCoreApplication.translate("Practice", "The next review is on {0}.").format(said)
 
 
 class Practice(QObject):
@@ -95,7 +116,8 @@ class Practice(QObject):
             self._play_test(*found)
 
     def _tell_kept(self) -> None:
-        self._messages.say(self.tr("The test is kept."), (self.tr("Go on with it"), self.go_on))
+        go_on = self.tr("Go on with it"), self.go_on
+        self._messages.say(self.tr("The test is kept."), go_on, warns=False)
 
     def _play_test(self, names: list[str], number: int) -> None:
         every = len(names) == len(topics()) > 1
@@ -105,7 +127,7 @@ class Practice(QObject):
         if items:
             self._card.play(Sheet(name_of_test(names, number), title, items, is_test=True))
         else:
-            self._messages.say(self.tr("These topics have no exercises yet."))
+            self._messages.say(self.tr("These topics have no exercises yet."), warns=False)
 
     # -- results
 
@@ -126,7 +148,7 @@ class Practice(QObject):
         except Refusal as error:
             self._messages.say(sentence(error))
         else:
-            self._messages.say(self.tr("The result is in {0}.").format(path))
+            self._messages.say(self.tr("The result is in {0}.").format(path), warns=False)
 
     # -- what was practised
 
@@ -134,13 +156,14 @@ class Practice(QObject):
         """Show every topic with its exercises, as they were solved."""
         attempts = self._record.read()
         known, problem = standings(attempts), self._record.problem
-        count = len(self.due)
+        waiting = find_waiting(attempts)
         said = "" if problem is None else sentence(problem)
         lessons = practised(lesson for lesson, _ in known)
         self.overview = overview = Overview(
-            lessons, known, met(attempts, known), review_text(count), said, self._window
+            lessons, known, met(attempts, known), review_text(waiting), said, self._window
         )
-        overview.review.setEnabled(count > 0)
+        set_tip(overview.review, next_review(waiting))
+        overview.review.setEnabled(bool(waiting.due))
         overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))
         overview.exercise_wanted.connect(self._open)
         overview.review_wanted.connect(self.review)
@@ -154,19 +177,18 @@ class Practice(QObject):
     # -- what has come back
 
     @property
-    def due(self) -> list[tuple[str, str]]:
-        """The exercises that have come back and still exist."""
-        waiting = due(standings(self._record.read()))
-        return [key for key in waiting if find(key) is not None]
+    def waiting(self) -> Waiting:
+        return find_waiting(self._record.read())
 
     def review(self) -> None:
         """Practise what has come back, with new numbers."""
         attempts = self._record.read()
         if self._record.problem is not None:
             self._messages.say(sentence(self._record.problem))
-        known = standings(attempts)
-        items = to_review(due(known), known)
+        found = find_waiting(attempts)
+        items = to_review(found.due, standings(attempts))
         if items:
             self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
-        else:
-            self._messages.say(self.tr("Nothing has come back today."))
+            return
+        when = next_review(found) or self.tr("What you do not solve alone comes back in a day.")
+        self._messages.say(self.tr("Nothing has come back today.") + f" {when}", warns=False)

@@ -83,8 +83,11 @@ class DrawnQuality(QObject):
             text = self.tr("A pane cannot draw with {0}: it uses its default smoothing")
             yield text.format(quality.smoothing)
         if adaptive.samples:
-            text = self.tr("This computer's OpenGL gives {0} samples per pixel instead of {1}")
-            yield text.format(adaptive.samples, quality.smoothing)
+            samples = self.tr("%n samples per pixel", "", adaptive.samples)
+            if adaptive.samples == 1:
+                samples = self.tr("1 sample per pixel")
+            text = self.tr("This computer's OpenGL gives {0} instead of {1}")
+            yield text.format(samples, quality.smoothing)
         if quality.detail < 1.0 and adaptive.drawn is self._shown().scene:
             yield self.tr("The scene has too few triangles to leave any out")
         image = self._image.drawing

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QIntValidator
 from PySide6.QtWidgets import (
     QCheckBox,
@@ -22,6 +23,13 @@ from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.plain import Label, set_tip
 
 COLUMNS = 2
+
+
+def exercises_text(count: int) -> str:
+    """Return a number of exercises in words."""
+    if count == 1:
+        return QCoreApplication.translate("SelfTestDialog", "1 exercise")
+    return QCoreApplication.translate("SelfTestDialog", "%n exercises", "", count)
 
 
 class SelfTestDialog(QDialog):
@@ -94,6 +102,6 @@ class SelfTestDialog(QDialog):
 
     def _show_count(self) -> None:
         count = min(MOST, sum(self._counts[name] for name in self.topics))
-        text = self.tr("{0} exercises").format(count) if count else self.tr("Choose topics.")
+        text = exercises_text(count) if count else self.tr("Choose topics.")
         self._count.setText(text)
         self.begin.setEnabled(count > 0 and self.number.hasAcceptableInput())

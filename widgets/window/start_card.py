@@ -58,8 +58,8 @@ class StartCard(QWidget):
     """The scenes, the lessons and the recent files, over the whole window.
 
     `titles` are those of the built-in scenes by name, `recent` the paths of files, and `progress`
-    belongs to the lessons that were begun. `review` names the exercises that have come back; it is
-    empty if there are none.
+    belongs to the lessons that were begun. `review` names the exercises that have come back, and
+    `next_review` says when others will; they are empty if there are none.
     """
 
     scene_chosen = Signal(str)
@@ -79,6 +79,7 @@ class StartCard(QWidget):
         progress: Mapping[str, Progress],
         *,
         review: str,
+        next_review: str,
         at_every_start: bool,
         dark: bool,
     ) -> None:
@@ -103,7 +104,8 @@ class StartCard(QWidget):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
-            _heading(self.tr("Learn")), *self._lessons(progress), *self._review(review), 12,
+            _heading(self.tr("Learn")), *self._lessons(progress),
+            *self._review(review, next_review), 12,
             _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
@@ -161,11 +163,16 @@ class StartCard(QWidget):
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
             yield button
 
-    def _review(self, text: str) -> Iterator[QToolButton]:
+    def _review(self, text: str, following: str) -> Iterator[QWidget]:
         if text:
-            tip = self.tr("What you did not solve alone, with other numbers")
+            tip = self.tr("What you did not solve alone, with other numbers, the topics mixed")
             act = partial(self._leave_for, self.review_wanted)
             yield tool_button(text, tip, act, icon="reset", flat=True)
+        if following:
+            said = Label(following)
+            said.setObjectName("paneNote")
+            said.setIndent(round(1.3 * said.fontMetrics().height()))  # below the text
+            yield said
 
     def _files(self, recent: Sequence[str]) -> Iterator[QToolButton]:
         yield tool_button(

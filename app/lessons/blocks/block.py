@@ -187,6 +187,8 @@ class Asked(Part):
         Used by samples and the student's progress; unique within a step.
     said : tuple of (int, str)
         All replies to answers, and the hints, each with its line.
+    hides : frozenset of str
+        What would show the answer, of `HIDDEN`; it is not seen until there is one.
     """
 
     asks: ClassVar[bool] = True
@@ -194,6 +196,7 @@ class Asked(Part):
     name: str
     hints: tuple[str, ...] = ()
     said: tuple[tuple[int, str], ...] = ()
+    hides: frozenset[str] = frozenset()
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.line + 1, self.text  # below the block's first line

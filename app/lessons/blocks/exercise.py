@@ -15,16 +15,14 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
 
-from app.document.view import PANES
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Question, are_alike
+from app.lessons.blocks.question import Question, are_alike, hidden_in
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, on_line, refused
 from app.lessons.quantities import NO_NAME, RATIONAL, Condition
 from app.lessons.state import State, read_state
 from app.model.formula import parse
-from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
@@ -45,7 +43,7 @@ TWICE = QT_TRANSLATE_NOOP("Refusal", "varies {0} twice")
 NO_VARIANT = QT_TRANSLATE_NOOP(
     "Refusal", "finds no numbers that suit, for seed {0}; the last ones were refused: {1}"
 )
-TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has about {0} variants; it needs at least {1}")
+TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has too few variants, about {0}; it needs at least {1}")
 A_SEED = QT_TRANSLATE_NOOP("Refusal", "must begin with a seed, a whole number from 1 to {0}")
 CAN_BE_READ = QT_TRANSLATE_NOOP(
     "Refusal", "has an answer that the scene shows as “{0}”: add “hide: numbers”"
@@ -53,8 +51,6 @@ CAN_BE_READ = QT_TRANSLATE_NOOP(
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
 _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
-HIDDEN = ("numbers", "lens", *PANES)
-"""What an exercise may hide."""
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
@@ -88,15 +84,12 @@ class Exercise(Asked):
         What the numbers must fulfil, in the variant's own state.
     states : sequence of (int, str)
         The lines of the variant's state.
-    hides : frozenset of str
-        What would show the answer, of `HIDDEN`.
     """
 
     kind = "exercise"
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
     states: Lines
-    hides: frozenset[str]
     recipe: Lines
 
     @classmethod
@@ -114,7 +107,7 @@ class Exercise(Asked):
                 with on_line(line, "where"):
                     where.append((line, Condition.read(own[2].strip())))
             elif own is not None and own[1] == "hide":
-                hides |= _hidden(own[2], line)
+                hides |= hidden_in(own[2], line)
             elif own is not None:
                 states += [(line, part) for part in own[2].split(";")]
             else:
@@ -234,13 +227,6 @@ def _continued(lines: Lines) -> Lines:
     return found
 
 
-def _hidden(text: str, line: int) -> set[str]:
-    names = {name.strip() for name in text.split(",")}
-    for name in names.difference(HIDDEN):
-        raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)
-    return names
-
-
 def _readings(variant: Variant) -> set[str]:
     """Return the names of the scene's readings that are the answer."""
     question = variant.question
@@ -298,7 +284,9 @@ def _written(text: str, line: int, numbers: Mapping[str, Fraction], *, exact: bo
 
     def written(found: re.Match[str]) -> str:
         value = _number(found[2], line, numbers)
-        text = repr(float(value)) if exact else written_number(value)
+        text = written_number(value)
+        if exact:  # a whole number as a part of a name: ``bits{=b}``
+            text = str(value) if value.denominator == 1 else repr(float(value))
         if found[1] == "=":
             return text
         return f"= {text}" if Fraction(text) == value else rf"\approx {text}"

@@ -30,7 +30,7 @@ A_MATRIX = QT_TRANSLATE_NOOP(
 A_CELL = QT_TRANSLATE_NOOP("Refusal", "must be a row and a column, separated by “,”")
 OTHER_SHAPE = QT_TRANSLATE_NOOP("Refusal", "has {0} × {1} cells; the answer has {2} × {3}")
 CELLS = QT_TRANSLATE_NOOP(
-    "Refusal", "must have {0} rows, separated by “;”, each with {1} cells, separated by “|”"
+    "Refusal", "must have {0} × {1} cells: “;” separates rows, “|” the cells of a row"
 )
 
 TRANSPOSED = QT_TRANSLATE_NOOP(

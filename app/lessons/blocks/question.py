@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from app.document.document import Document
+from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.working import has_way, in_markdown, working
@@ -39,7 +40,9 @@ Value: TypeAlias = tuple[float, ...]
 
 RIGHT = " **✓**"
 """Marks the right answer, in Markdown."""
-CHECKS = ("check", "why", "hint")
+HIDDEN = ("numbers", "lens", "scale", *PANES)
+"""What a question may hide; the scale on paper only, where a ruler would find the answer."""
+CHECKS = ("check", "why", "hint", "hide")
 """Keys that every question may have."""
 
 
@@ -145,7 +148,9 @@ class Question(Asked):
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
         checks, why = items.conditions("check"), items.text("why")
-        return Asked.fields(body, text, items) | {"checks": checks, "why": why}
+        hide = items.single("hide")
+        hides = frozenset[str]() if hide is None else frozenset(hidden_in(hide.text, hide.line))
+        return Asked.fields(body, text, items) | {"checks": checks, "why": why, "hides": hides}
 
     @property
     def is_tall(self) -> bool:
@@ -269,6 +274,14 @@ class Marked(Question):
             if error.field != "answer":
                 raise
             return "no number"
+
+
+def hidden_in(text: str, line: int) -> set[str]:
+    """Read the names of what a question hides."""
+    names = {name.strip() for name in text.split(",")}
+    for name in names.difference(HIDDEN):
+        raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)
+    return names
 
 
 def _figures(value: Value) -> str:

@@ -62,7 +62,7 @@ class Points(Attempts):
     def say_other(self) -> None:
         """Say that the picture shows another state, in which the answer would be another one."""
         self._warn(self.tr("The picture shows something else now."))
-        name, tip = self.tr("Show &it again"), self.tr("Show the state of the question")
+        name, tip = self.tr("Show it a&gain"), self.tr("Show the state of the question")
         self._offer_state(self.here.document, name, tip)
         self._announce(self.tr("The picture shows something else now."))
 

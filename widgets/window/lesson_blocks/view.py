@@ -57,22 +57,22 @@ class Sign(QWidget):
 
     def __init__(self, icon: str, said: str) -> None:
         super().__init__()
-        self._icon = ""
+        self.icon = ""
         self.show_icon(icon, said)
         side = round(SIGN_EM * self.fontMetrics().height())
         self.setFixedSize(side, side)
 
     def show_icon(self, icon: str, said: str) -> None:
         """Show another icon; empty for the box."""
-        self._icon = icon
+        self.icon = icon
         self.setAccessibleName(said)
         set_tip(self, said)
         self.update()
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, side = QPainter(self), self.fontMetrics().height()
-        if self._icon:
-            paint_icon(painter, QRect(0, 1, side, side), self._icon)
+        if self.icon:
+            paint_icon(painter, QRect(0, 1, side, side), self.icon)
         else:
             painter.setPen(QPen(self.palette().color(self.foregroundRole()), 1.4))
             painter.drawRect(QRect(2, 3, side - 5, side - 5))
@@ -139,7 +139,7 @@ class BlockView(QFrame):
     @property
     def hides(self) -> frozenset[str]:
         """Return what must not be seen now, because it would show the answer."""
-        return frozenset()
+        return self.block.hides if self.is_open else frozenset()
 
     @property
     def aims(self) -> BlockView | None:
@@ -180,7 +180,8 @@ class BlockView(QFrame):
         for each in self.findChildren(QAbstractButton):
             each.setEnabled(False)
             each.setVisible(not isinstance(each, QPushButton))
-        self._say("check", self.tr("Kept"), self.tr("Your answer is kept until the end."))
+        # No tick: it may be wrong.
+        self._say("save", self.tr("Kept"), self.tr("Your answer is kept until the end."))
 
     def _show(self, answer: str) -> None:
         """Show an answer that was given earlier."""
