@@ -21,6 +21,7 @@ from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Question, Reply
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, idea_named
+from app.lessons.marking import digits_shown
 from app.lessons.practice import Mark, course_named, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, one_line
 from app.lessons.text import plain_of
@@ -216,7 +217,9 @@ def _right(question: Asked, here: Here) -> str:
         return ", ".join(condition.text for _, condition in question.until)
     assert isinstance(question, Question)
     try:
-        texts = [f"{value:.5g}" for value in question.values(here, *question.key)]
+        texts = [
+            f"{value:.{digits_shown(value, 5)}g}" for value in question.values(here, *question.key)
+        ]
     except Refusal:
         return ""
     if not isinstance(question, Matrix):

@@ -58,7 +58,8 @@ class Choice(Reply):
     def check_number(self, value: float) -> None:
         for text in _WRITTEN.findall(self.text):
             number = marking.read(text)
-            if abs(number.value - Fraction(value)) <= number.unit * Fraction("0.5001"):
+            half = number.unit * Fraction("0.5001")
+            if abs(number.value - Fraction(value)) <= half + marking.EXACT * abs(number.value):
                 return
         raise refused(self.line, OTHER_NUMBER, f"{value:.6g}", value=self.text)
 

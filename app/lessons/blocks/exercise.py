@@ -18,9 +18,10 @@ from typing import NamedTuple
 from app.document.view import PANES
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Question, are_alike
+from app.lessons.blocks.question import Question
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, on_line, refused
+from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, RATIONAL, Condition
 from app.lessons.state import State, read_state
 from app.model.formula import parse

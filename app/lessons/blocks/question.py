@@ -6,7 +6,7 @@ The value of a reply is one number, those of a matrix, or the coordinates of a p
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
@@ -15,7 +15,7 @@ from app.lessons import marking
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Item, Items, on_line, refused
-from app.lessons.marking import UNITS
+from app.lessons.marking import UNITS, Typed
 from app.lessons.quantities import Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
 from app.model.formula import Formula
@@ -170,8 +170,8 @@ class Question(Asked):
                 raise refused(line, NO_VALUE, str(error)) from error
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
-        """Whether two values cannot be told apart: their numbers agree to three digits."""
-        return all(map(are_alike, one, other))
+        """Whether two values cannot be told apart: the same typed numbers would count as both."""
+        return all(map(marking.are_alike, one, other))
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
@@ -258,6 +258,15 @@ class Marked(Question):
             raise refused(unit.line, ONE_OF, ", ".join(UNITS), value=unit.text)
         return Question.fields(body, text, items) | {"unit": items.text("unit")}
 
+    def mistaken(
+        self, here: Here, numbers: Sequence[Typed], is_value: Callable[[Typed, float], bool]
+    ) -> Verdict | None:
+        """Return the reply to the wrong idea whose values are typed, if there is one."""
+        for wrong in self.replies:
+            if all(map(is_value, numbers, self.values(here, wrong.formulas, wrong.line))):
+                return wrong.verdict(here)
+        return None
+
     def mark(self, here: Here, typed: str) -> Verdict:
         """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
         raise NotImplementedError
@@ -273,8 +282,3 @@ class Marked(Question):
 
 def _figures(value: Value) -> str:
     return ", ".join(f"{each:.6g}" for each in value)
-
-
-def are_alike(one: float, other: float) -> bool:
-    """Whether two values agree to three significant digits."""
-    return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)

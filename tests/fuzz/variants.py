@@ -1,0 +1,109 @@
+"""Variants of all exercises: no wrong idea counts as right or as another idea, and right is right.
+
+``python3 -m tests.fuzz variants --first 1 --last 2000`` draws the variants of every exercise with
+these seeds, and types each of their values as students do: to three digits and more, rounded and
+cut off, with zeros and without. It lists what is marked otherwise. The suite takes fewer seeds.
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+from collections.abc import Iterator, Sequence
+from decimal import ROUND_DOWN, ROUND_HALF_EVEN, ROUND_UP, Decimal
+from itertools import zip_longest
+
+from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.click import Click
+from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
+from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.question import Marked, Value
+from app.lessons.blocks.task import Task
+from app.lessons.course import Course, contained
+from app.lessons.lesson import read
+from app.lessons.practice import exercises_of
+
+
+def main(words: Sequence[str]) -> int:
+    """Print what is marked wrongly, and how many variants there were."""
+    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz variants", description=__doc__)
+    parser.add_argument("--first", type=int, default=1)
+    parser.add_argument("--last", type=int, default=LARGEST_SEED)
+    parser.add_argument("--only", default="", help="lessons whose file's name begins so")
+    options = parser.parse_args(words)
+    drawn = faulty = 0
+    for path in contained():
+        for found in exercises_of(Course(read(path))) if path.stem.startswith(options.only) else ():
+            known = set[tuple[object, ...]]()
+            for seed in range(options.first, options.last + 1):
+                drawn += 1
+                variant = found.exercise.variant(found.here, seed)
+                numbers = tuple(variant.numbers.values())
+                if numbers in known:
+                    continue
+                known.add(numbers)
+                faults = [*faults_of(found.exercise, variant)]
+                faulty += bool(faults)
+                if faults:
+                    print(path.stem, found.exercise.name, seed, "; ".join(faults), flush=True)
+            print(path.stem, found.exercise.name, f"{len(known)} different", flush=True)
+    print(f"{drawn} variants drawn, {faulty} with a fault")
+    return 1 if faulty else 0
+
+
+def faults_of(exercise: Exercise, variant: Variant) -> Iterator[str]:
+    """Yield what is marked otherwise than it should be, as sentences."""
+    question, here = variant.question, variant.here
+    if isinstance(question, Task):
+        if question.right is not None:
+            own = here.shown_by(question.right)
+            if not question.is_done(here, own) or question.mistaken(here, own) is not None:
+                yield "the right state is not done, or is a wrong idea's"
+        return
+    if isinstance(question, Choices):
+        return  # a number of a choice cannot be mistaken
+    assert isinstance(question, Marked)
+    for reply, formulas, line in question.formulas:
+        wanted = "right" if reply is None else reply.idea or "wrong"
+        for typed in typed_ways(question, question.values(here, formulas, line)):
+            word = question.mark(here, typed).word
+            if word != wanted:
+                yield f"{typed} is {word} and not {wanted}"
+
+
+def typed_ways(question: Marked, value: Value) -> list[str]:
+    """Return a value as students type it, all its numbers in the same way."""
+    if isinstance(question, Click):
+        return [" ".join(map(repr, value))]
+    several = [dict.fromkeys(ways_of(each)) for each in value]
+    if isinstance(question, Answer):
+        return list(several[0])
+    assert isinstance(question, Matrix)
+    longest = max(several, key=len)
+    rows = []
+    for cells in zip_longest(*several, fillvalue=None):
+        texts = [
+            next(iter(ways)) if cell is None else cell
+            for cell, ways in zip(cells, several, strict=True)
+        ]
+        wide = question.columns
+        rows.append(
+            "; ".join(" | ".join(texts[at : at + wide]) for at in range(0, len(texts), wide))
+        )
+    assert len(rows) == len(longest)
+    return rows
+
+
+def ways_of(value: float) -> Iterator[str]:
+    """Yield a number to three digits and more: rounded, cut off, rounded up, and without zeros."""
+    if abs(value) < 1e-12:
+        yield "0"
+        return
+    exact = Decimal(value)
+    for digits in range(3, 8):
+        for rounding in (ROUND_HALF_EVEN, ROUND_DOWN, ROUND_UP):
+            unit = Decimal(1).scaleb(math.floor(math.log10(abs(value))) - digits + 1)
+            text = f"{exact.quantize(unit, rounding)}"
+            yield text
+    yield repr(value)
