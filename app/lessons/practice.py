@@ -150,6 +150,13 @@ def find(key: tuple[str, str]) -> Found | None:
     return next((each for each in found if each.key[1] == key[1]), None)
 
 
+def hints_of(key: tuple[str, str]) -> int:
+    """Return how many hints an exercise of the program has; 0 of a lesson of one's own."""
+    courses = (course for course in topics().values() if course.name == key[0])
+    found = (each for course in courses for each in exercises_of(course) if each.key == key)
+    return next((len(each.exercise.first.hints) for each in found), 0)
+
+
 def course_named(name: str) -> Course | None:
     """Return a lesson by its name in the record; None if it cannot be read."""
     for course in topics().values():

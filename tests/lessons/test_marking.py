@@ -98,7 +98,8 @@ TYPED = (
     # Angles with a pi are in radians, others in degrees.
     ("cos(pi/6)", "", math.sqrt(3) / 2), ("sin(π/6)", "", 0.5), ("tan(45*pi/180)", "", 1.0),
     ("cos(pi/3 rad)", "", 0.5), ("sin(0.5 rad)", "", math.sin(0.5)),
-    ("cos(180/pi)", "", math.cos(1)),    ("sin(30 deg)", "", 0.5), ("cos π", "", -1.0), ("tan(pi/4 + pi/2)", "", -1.0),
+    ("cos(180/pi)", "", math.cos(1)), ("sin(30 deg)", "", 0.5),
+    ("cos π", "", -1.0), ("tan(pi/4 + pi/2)", "", -1.0),
     ("atan(1)", "rad", math.pi / 4), ("atan(1) rad", "°", 45.0), ("2 atan(1)°", "rad", math.pi / 2),
     # Names of functions, roots and powers.
     ("tg 45", "", 1.0), ("ctg(45°)", "", 1.0), ("arctg 1", "°", 45.0), ("tan^-1(1)", "°", 45.0),
@@ -153,7 +154,8 @@ def test_what_students_type_is_read_as_they_mean_it(text: str, unit: str, value:
         ("5₁₀", "; ₁₀ cannot be read"), ("±5", "; ±5 cannot be read"), ("+-5", "; +-5 cannot"),
         ("2*3=6", "; =6 cannot be read"), ("45°30'", "; °30' cannot be read"), ("5!", "; ! cannot"),
         ("2, 3", "; , 3 cannot be read"), ("2;3", "; ;3 cannot be read"),
-        ("1,00,000", "; .000 cannot"),        ("0.5 (50%)", "; %) cannot be read"), ("2.5 e-3", "; e is neither"), ("∞", "; ∞ cannot"),
+        ("1,00,000", "; .000 cannot"),
+        ("0.5 (50%)", "; %) cannot be read"), ("2.5 e-3", "; e is neither"), ("∞", "; ∞ cannot"),
     ],
 )  # fmt: skip
 def test_what_may_mean_two_things_is_asked_back(text: str, said: str) -> None:

@@ -19,13 +19,14 @@ from app.lessons.practice import (
     drawn,
     exercises_of,
     find,
+    hints_of,
     name_of_test,
     named_test,
     practised,
     to_review,
     topics,
 )
-from app.lessons.record import Attempt, Record, due, met, standings
+from app.lessons.record import Attempt, Record, due, mended, met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
@@ -107,6 +108,11 @@ class Practice(QObject):
         else:
             self._messages.say(self.tr("These topics have no exercises yet."))
 
+    @property
+    def attempts(self) -> list[Attempt]:
+        """All answers of this student."""
+        return mended(self._record.read(), hints_of)
+
     # -- results
 
     def save(self, attempts: Sequence[Attempt]) -> None:
@@ -132,7 +138,7 @@ class Practice(QObject):
 
     def show_overview(self) -> None:
         """Show every topic with its exercises, as they were solved."""
-        attempts = self._record.read()
+        attempts = self.attempts
         known, problem = standings(attempts), self._record.problem
         count = len(self.due)
         said = "" if problem is None else sentence(problem)
@@ -156,12 +162,12 @@ class Practice(QObject):
     @property
     def due(self) -> list[tuple[str, str]]:
         """The exercises that have come back and still exist."""
-        waiting = due(standings(self._record.read()))
+        waiting = due(standings(self.attempts))
         return [key for key in waiting if find(key) is not None]
 
     def review(self) -> None:
         """Practise what has come back, with new numbers."""
-        attempts = self._record.read()
+        attempts = self.attempts
         if self._record.problem is not None:
             self._messages.say(sentence(self._record.problem))
         known = standings(attempts)

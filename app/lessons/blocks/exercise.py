@@ -126,12 +126,11 @@ class Exercise(Asked):
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
             states=states, hides=frozenset(hides), recipe=recipe,
         )  # fmt: skip
-        first = made.question({each.name: each.values[0] for each in varied})
-        object.__setattr__(made, "text", first.text)
+        object.__setattr__(made, "text", made.first.text)
         return made
 
     def texts(self) -> Iterator[tuple[int, str]]:
-        yield from self.question({each.name: each.values[0] for each in self.varied}).texts()
+        yield from self.first.texts()
 
     def question(self, numbers: Mapping[str, Fraction]) -> Question | Task:
         """Return the question or the task with these numbers in its text."""
@@ -145,10 +144,14 @@ class Exercise(Asked):
         return Answer.read(body._replace(kind="answer"))
 
     @property
+    def first(self) -> Question | Task:
+        """Return the question or the task with the first value of each number."""
+        return self.question({each.name: each.values[0] for each in self.varied})
+
+    @property
     def is_on_paper(self) -> bool:
         """Whether it can be solved on paper; a task is done in the window."""
-        first = self.question({each.name: each.values[0] for each in self.varied})
-        return isinstance(first, Question)
+        return isinstance(self.first, Question)
 
     def variant(self, here: Here, seed: int) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.

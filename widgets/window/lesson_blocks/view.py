@@ -105,6 +105,7 @@ class BlockView(QFrame):
         """Whether the answer is kept unmarked, for the end of a test."""
         self.hints = list(block.hints)
         """The hints not given yet."""
+        self.hints_read = 0
         self.setAccessibleName(said_of(block.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
@@ -161,10 +162,6 @@ class BlockView(QFrame):
         """Return the number of an exercise's variant; 0 for what is no exercise."""
         return 0
 
-    @property
-    def hints_read(self) -> int:
-        return len(self.block.hints) - len(self.hints)
-
     def begin_test(self) -> None:
         """Give no hints, and keep the first answer for the end of a test."""
         self.is_test = True
@@ -203,9 +200,9 @@ class BlockView(QFrame):
 
     def give_hint(self) -> None:
         if self.hints:
-            count = len(self.block.hints) - len(self.hints) + 1
+            self.hints_read += 1
             many = len(self.block.hints) > 1
-            head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
+            head = self.tr("Hint {0}:").format(self.hints_read) if many else self.tr("Hint:")
             text = f"*{head}* {self.hints.pop(0)}"
             self._hint = _row("help", "", text)
             self._insert(self._hint)
