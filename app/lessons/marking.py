@@ -385,7 +385,8 @@ def _is_angle(formula: Formula) -> bool:
 def _typed_function(name: str, arguments: Sequence[Fraction]) -> Fraction:
     if name == "pow":
         return Fraction(math.pow(*map(float, arguments)))
-    return RATIONAL.call(name, arguments)
+    found: Fraction = RATIONAL.call(name, arguments)
+    return found
 
 
 _TYPED = Arithmetic(Fraction, _typed_function)

@@ -9,11 +9,14 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import fields
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, ROUND_UP, Decimal
+from fractions import Fraction
 from itertools import zip_longest
 
 from app.lessons.blocks.answer import Answer
+from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
@@ -23,6 +26,7 @@ from app.lessons.blocks.task import Task
 from app.lessons.course import Course, contained
 from app.lessons.lesson import read
 from app.lessons.practice import exercises_of
+from app.model.refusal import Refusal
 
 
 def main(words: Sequence[str]) -> int:
@@ -36,14 +40,15 @@ def main(words: Sequence[str]) -> int:
     for path in contained():
         for found in exercises_of(Course(read(path))) if path.stem.startswith(options.only) else ():
             known = set[tuple[object, ...]]()
+            suited = remembered(found.exercise)
             for seed in range(options.first, options.last + 1):
                 drawn += 1
-                variant = found.exercise.variant(found.here, seed)
+                variant = suited.variant(found.here, seed)
                 numbers = tuple(variant.numbers.values())
                 if numbers in known:
                     continue
                 known.add(numbers)
-                faults = [*faults_of(found.exercise, variant)]
+                faults = [*faults_of(variant)]
                 faulty += bool(faults)
                 if faults:
                     print(path.stem, found.exercise.name, seed, "; ".join(faults), flush=True)
@@ -52,7 +57,27 @@ def main(words: Sequence[str]) -> int:
     return 1 if faulty else 0
 
 
-def faults_of(exercise: Exercise, variant: Variant) -> Iterator[str]:
+def remembered(exercise: Exercise) -> Exercise:
+    """Return an exercise that tries the same numbers only once."""
+    known: dict[tuple[object, ...], Variant | Refusal] = {}
+
+    class Remembering(Exercise):
+        def _suited(self, here: Here, seed: int, numbers: Mapping[str, Fraction]) -> Variant:
+            key = tuple(numbers.values())
+            if key not in known:
+                try:
+                    known[key] = super()._suited(here, seed, numbers)
+                except Refusal as error:
+                    known[key] = error
+            found = known[key]
+            if isinstance(found, Refusal):
+                raise found
+            return found._replace(seed=seed)
+
+    return Remembering(**{each.name: getattr(exercise, each.name) for each in fields(exercise)})
+
+
+def faults_of(variant: Variant) -> Iterator[str]:
     """Yield what is marked otherwise than it should be, as sentences."""
     question, here = variant.question, variant.here
     if isinstance(question, Task):

@@ -107,6 +107,8 @@ class Lessons(QObject):
         """The panes' cameras when the step was shown."""
         self._posed: Document | None = None
         """The state of the step's exercise, shown in place of the step's own."""
+        self._before: dict[str, Any] = {}
+        """What the window had in those fields of the view that a state beside the step changed."""
         self.course: Course | None = None
         self.place = 0
         self._clock = Clock(self)
@@ -182,7 +184,7 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.course, self.place = left
             return False
-        self._arrived, self._posed = {}, None
+        self._arrived, self._posed, self._before = {}, None, {}
         self._watch()
         self.opened.emit()
         self.stepped.emit()
@@ -266,6 +268,7 @@ class Lessons(QObject):
             self._store.document.scene,
             self._store.document.mesh,
         )
+        self._before = {name: getattr(look, name) for name in fields} | self._before
         fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
         self._set_off()
@@ -286,7 +289,8 @@ class Lessons(QObject):
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
         """Return the view of a step: fields set by the lesson, the others from the window."""
-        look = self._store.look()
+        look = replace(self._store.look(), **self._before)
+        self._before = {}
         if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),

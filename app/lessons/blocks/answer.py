@@ -44,19 +44,8 @@ class Answer(Marked):
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        keys = (
-            "value",
-            "count",
-            "matrix",
-            "click",
-            "at",
-            "within",
-            "first",
-            "unit",
-            "wrong",
-            *CHECKS,
-        )
-        text, items = body.items(*keys, choices=True)
+        keys = ("value", "count", "matrix", "click", "at", "within", "first", "unit", "number")
+        text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         ways = [item for item in items if item.key in WAYS]
         if not ways:
             raise refused(

@@ -272,6 +272,8 @@ class BlockView(QFrame):
         self._say("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
+        tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
+        self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
         self._announce(head, verdict.says)
 
     def _announce(self, *texts: str) -> None:
