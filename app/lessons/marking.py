@@ -74,7 +74,7 @@ _SAME = str.maketrans(
 _RAISED = re.compile("[⁺⁻⁰¹²³⁴-⁹]+")
 _NO_POWER = re.compile("([*x×] *10)?(?<![⁺⁻¹²³⁴-⁹])⁰(?![⁰¹²³⁴-⁹])")
 """A raised 0 that stands for the sign of degrees, unless it is a power of ten."""
-_FRACTION = re.compile("([0-9]*) *([¼-¾⅐-⅞])")
+_FRACTION = re.compile("(?<![0-9])([0-9]*) ?([¼-¾⅐-⅞])")
 _HEAD = re.compile(
     r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
     r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around)\b\.?)*"
@@ -112,7 +112,7 @@ _REWRITTEN = (
 """What people write, and the same in the language of formulas."""
 _ROOT = re.compile(rf"\^ *(?:\( *([-+]? *{_DECIMAL}(?: */ *{_DECIMAL})?) *\)|(-?[0-9]*\.[0-9]+))")
 """A power that is no whole number."""
-_BASE = re.compile(r"(?:[0-9.]+|[a-z]+)$")
+_BASE = re.compile(r"(?:(?<![0-9.])[0-9.]+|(?<![a-z])[a-z]+)$")
 
 _OF_ANGLES = r"(?<![a-z])(?:sin|cos|tan|cot)"
 _BARE = re.compile(
@@ -129,14 +129,15 @@ _MAY_BELONG = re.compile(
 _TWO_READINGS = (
     # 1/2√3: over 2, or over 2√3
     (re.compile(
-        rf"([\w.]+|\([^()]*\)) */ *({_DECIMAL}) *((?:√|sqrt|pi|π|\(|a?(?:sin|cos|tan|cot))[^-+*/]*)"
+        rf"((?<![\w.])[\w.]+|\([^()]*\)) ?/ ?({_DECIMAL}) ?"
+        r"((?:√|sqrt|pi|π|\(|a?(?:sin|cos|tan|cot))[^-+*/]*)"
      ), ("({0}/{1})*{2}", "{0}/({1}*{2})")),
     # 3^1/2: a half, or the root
-    (re.compile(r"(\w+|\([^()]*\)) *\^ *1 */ *([0-9]+)"), ("{0}^(1/{1})", "{0}/{1}")),
+    (re.compile(r"((?<!\w)\w+|\([^()]*\)) ?\^ ?1 ?/ ?([0-9]+)"), ("{0}^(1/{1})", "{0}/{1}")),
     # 1.5(3): a product, or a decimal number without end
-    (re.compile(r"([0-9]*\.[0-9]+)\(([0-9]+)\)"), ("{0}*{1}", "{0}{1}{1}...")),
+    (re.compile(r"(?<![0-9])([0-9]*\.[0-9]+)\(([0-9]+)\)"), ("{0}*{1}", "{0}{1}{1}...")),
     # 2·10-3: a difference, or a power whose sign is lost
-    (re.compile(rf"({_DECIMAL} *[*x×] *10) *-([0-9]+)"), ("{0}^-{1}", "({0})-{1}")),
+    (re.compile(rf"(?<![0-9.])({_DECIMAL} ?[*x×] ?10) ?-([0-9]+)"), ("{0}^-{1}", "({0})-{1}")),
 )  # fmt: skip
 """Expressions that mean one thing by the rules, and often another one to who writes them."""
 
@@ -194,9 +195,8 @@ def read(text: str, unit: str = "", near: float = 0.0) -> Typed:
         value, is_rounded, gives_angle = _value(text, plain)
         if is_angle and gives_angle:
             factor = 1 / _UNITS[unit.lower()][1]
-        return Typed(value, DIGITS, _third_digit(value) if is_rounded else Fraction(0)).times(
-            factor
-        )
+        last = _third_digit(value) if is_rounded else Fraction(0)
+        return Typed(value, DIGITS, last).times(factor)
     if _MAYBE_GROUPED.fullmatch(plain) and abs(near) >= 1000.0:
         raise Refusal("answer", text, AMBIGUOUS, plain, f"{plain}0", plain.replace(".", ""))
     power = int((found[3] or "0")[:6])
@@ -320,7 +320,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
     except Refusal as error:
         at = int(str(error.limits[-1])) - 1
         for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
-            if word not in FUNCTIONS and word != "pi":
+            if word not in (*FUNCTIONS, "pi", "pow"):
                 raise Refusal("answer", text, NO_LETTER, word) from error
         rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
         raise Refusal("answer", text, *rest) from error
@@ -347,16 +347,15 @@ def _with_roots(plain: str) -> str:
     """Write powers that are no whole numbers, ``3^(1/2)`` and ``2^0.5``, as a function."""
     while found := _ROOT.search(plain):
         before = plain[: found.start()].rstrip()
-        at = len(before) - 1
-        if before.endswith(")"):
-            depth = 0
-            for at in range(len(before) - 1, -1, -1):
-                depth += (before[at] == ")") - (before[at] == "(")
-                if not depth:
-                    break
-            at -= len(before[:at]) - len(before[:at].rstrip("acinopqrst"))
-        elif base := _BASE.search(before):
+        base = _BASE.search(before)
+        if base is not None:
             at = base.start()
+        elif before.endswith(")"):
+            opens = (at for at in range(len(before)) if before[at] == "(")
+            at = next((at for at in opens if _closing(before, at + 1) == len(before) - 1), 0)
+            at = len(before[:at].rstrip("acinopqrst"))
+        else:
+            break
         power = found[1] or found[2]
         plain = f"{before[:at]}pow({before[at:]},{power}){plain[found.end() :]}"
     return plain
@@ -424,7 +423,8 @@ def are_alike(one: float, other: float) -> bool:
         return True
     if one * other <= 0.0:
         return False
-    for unit in map(_third_digit, (Fraction(low), Fraction(high))):
+    units = [_third_digit(Fraction(low)), _third_digit(Fraction(high))]
+    for unit in (*units, 10 * units[1]):  # that of 10.0 also counts for 9.95
         # From the value down or up to one in the third digit.
         least = math.ceil(Fraction(high) * (1 - EXACT) / unit - 1)
         most = math.floor(Fraction(low) * (1 + EXACT) / unit + 1)

@@ -316,6 +316,25 @@ def test_nothing_is_said_where_nothing_follows() -> None:
     assert marking.remark(marking.read("2"), 0.0) is None
 
 
+PARTS = (
+    "1", "2", "0.5", "3,4", "1e9", "e-3", "999", "½", "²", "⁻", "⁰", "₂", "(", ")", "^", "^(1/2)",
+    "^0.5", "√", "sqrt", "pi", "cos", "tg", "a", "x", "×", "·", "-", "–", "+", "/", ":", "%", "°",
+    "rad", "m", "=", "≈", "ca.", "...", "'", "_", " ", "\u0663", "\u200f", "max", ";", "|",
+)  # fmt: skip
+
+
+@given(
+    parts=st.lists(st.sampled_from(PARTS), max_size=9), unit=st.sampled_from(["", "°", "rad", "m"])
+)
+def test_whatever_is_typed_is_read_or_refused_in_a_sentence(parts: list[str], unit: str) -> None:
+    try:
+        typed = marking.read("".join(parts), unit, near=2000.0)
+    except Refusal as error:
+        assert str(error).startswith("answer ")
+    else:
+        assert abs(typed.value) <= 10**302 and typed.unit >= 0
+
+
 @given(value=st.floats(0.01, 1e4), off=st.integers(-(10**6), 10**6))
 def test_the_tolerance_is_the_same_upwards_and_downwards(value: float, off: int) -> None:
     exact = Fraction(f"{value:.4g}")

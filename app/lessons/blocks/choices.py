@@ -99,7 +99,7 @@ class Choices(Question):
     def chosen(self, here: Here, number: int) -> Verdict:
         """Return the verdict on a choice, counted from 0."""
         reply = self.replies[number]
-        return reply.verdict(here, self.why) if reply.right else self.verdict_on(here, reply)
+        return reply.verdict(here, self.why) if reply.right else self.reply_to(here, reply)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         number, count = int(sample) if sample.isdecimal() else 0, len(self.replies)

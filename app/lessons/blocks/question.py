@@ -252,7 +252,7 @@ class Question(Asked):
         found = working(formulas[0], self.known(here)) if is_way else None
         return in_markdown(found.sides(self.symbol, self.unit)) if found is not None else ""
 
-    def verdict_on(self, here: Here, wrong: Reply) -> Verdict:
+    def reply_to(self, here: Here, wrong: Reply) -> Verdict:
         """Return the reply to a wrong idea, with both numbers beside each other where it can be."""
         verdict = wrong.verdict(here)
         formulas, _ = self.key
@@ -299,7 +299,7 @@ class Marked(Question):
         """Return the reply to the wrong idea whose values are typed, if there is one."""
         for wrong in self.replies:
             if all(map(is_value, numbers, self.values(here, wrong.formulas, wrong.line))):
-                return self.verdict_on(here, wrong)
+                return self.reply_to(here, wrong)
         return None
 
     def mark(self, here: Here, typed: str) -> Verdict:
