@@ -8,12 +8,10 @@ cut off, with zeros and without. It lists what is marked otherwise. The suite ta
 from __future__ import annotations
 
 import argparse
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, ROUND_UP, Decimal
 from fractions import Fraction
-from itertools import zip_longest
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Here
@@ -101,34 +99,25 @@ def typed_ways(question: Marked, value: Value) -> list[str]:
     """Return a value as students type it, all its numbers in the same way."""
     if isinstance(question, Click):
         return [" ".join(map(repr, value))]
-    several = [dict.fromkeys(ways_of(each)) for each in value]
+    several = [list(dict.fromkeys(ways_of(each))) for each in value]
     if isinstance(question, Answer):
-        return list(several[0])
+        return [f"{value[0]:.0f}"] if question.counts else several[0]
     assert isinstance(question, Matrix)
-    longest = max(several, key=len)
-    rows = []
-    for cells in zip_longest(*several, fillvalue=None):
-        texts = [
-            next(iter(ways)) if cell is None else cell
-            for cell, ways in zip(cells, several, strict=True)
-        ]
-        wide = question.columns
-        rows.append(
-            "; ".join(" | ".join(texts[at : at + wide]) for at in range(0, len(texts), wide))
-        )
-    assert len(rows) == len(longest)
-    return rows
+    found = []
+    for number in range(max(map(len, several))):
+        texts = [ways[min(number, len(ways) - 1)] for ways in several]
+        rows = (texts[at : at + question.columns] for at in range(0, len(texts), question.columns))
+        found.append("; ".join(map(" | ".join, rows)))
+    return found
 
 
 def ways_of(value: float) -> Iterator[str]:
-    """Yield a number to three digits and more: rounded, cut off, rounded up, and without zeros."""
+    """Yield a number to three digits and more: rounded, cut off, rounded up, and whole."""
     if abs(value) < 1e-12:
         yield "0"
         return
     exact = Decimal(value)
     for digits in range(3, 8):
         for rounding in (ROUND_HALF_EVEN, ROUND_DOWN, ROUND_UP):
-            unit = Decimal(1).scaleb(math.floor(math.log10(abs(value))) - digits + 1)
-            text = f"{exact.quantize(unit, rounding)}"
-            yield text
+            yield f"{exact.quantize(Decimal(1).scaleb(exact.adjusted() - digits + 1), rounding)}"
     yield repr(value)

@@ -241,7 +241,7 @@ BLOCKS = [
      "line 8 = 'say: Yes.': must be one of says, state, a colon, and its value"),
     ("predict\nQ?\n- [x] a\n  why: So.\n- [ ] b", "line 8 = 'why: So.': must"),
     ("answer\nQ?\nvalue: 1\nright: 1", "one of value, count, matrix, click, at"),
-    ("answer\nQ?", "line 5 needs “value: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"),
+    ("answer\nQ?", "line 5 needs “value: FORMULA”, “count: FORMULA”, “matrix: CELLS”,"),
     ("answer\nQ?\nvalue: 1\n- [x] a\n- [ ] b", "line 8 gives the answer in a second way: keep one"),
     ("answer\nvalue: 2", "line 5 needs a question"),
     ("answer\nQ?\nvalue: 2*", "line 7, value = '2*': needs a number, a letter"),
