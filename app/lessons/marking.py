@@ -2,8 +2,9 @@
 
 The exact value counts however short it is (1/2, 0.5, √3/2, -1, 0). A decimal number that is not
 exact needs three significant digits and may be one unit off in its last digit, upwards or
-downwards: students read values off the screen and round by hand. Any other way to write a number
-counts as three digits. The comparison is in rationals.
+downwards: students read values off the screen and round by hand. An expression with a decimal
+number in it counts as three digits; one of whole numbers, such as 8/2^12, is not rounded and has
+to be exact. The comparison is in rationals.
 """
 
 from __future__ import annotations
@@ -11,19 +12,22 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
+from collections.abc import Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
 from app.lessons.quantities import FUNCTIONS, RATIONAL
-from app.model.formula import parse
+from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product, Quotient, parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
 """Significant digits required of an inexact number."""
-_EXACT = Fraction(1, 10**9)
+EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
+_ZERO = 1e-12
+"""A computed value below this is 0."""
 _LARGEST_EXPONENT = 300
-_LONGEST = 60
+_LONGEST, _LONGEST_SHOWN = 60, 17
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
 NO_NUMBER = QT_TRANSLATE_NOOP(
@@ -39,8 +43,10 @@ TOO_LARGE = QT_TRANSLATE_NOOP(
 OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
 NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
 AMBIGUOUS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number; {0} may be {1} or {2}: write the brackets"
+    "Refusal", "must be a number; {0} may be {1} or {2}: write one of them"
 )
+TWO_ANGLES = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} mixes degrees and radians")
+NOT_SO_FAR = QT_TRANSLATE_NOOP("Refusal", "must have {0} significant digits in front of “...”")
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
 
 SIGN = QT_TRANSLATE_NOOP("Refusal", "The size is right, but the sign is wrong.")
@@ -57,12 +63,38 @@ NEARLY = QT_TRANSLATE_NOOP("Refusal", "It is close, but not exact enough.")
 _DECIMAL = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
 _LITERAL = re.compile(rf"([-+]?)({_DECIMAL})(?:(?:e|[*x×]10\^)([-+]?[0-9]+))?")
 _MIXED = re.compile(r"(-?)([0-9]+) +([0-9]+)/([0-9]+)")
-_THOUSANDS = re.compile(r"(?<![0-9.,])[0-9]{1,3}(?: [0-9]{3})+(?![0-9])")
+_SAME = str.maketrans(
+    {
+        **dict.fromkeys("·∙\u22c5", "*"), **dict.fromkeys("÷\u2044\u2215", "/"), "\u2236": ":",
+        **dict.fromkeys("º˚∘ᵒ", "°"), **dict.fromkeys("\u2019\u02bc`\u00b4\u066c", "'"),
+        "\u066b": ".", "−": "-",
+    }
+)  # fmt: skip
+"""Signs on keyboards, and the signs that they look like."""
 _RAISED = re.compile("[⁺⁻⁰¹²³⁴-⁹]+")
+_NO_POWER = re.compile("([*x×] *10)?(?<![⁺⁻¹²³⁴-⁹])⁰(?![⁰¹²³⁴-⁹])")
+"""A raised 0 that stands for the sign of degrees, unless it is a power of ten."""
+_FRACTION = re.compile("(?<![0-9])([0-9]*) ?([¼-¾⅐-⅞])")
+_HEAD = re.compile(
+    r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
+    r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around)\b\.?)*"
+)
+"""What people write before a number: a name, and that it is rounded."""
+_GROUPED = re.compile(
+    r"(?<![0-9.,])(?:[0-9]{1,3}([ '_])[0-9]{3}(?:\1[0-9]{3})*|[1-9][0-9]{0,2}"
+    r"(?:(?:,[0-9]{3}){2,}|,[0-9]{3}(?=\.[0-9])|(?:\.[0-9]{3}){2,}|\.[0-9]{3}(?=,[0-9])))(?![0-9])"
+)
+"""A number whose thousands are certain to be separated."""
+_MAYBE_GROUPED = re.compile(r"[-+]?[1-9][0-9]{0,2}\.[0-9]{3}")
+_PLACE = re.compile(r"\([^(),]*,[^(),]*\)")
+"""Two numbers rather than one with a comma."""
 _RATIO = re.compile(r"(?<=[0-9]) *: *(?=[0-9])")
-_SAME = str.maketrans({"−": "-", "·": "*", "∙": "*", "\u22c5": "*", "\u2044": "/", "\u2215": "/"})
-_DEGREE = str.maketrans("º˚", "°°")
-"""Signs on keyboards that look like the one of degrees."""
+_NAMES = (
+    (re.compile(r"(?<![a-z])(arc|a)?tg(?![a-z])"), r"\1tan"),
+    (re.compile(r"(?<![a-z])co?tg(?![a-z])"), "cot"),
+    (re.compile(r"(?<![a-z])(sin|cos|tan) *\^ *(?:-1(?![0-9])|\( *-1 *\))"), r"a\1"),
+)
+"""Other names of functions."""
 _REWRITTEN = (
     (re.compile(r"(?<![a-z])arc(?=sin|cos|tan)"), "a"),
     (re.compile(rf"(?:√|sqrt) *({_DECIMAL})"), r"sqrt(\1)"),
@@ -78,17 +110,36 @@ _REWRITTEN = (
     (re.compile(r"(?<=[0-9)]) *(?=[a-z(])"), "*"),
 )
 """What people write, and the same in the language of formulas."""
+_ROOT = re.compile(rf"\^ *(?:\( *([-+]? *{_DECIMAL}(?: */ *{_DECIMAL})?) *\)|(-?[0-9]*\.[0-9]+))")
+"""A power that is no whole number."""
+_BASE = re.compile(r"(?:(?<![0-9.])[0-9.]+|(?<![a-z])[a-z]+)$")
 
 _OF_ANGLES = r"(?<![a-z])(?:sin|cos|tan|cot)"
 _BARE = re.compile(
-    rf"({_OF_ANGLES}|(?<![a-z])a(?:rc)?(?:sin|cos|tan)) *([-+]? *{_DECIMAL}(?:e[-+]?[0-9]+)?)"
+    rf"({_OF_ANGLES}|(?<![a-z])a(?:rc)?(?:sin|cos|tan)) *"
+    rf"([-+]? *(?:{_DECIMAL}(?:e[-+]?[0-9]+)?|pi(?![a-z])|π))"
 )
 """A function without brackets and its number; what may follow it and belong to it or not."""
 _DEGREES = re.compile(r" *(?:°|deg(?:rees?)?(?![a-z]))")
+_RADIANS = re.compile(r" *rad(?:ians?)?(?![a-z])")
 _MAY_BELONG = re.compile(
     rf" *(?!(?:[*/] *)?-? *(?:a|arc)?(?:sin|cos|tan|cot))"
     rf"([*/^] *-? *|)({_DECIMAL}(?:/{_DECIMAL})?|pi|π|\([^()]*\)|sqrt|√)"
 )
+_TWO_READINGS = (
+    # 1/2√3: over 2, or over 2√3
+    (re.compile(
+        rf"((?<![\w.])[\w.]+|\([^()]*\)) ?/ ?({_DECIMAL}) ?"
+        r"((?:√|sqrt|pi|π|\(|a?(?:sin|cos|tan|cot))[^-+*/]*)"
+     ), ("({0}/{1})*{2}", "{0}/({1}*{2})")),
+    # 3^1/2: a half, or the root
+    (re.compile(r"((?<!\w)\w+|\([^()]*\)) ?\^ ?1 ?/ ?([0-9]+)"), ("{0}^(1/{1})", "{0}/{1}")),
+    # 1.5(3): a product, or a decimal number without end
+    (re.compile(r"(?<![0-9])([0-9]*\.[0-9]+)\(([0-9]+)\)"), ("{0}*{1}", "{0}{1}{1}...")),
+    # 2·10-3: a difference, or a power whose sign is lost
+    (re.compile(rf"(?<![0-9.])({_DECIMAL} ?[*x×] ?10) ?-([0-9]+)"), ("{0}^-{1}", "({0})-{1}")),
+)  # fmt: skip
+"""Expressions that mean one thing by the rules, and often another one to who writes them."""
 
 _NUMBER, _ANGLE, _LENGTH, _UNIT, _PIXEL = "number", "angle", "length", "units", "px"
 _UNITS: dict[str, tuple[str, Fraction]] = {
@@ -102,11 +153,15 @@ _UNITS: dict[str, tuple[str, Fraction]] = {
 }  # fmt: skip
 """What each unit measures, and how much of it one is."""
 UNITS = tuple(_UNITS)
-"""The units that are converted, as they are typed."""
+"""The units of questions; those of answers are converted."""
+_UNITS |= {"times": _UNITS["×"], **dict.fromkeys(("percent", "per cent"), _UNITS["%"])}
+for _prefix, _name in (("", "m"), ("kilo", "km"), ("centi", "cm"), ("milli", "mm")):
+    _words = (f"{_prefix}{word}" for word in ("metre", "metres", "meter", "meters"))
+    _UNITS |= dict.fromkeys(_words, _UNITS[_name])
 
 
 class Typed(NamedTuple):
-    """A typed number; `unit` is the value of one in its last digit."""
+    """A typed number; `unit` is the value of one in its last digit, 0 if it is not rounded."""
 
     value: Fraction
     digits: int
@@ -117,11 +172,11 @@ class Typed(NamedTuple):
         return Typed(self.value * factor, self.digits, self.unit * abs(factor))
 
 
-def read(text: str, unit: str = "") -> Typed:
+def read(text: str, unit: str = "", near: float = 0.0) -> Typed:
     """Read a number as people write it: ``0,5``, ``1 1/2``, ``-√3/2``, ``pi/6``, ``1.17·10⁻²``.
 
     A unit of the same kind as `unit`, one of `UNITS`, may follow, and is converted. A comma is a
-    decimal point.
+    decimal point; where the number is one like `near`, 1000 or larger, ``1,280`` is refused.
 
     Raises
     ------
@@ -130,36 +185,65 @@ def read(text: str, unit: str = "") -> Typed:
     """
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)
-    plain, factor = _without_unit(text, _with_brackets(text, _in_one_line(text)), unit)
+    plain, factor, is_angle = _without_unit(text, _with_brackets(text, _in_one_line(text)), unit)
+    plain, end = plain.rstrip("."), len(plain)
+    is_endless = end - len(plain) > 1
     if not plain:
         raise Refusal.in_document(EMPTY, field="answer", value=text.strip() or ...)
     found = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if found is None:
-        value = _value(text, plain)
-        return Typed(value, DIGITS, _third_digit(value)).times(factor)
+        value, is_rounded, gives_angle = _value(text, plain)
+        if is_angle and gives_angle:
+            factor = 1 / _UNITS[unit.lower()][1]
+        last = _third_digit(value) if is_rounded else Fraction(0)
+        return Typed(value, DIGITS, last).times(factor)
+    if _MAYBE_GROUPED.fullmatch(plain) and abs(near) >= 1000.0:
+        raise Refusal("answer", text, AMBIGUOUS, plain, f"{plain}0", plain.replace(".", ""))
     power = int((found[3] or "0")[:6])
     if abs(power) > _LARGEST_EXPONENT:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
     _, _, places = found[2].partition(".")
     value = Fraction(found[1] + found[2]) * Fraction(10) ** power
     digits = len(found[2].replace(".", "").lstrip("0"))
+    if is_endless and digits < DIGITS:
+        raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
     return _bounded(text, Typed(value, digits, Fraction(10) ** (power - len(places)))).times(factor)
 
 
 def _in_one_line(text: str) -> str:
     """Return the text in lower case with plain signs, spaces, fractions and decimal points."""
-    text = _RAISED.sub(lambda raised: "^" + unicodedata.normalize("NFKC", raised[0]), text)
-    letters = list(text.translate(_DEGREE).lstrip("=≈~ "))
-    for at, part in enumerate(letters):
-        if unicodedata.decomposition(part).startswith("<fraction>"):  # ½, of its own: 1½, √½
-            letters[at] = f"({part})" if letters[at - 1 : at] == ["√"] else f" {part}"
-    text = "".join(letters)
-    text = unicodedata.normalize("NFKC", text).translate(_SAME).lower()
-    text = "".join("-" if unicodedata.category(part) == "Pd" else part for part in text)
-    text = _THOUSANDS.sub(lambda group: group[0].replace(" ", ""), " ".join(text.split()))
+    text = _NO_POWER.sub(lambda zero: f"{zero[1]}^0" if zero[1] else "°", text.translate(_SAME))
+    text = _RAISED.sub(lambda raised: f"^{''.join(map(_plain, raised[0]))}", text)
+    text = " ".join("".join(map(_plain, text)).split())
+    text = re.sub("[–—](?![0-9])|(?<![0-9])[–—]", "-", text)  # between digits it may mean “to”
+    text = _HEAD.sub("", text, count=1)
+    text = re.sub(r"(?<![.,;])[.,;]$", "", text)
+    text = _GROUPED.sub(lambda group: re.sub("[ '_.,]", "", group[0]), text)
+    text = _FRACTION.sub(_vulgar, text)
     text = _RATIO.sub("/", text)
-    text = re.sub(r"(?<![0-9]),(?=[0-9])|(?<=[0-9]),(?=[0-9]|\b|$)", ".", text)
+    if not _PLACE.fullmatch(text):
+        text = re.sub(r"(?<![0-9]),(?=[0-9])|(?<=[0-9]),(?=[0-9]|\b|$)", ".", text)
+    for pattern, name in _NAMES:
+        text = pattern.sub(name, text)
     return re.sub(r"^([-+]?)10 *\^", r"\g<1>1*10^", text)
+
+
+def _plain(letter: str) -> str:
+    """Return a letter, a digit of any script or a sign in its plain form."""
+    if letter.isdecimal():
+        return str(unicodedata.decimal(letter))
+    if letter in "₀₁₂₃₄₅₆₇₈₉–—" or _FRACTION.fullmatch(letter):
+        return letter
+    like = {"Pd": "-", "Cf": ""}.get(unicodedata.category(letter))
+    if like is None:
+        like = unicodedata.normalize("NFKC", letter).translate(_SAME).lower()
+    return like
+
+
+def _vulgar(found: re.Match[str]) -> str:
+    """Write a fraction of one letter, and the whole number before it, in brackets."""
+    part = unicodedata.normalize("NFKC", found[2]).translate(_SAME)
+    return f"({found[1]}+{part})" if found[1] else f"({part})"
 
 
 def _with_brackets(text: str, plain: str) -> str:
@@ -179,7 +263,13 @@ def _with_brackets(text: str, plain: str) -> str:
     plain = "".join(parts) + plain[at:]
     for found in reversed([*re.finditer(rf"{_OF_ANGLES} *\(", plain)]):
         end = _closing(plain, found.end())
-        plain = plain[: found.end()] + _DEGREES.sub("", plain[found.end() : end]) + plain[end:]
+        inside = plain[found.end() : end]
+        angle = _RADIANS.sub("", _DEGREES.sub("", inside))
+        if _DEGREES.search(inside) and re.search("pi|π|rad", inside):
+            raise Refusal("answer", text, TWO_ANGLES, f"{found[0]}{inside})")
+        if _RADIANS.search(inside):
+            angle = f"({angle})*180/pi"
+        plain = plain[: found.end()] + angle + plain[end:]
     return plain
 
 
@@ -193,10 +283,10 @@ def _closing(text: str, at: int) -> int:
     return len(text)
 
 
-def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
-    """Take the unit off the end; return the rest, and by what it is to be multiplied."""
+def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction, bool]:
+    """Take the unit off the end; return the rest, its factor, and whether an angle is asked."""
     kind, size = _UNITS[unit.lower()] if unit else (_NUMBER, Fraction(1))
-    for name in sorted(UNITS, key=len, reverse=True):
+    for name in sorted(_UNITS, key=len, reverse=True):
         rest = plain.removesuffix(name).rstrip()
         if rest == plain or (name.isalpha() and rest[-1:].isalpha() and not rest.endswith("pi")):
             continue
@@ -204,32 +294,41 @@ def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction]:
         same = typed_kind == kind or (not unit and typed_kind == _UNIT)
         if rest and not same:
             raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, name)))
-        return rest, typed_size / size if same else Fraction(1)
-    return plain, Fraction(1)
+        return rest, typed_size / size if same else Fraction(1), kind == _ANGLE
+    return plain, Fraction(1), kind == _ANGLE
 
 
-def _value(text: str, plain: str) -> Fraction:
-    """Return the value of an expression without letters but pi."""
+def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
+    """Return an expression's value, whether it has a decimal number, and whether it is an angle.
+
+    It has no letters but pi.
+    """
     mixed = _MIXED.fullmatch(plain)
     if mixed and int(mixed[3]) < int(mixed[4]):
         part = Fraction(int(mixed[3]), int(mixed[4]))
-        return (-1 if mixed[1] else 1) * (int(mixed[2]) + part)
+        return (-1 if mixed[1] else 1) * (int(mixed[2]) + part), False, False
+    for pattern, ways in _TWO_READINGS:
+        if found := pattern.search(plain):
+            raise Refusal(
+                "answer", text, AMBIGUOUS, found[0], *(way.format(*found.groups()) for way in ways)
+            )
     for pattern, written in _REWRITTEN:
         plain = pattern.sub(written, plain)
+    plain = _with_roots(plain)
     try:
-        found = parse(plain.removeprefix("+"))
+        formula = parse(re.sub(r"^\+(?![-+])", "", plain))
     except Refusal as error:
         at = int(str(error.limits[-1])) - 1
         for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
-            if word not in FUNCTIONS and word != "pi":
+            if word not in (*FUNCTIONS, "pi", "pow"):
                 raise Refusal("answer", text, NO_LETTER, word) from error
         rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
         raise Refusal("answer", text, *rest) from error
-    for letter in found.letters:
+    for letter in formula.letters:
         if letter != "pi":
             raise Refusal("answer", text, NO_LETTER, letter)
     try:
-        value: Fraction = found.value({"pi": Fraction(math.pi)}, RATIONAL)
+        value: Fraction = _in_degrees(text, formula).value(_KNOWN, _TYPED)
     except KeyError as error:
         raise Refusal("answer", text, NO_LETTER, str(error.args[0])) from error
     except ZeroDivisionError as error:
@@ -237,8 +336,61 @@ def _value(text: str, plain: str) -> Fraction:
     except OverflowError as error:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT) from error
     except (ValueError, TypeError) as error:
+        if isinstance(error, Refusal):
+            raise
         raise Refusal("answer", text, NOT_DEFINED) from error
-    return _bounded(text, Typed(value, DIGITS, Fraction(0))).value
+    value = _bounded(text, Typed(value, DIGITS, Fraction(0))).value
+    return value, "." in plain, _is_angle(formula)
+
+
+def _with_roots(plain: str) -> str:
+    """Write powers that are no whole numbers, ``3^(1/2)`` and ``2^0.5``, as a function."""
+    while found := _ROOT.search(plain):
+        before = plain[: found.start()].rstrip()
+        base = _BASE.search(before)
+        if base is not None:
+            at = base.start()
+        elif before.endswith(")"):
+            opens = (at for at in range(len(before)) if before[at] == "(")
+            at = next((at for at in opens if _closing(before, at + 1) == len(before) - 1), 0)
+            at = len(before[:at].rstrip("acinopqrst"))
+        else:
+            break
+        power = found[1] or found[2]
+        plain = f"{before[:at]}pow({before[at:]},{power}){plain[found.end() :]}"
+    return plain
+
+
+def _in_degrees(text: str, formula: Formula) -> Formula:
+    """Return a formula whose angles with a pi in them, which are in radians, are in degrees."""
+    parts = [_in_degrees(text, part) for part in formula.parts]
+    if isinstance(formula, Call) and formula.name in _ANGLED and "pi" in formula.letters:
+        if any(isinstance(part, Call) and part.name in _TO_ANGLES for part in formula):
+            raise Refusal("answer", text, TWO_ANGLES, formula.text)
+        one, twice = (abs(parts[0].value({"pi": times * _KNOWN["pi"]}, _TYPED)) for times in (1, 2))
+        if twice > one:  # not of 180/pi
+            half_turn = Quotient(Number(Fraction(180)), Letter("pi"))
+            parts[0] = Product(parts[0], half_turn)
+    return formula.with_parts(parts)
+
+
+def _is_angle(formula: Formula) -> bool:
+    """Whether the value is an angle, as far as its functions say so."""
+    if isinstance(formula, Call):
+        return formula.name in _TO_ANGLES
+    return any(map(_is_angle, formula.parts))
+
+
+def _typed_function(name: str, arguments: Sequence[Fraction]) -> Fraction:
+    if name == "pow":
+        return Fraction(math.pow(*map(float, arguments)))
+    found: Fraction = RATIONAL.call(name, arguments)
+    return found
+
+
+_TYPED = Arithmetic(Fraction, _typed_function)
+_KNOWN = {"pi": Fraction(math.pi)}
+_ANGLED, _TO_ANGLES = ("sin", "cos", "tan", "cot"), ("asin", "acos", "atan")
 
 
 def _bounded(text: str, typed: Typed) -> Typed:
@@ -258,17 +410,48 @@ def _third_digit(value: Fraction) -> Fraction:
 def equals(typed: Typed, value: float) -> bool:
     """Whether a typed number counts as a finite value."""
     exact = Fraction(value)
-    away, noise = abs(typed.value - exact), _EXACT * abs(exact)
-    if away <= noise or (not typed.value and abs(value) < 1e-12):
+    away, noise = abs(typed.value - exact), EXACT * abs(exact)
+    if away <= noise or (not typed.value and abs(value) < _ZERO):
         return True
     return typed.digits >= DIGITS and away <= typed.unit + noise
 
 
+def are_alike(one: float, other: float) -> bool:
+    """Whether a number of three digits would count as both values."""
+    low, high = sorted((abs(one), abs(other)))
+    if high < _ZERO:
+        return True
+    if one * other <= 0.0:
+        return False
+    units = [_third_digit(Fraction(low)), _third_digit(Fraction(high))]
+    for unit in (*units, 10 * units[1]):  # that of 10.0 also counts for 9.95
+        # From the value down or up to one in the third digit.
+        least = math.ceil(Fraction(high) * (1 - EXACT) / unit - 1)
+        most = math.floor(Fraction(low) * (1 + EXACT) / unit + 1)
+        if max(least, 10 ** (DIGITS - 1)) <= most:
+            return True
+    return False
+
+
+def digits_shown(value: float, least: int) -> int:
+    """Return how many digits a value is shown with, so that it counts if it is typed as shown."""
+    if value.is_integer():  # perhaps a count
+        return 10
+    shown = range(least, _LONGEST_SHOWN)
+    return next((n for n in shown if equals(read(f"{value:.{n}g}"), value)), _LONGEST_SHOWN)
+
+
 def is_too_short(typed: Typed, value: float) -> bool:
     """Whether it is the value rounded to too few digits, but more than one."""
+    return typed.digits > 1 and is_rounded(typed, value)
+
+
+def is_rounded(typed: Typed, value: float) -> bool:
+    """Whether it is the value rounded to too few digits, and still within a twentieth of it."""
     exact = Fraction(value)
     away = abs(typed.value - exact)
-    return 1 < typed.digits < DIGITS and 2 * away <= typed.unit + _EXACT * abs(exact)
+    is_near = 2 * away <= typed.unit + EXACT * abs(exact) and 20 * away <= abs(exact)
+    return 0 < typed.digits < DIGITS and is_near
 
 
 def remark(typed: Typed, value: float) -> Refusal | None:

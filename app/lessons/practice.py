@@ -157,6 +157,13 @@ def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Found]:
     return {each.key: each for each in found if each.key in wanted}
 
 
+def hints_of(key: tuple[str, str]) -> int:
+    """Return how many hints an exercise of the program has; 0 of a lesson of one's own."""
+    courses = (course for course in topics().values() if course.name == key[0])
+    found = (each for course in courses for each in exercises_of(course) if each.key == key)
+    return next((len(each.exercise.first.hints) for each in found), 0)
+
+
 def course_named(name: str) -> Course | None:
     """Return a lesson by its name in the record; None if it cannot be read."""
     own = CONTENT / f"{name}.md"

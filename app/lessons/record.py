@@ -17,7 +17,7 @@ import json
 import os
 import stat
 import unicodedata
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from datetime import date, timedelta
 from pathlib import Path
@@ -73,6 +73,8 @@ class Attempt(NamedTuple):
         Name of the wrong idea behind it; empty if it has none.
     hints : int
         The number of hints that were read before.
+    is_test : bool, optional
+        Whether it was given in a test, which has no hints; None if an older program wrote it.
     """
 
     when: int
@@ -83,6 +85,7 @@ class Attempt(NamedTuple):
     verdict: str
     idea: str = ""
     hints: int = 0
+    is_test: bool | None = None
 
     @property
     def key(self) -> tuple[str, str]:
@@ -104,9 +107,15 @@ def attempt_from(tree: object) -> Attempt:
 
 
 _LARGEST_OF = {"when": LATEST, "seed": LARGEST_SEED, "hints": 100}
+_FARTHEST = 40
+"""How far the seed of a review is at most from one that was seen; a test draws any seed."""
 
 
 def _checked(name: str, value: object) -> object:
+    if name == "is_test":
+        if value is not None and not isinstance(value, bool):
+            raise Refusal.in_document(ONE_OF, "true, false", field=name, value=value)
+        return value
     most = _LARGEST_OF.get(name)
     if most is not None:
         if type(value) is not int or not 0 <= value <= most:
@@ -145,6 +154,7 @@ class Record:
         """Add a line; a `Refusal` if it cannot be written."""
         tree = {name: value for name, value in attempt._asdict().items() if value not in ("", 0)}
         tree |= {"seed": attempt.seed, "typed": attempt.typed[:LONGEST_TYPED]}
+        tree |= {"is_test": attempt.is_test}
         # Begins with a line break, because a killed program may have left half a line.
         line = f"\n{json.dumps(tree, ensure_ascii=False)}".encode("utf-8", "replace")
         with blamed_on(self._path, UNWRITABLE):
@@ -203,6 +213,38 @@ def _attempt(line: bytes) -> Attempt | None:
 
 
 # --------------------------------------------------------------------------- what follows
+
+
+def mended(
+    attempts: Iterable[Attempt], hints_of: Callable[[tuple[str, str]], int]
+) -> list[Attempt]:
+    """Return the attempts without the hints that older programs counted in tests: all of them.
+
+    They did not say which answers belong to a test. It draws any seed, gives one try, and asks the
+    program's own exercises; practice begins with seed 1 and goes on from a seed that was seen. So
+    an answer is a test's if all hints count as read before the first try at such a seed. Of the
+    student's own choice it could only be by typing a far number and reading every hint at once.
+
+    Parameters
+    ----------
+    attempts : iterable of Attempt
+        In order.
+    hints_of : callable
+        Returns how many hints the exercise of a key has, if tests ask it, else 0.
+    """
+    seen: dict[tuple[str, str], set[int]] = {}
+    found = []
+    for attempt in attempts:
+        seeds = seen.setdefault(attempt.key, {0})
+        if (
+            attempt.hints and attempt.is_test is None
+            and not any(0 <= attempt.seed - seed <= _FARTHEST for seed in seeds)
+            and attempt.hints == hints_of(attempt.key)
+        ):  # fmt: skip
+            attempt = attempt._replace(hints=0, is_test=True)
+        seeds.add(attempt.seed)
+        found.append(attempt)
+    return found
 
 
 class Standing(NamedTuple):

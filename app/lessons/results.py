@@ -21,8 +21,9 @@ from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Question, Reply
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, idea_named
-from app.lessons.practice import Mark, course_named, verdict_on
-from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, one_line
+from app.lessons.marking import digits_shown
+from app.lessons.practice import Mark, course_named, hints_of, verdict_on
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, mended, one_line
 from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -125,7 +126,8 @@ def read(path: AnyPath) -> Results:
         lessons = tree.get("lessons")
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
-        return Results(student, digests, [attempt_from(each) for each in answers])
+        attempts = mended(map(attempt_from, answers), hints_of)
+        return Results(student, digests, attempts)
 
 
 def of_test(marks: Iterable[Mark], now: int) -> list[Attempt]:
@@ -135,7 +137,7 @@ def of_test(marks: Iterable[Mark], now: int) -> list[Attempt]:
         verdict = RIGHT if mark.word == RIGHT else WRONG
         idea = "" if mark.word in (RIGHT, WRONG) else mark.word
         key, seed = mark.item.found.key, mark.item.seed
-        found.append(Attempt(now, *key, seed, mark.typed, verdict, idea))
+        found.append(Attempt(now, *key, seed, mark.typed, verdict, idea, is_test=True))
     return found
 
 
@@ -216,7 +218,9 @@ def _right(question: Asked, here: Here) -> str:
         return ", ".join(condition.text for _, condition in question.until)
     assert isinstance(question, Question)
     try:
-        texts = [f"{value:.5g}" for value in question.values(here, *question.key)]
+        texts = [
+            f"{value:.{digits_shown(value, 5)}g}" for value in question.values(here, *question.key)
+        ]
     except Refusal:
         return ""
     if not isinstance(question, Matrix):

@@ -122,6 +122,18 @@ def test_every_mark_comes_from_what_was_typed(
     assert found[-2]["note"] == "no such question here"
 
 
+def test_a_test_has_no_hints_in_a_table_either(folder: Path) -> None:
+    """Older programs counted all hints of a test as read, and did not say what was a test."""
+    key = {"lesson": "l03-field-of-view", "exercise": "practise-1/alpha"}
+    told = [answer("", seed, "62.5", hints=2)._replace(**key) for seed in (5000, 1)]
+    tree = exported(*told, told[0]._replace(seed=7000, is_test=False))
+    for each in tree["answers"][:2]:
+        del each["is_test"]
+    (folder / "ana.json").write_text(json.dumps(tree), encoding="utf-8")
+    assert run("ana.json", table="out.csv") == 0
+    assert [row["hints"] for row in rows(folder / "out.csv")] == ["0", "2", "2"]
+
+
 def test_what_was_typed_in_every_form_is_marked(folder: Path) -> None:
     course = Course(read(folder / "own.md"))
     marker = results.Marker()

@@ -76,8 +76,10 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     ("l17-depth-buffer", "depth/stored", "w-kept"): lambda: (
         ((-mpf(52) / 48 * -10 - mpf(200) / 48) + 1) / 2
     ),
-    # 000: D^2 (f - n)/(f n (2^b - 1)); D = 40, n = 2, f = 50, b = 16.
-    ("l17-depth-buffer", "depth/gap", "right"): lambda: mpf(1600) * 48 / (100 * 65535),
+    # 000: of 1/D, from 1/n to 1/f, each code has the same part; D = 40, n = 2, f = 50, b = 16.
+    ("l17-depth-buffer", "depth/gap", "right"): lambda: (
+        1 / (mpf(1) / 40 - (mpf(1) / 2 - mpf(1) / 50) / 65535) - 40
+    ),
     ("l17-depth-buffer", "depth/gap", "linear-z"): lambda: mpf(48) / 65535,
     # L18. 003: a_3/z_3 = (1 - t) a_1/z_1 + t a_2/z_2, 1/z_3 likewise; a 0 and 1, z_2 = 4 z_1.
     ("l18-interpolation", "halfway/half", "1"): lambda: mpf(1) / 2,  # affine-mid

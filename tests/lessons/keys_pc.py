@@ -35,9 +35,9 @@ def _depth_buffer(n: Any, f: Any, D: Any) -> tuple[Any, Any, Any]:
 
 
 def _gap(n: Any, f: Any, D: Any) -> Any:
-    """One step of 16 bits over the slope of the stored number, which is 000's (Az + B)/(-z)."""
-    slope = f * n / (f - n) / D**2
-    return 1 / (slope * 65535)
+    """How far behind D the stored number is larger by one step of 16 bits; 1/D changes evenly."""
+    stored = _depth_buffer(n, f, D)[2] + 1 / mpf(65535)
+    return 1 / (1 / n + stored * (1 / f - 1 / n)) - D
 
 
 def _on_ground(light: Point, point: Point, height: Any = 0) -> Point:
@@ -191,7 +191,7 @@ KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     (_17, "practise-1/stored", "linear-z"): lambda n, f, D: 1 - (f - D) / (f - n),
     (_17, "practise-2/gap", "right"): _gap,
     (_17, "practise-2/gap", "linear-z"): lambda n, f, D: (f - n) / mpf(65535),
-    (_17, "practise-2/gap", "one-d"): lambda n, f, D: _gap(n, f, D) / D,
+    (_17, "practise-2/gap", "one-d"): lambda n, f, D: D * (1 / n - 1 / f) / 65535,
     (_17, "practise-3/set", "done"): lambda q, D, f: _set(lens__near=_near_for(q, D, f)),
     # L18. 003: a grows evenly along the edge itself, and the ray at t meets it at `_seen_at`.
     (_18, "practise-1/value", "right"): lambda z_1, t, a_1, a_2: (

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from app.document.settings import set_values
 from app.lessons.blocks.exercise import Exercise, written_number
 from app.lessons.blocks.task import Task
 from app.lessons.blocks.working import working
@@ -121,6 +122,91 @@ def test_a_task_names_the_wrong_idea_behind_what_was_done() -> None:
     assert "does not fulfil the task" in faults(SET + BY_IDEA.replace("9/16", "9/15"), samples)
     assert "finds no numbers that suit" in faults(SET + BY_IDEA.replace("fov_x < 10", "fov_x > 10"))
     assert "has no “says:” of its own" in faults(SET + BY_IDEA.replace("  says", "hint"), samples)
+
+
+COUNT = """vary b: 8..40
+How many codes has a number of 10 bits, and {=b} more?
+count: 2^10 - 1 + b
+wrong one-more: 2^10 + b
+  says: The first code is 0.
+"""
+
+
+def test_a_count_is_exact_and_whole() -> None:
+    asked, here = exercise(COUNT)
+    variant = asked.variant(here, 1)
+    right = 1023 + int(variant.numbers["b"])
+    for typed, word in (
+        (f"{right}", "right"), (f"{right + 1}", "one-more"), (f"{right - 1}", "wrong"),
+        (f"{right}.0", "right"), (f"{right // 10}e1", "wrong"), ("1000", "wrong"),
+        (f"2^10 - 1 + {right - 1023}", "right"), (f"{right}.5", "no number"),
+    ):  # fmt: skip
+        assert asked.verdict(here, f"1 {typed}", 1) == word, typed
+    with pytest.raises(Refusal, match="must be a whole number: the question asks for a count"):
+        variant.question.mark(variant.here, f"{right}.5")  # type: ignore[union-attr]
+    assert "counts something, but its value is" in faults(COUNT.replace("2^10 - 1", "2^10/7"))
+    far = COUNT.replace("2^10", "2^40")
+    asked, here = exercise(far)
+    assert (
+        asked.verdict(here, f"1 {2**40 + int(asked.variant(here, 1).numbers['b'])}", 1)
+        == "one-more"
+    )
+    # Without the word it is a number to three digits, so that the idea could not be told apart.
+    assert "finds no numbers that suit" in faults(COUNT.replace("count:", "value:"))
+
+
+SHORT = """vary k: 1..40
+Which part of {=k}?
+value: 0.0412
+wrong order: 0.0305
+"""
+
+
+def test_a_wrong_number_with_too_few_digits_is_still_that_of_its_idea() -> None:
+    for body, cell in ((SHORT, ""), (SHORT.replace("value: ", "matrix: 1, ").replace(
+        "order: ", "order: 1, "), "1 | ")):  # fmt: skip
+        asked, here = exercise(body)
+        variant = asked.variant(here, 1)
+        for typed, word, too_short in (
+            ("0.03", "order", False), ("0.031", "order", False), ("0.0305", "order", False),
+            ("0.04", "wrong", False), ("0.041", "wrong", True), ("0.02", "wrong", False),
+        ):  # fmt: skip
+            verdict = variant.question.mark(variant.here, cell + typed)  # type: ignore[union-attr]
+            assert (verdict.word, verdict.too_short) == (word, too_short), typed
+
+
+def test_a_wrong_number_that_can_be_set_is_shown_beside_the_models() -> None:
+    asked, here = exercise(f"{WIDE}number: fov_x\n")
+    shown = 0
+    for seed in range(1, 60):
+        variant = asked.variant(here, seed)
+        fov, a = (float(variant.numbers[name]) for name in ("fov", "a"))
+        verdict = variant.question.mark(variant.here, f"{a * fov:.5g}")  # type: ignore[union-attr]
+        assert verdict.idea == "angle-linear"
+        assert (verdict.beside is None) is (a * fov >= 180)
+        if verdict.beside is not None:
+            shown += 1
+            own = variant.here.document
+            assert verdict.beside.projection == own.projection, (
+                "the model's picture is the live one"
+            )
+            yours, model = verdict.beside.view.compare
+            assert (yours.name, model.name, model.live) == ("your idea", "the model", True)
+            known = here.quantities(set_values(own, yours.changes))
+            assert known["fov_x"] == pytest.approx(a * fov) and known["aspect"] == a
+    assert 20 < shown < 59
+    assert variant.question.mark(variant.here, "1").beside is None  # type: ignore[union-attr]
+
+
+def test_the_number_of_an_answer_is_one_that_can_be_set() -> None:
+    for name, said in (
+        ("near", "must be a number of the model that can be set, and the answer; it is"),
+        ("aspect", "must be a number of the model that can be set"),
+        ("fow_x", "unknown name, fow_x; the nearest is fov_x"),
+    ):
+        found = faults(f"{WIDE}number: {name}\n")
+        assert said in found and "line " in found, found
+    assert faults(f"{WIDE}number: fov_x\n") == ""
 
 
 def test_numbers_do_not_suit_where_a_wrong_idea_is_right() -> None:

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from app.lessons import record
-from app.lessons.record import Attempt, Record, due, met, minutes_each, standings
+from app.lessons.record import Attempt, Record, due, mended, met, minutes_each, standings
 from app.model.refusal import Refusal
 
 DAY_S = 86_400
@@ -33,7 +33,8 @@ def test_what_is_added_is_read_again_also_by_another_window(tmp_path: Path) -> N
     said = [
         attempt(typed="−√3/2 °"),
         attempt(2, "wrong", typed="0", idea="angle-linear", hints=2),
-        attempt(3, "shown", typed="", exercise="a/b"),
+        attempt(3, "shown", typed="", exercise="a/b", is_test=False),
+        attempt(4, is_test=True),
     ]
     for place, each in enumerate(said):
         (one, other)[place % 2].add(each)
@@ -52,6 +53,7 @@ def test_what_is_added_is_read_again_also_by_another_window(tmp_path: Path) -> N
                 {"when": -1}, {"when": True}, {"when": 1e400}, {"when": 10**30}, {"seed": 10_000},
                 {"seed": "1"}, {"typed": 7}, {"typed": "x" * 2001}, {"typed": "\ud800"},
                 {"typed": "a\nb"}, {"lesson": None}, {"verdict": "good"}, {"hints": 101},
+                {"is_test": 1}, {"is_test": "no"},
             )
         ),
         b'{"when": ' + b"9" * 5000 + b"}",
@@ -151,3 +153,23 @@ def test_an_exercise_takes_as_long_as_most_have_taken() -> None:
     assert minutes_each(answers(60, -50, 60, 60, 60, 180)) == 1.0, "nor a clock that is set back"
     assert minutes_each(answers(*[40] * 11, seeds=6)) == 80 / 60, "all tries at a variant do"
     assert minutes_each([each._replace(seed=0) for each in answers(*[30] * 8)]) == 2.0
+
+
+def test_the_hints_that_older_programs_counted_in_tests_are_left_out() -> None:
+    """All hints counted as read there; practice begins at 1 and goes on from a seed it has seen."""
+
+    def hints(*said: Attempt) -> list[int]:
+        known = {("l03", "practise/wide"): 2}
+        return [each.hints for each in mended(said, lambda key: known.get(key, 0))]
+
+    assert hints(attempt(5000, hints=2), attempt(77, "wrong", hints=2)) == [0, 0]
+    (standing,) = standings(mended([attempt(5000, hints=2)], lambda _key: 2)).values()
+    assert standing.outcome == "alone"
+    for said in (
+        [attempt(5000, hints=1)],  # not all
+        [attempt(5000, hints=2, lesson="/home/a/own.md")],  # tests do not ask it
+        [attempt(1, hints=2), attempt(3, hints=2)],
+        [attempt(5000, "wrong"), attempt(5000, hints=2), attempt(5001, hints=2)],
+        [attempt(5000, hints=2, is_test=False)],  # this program says so
+    ):
+        assert hints(*said) == [each.hints for each in said], said

@@ -471,6 +471,43 @@ def buttons_of(widget: QWidget) -> dict[str, QPushButton]:
     return {b.text().replace("&", ""): b for b in widget.findChildren(QPushButton)}
 
 
+@pytest.mark.undrawn
+def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
+    window: MainWindow, lesson: Path
+) -> None:
+    card, comparing = window.lesson_card, window.comparing
+    card.open(lesson)
+    (block,) = card.blocks
+    block.findChildren(QRadioButton)[0].click()
+    buttons_of(block)["Commit"].click()
+    arrive(window.lessons)
+    buttons_of(block)["Your idea beside the model"].click()
+    arrive(window.lessons)
+    settle()
+    yours, model = comparing.pictures.pictures
+    assert comparing.is_on and model.live and window.store.look().large == "image"
+    known = card.blocks[0].here.quantities(set_values(window.store.document, yours.changes))
+    assert known["fov_x"] == pytest.approx(60 * 16 / 9)
+    assert window.store.document.projection.lens.fov_y_deg == 60
+    assert card.again.isEnabled()
+    card.again.click()
+    arrive(window.lessons)
+    assert not comparing.is_on and window.store.look().large != "image"
+    buttons_of(block)["Your idea beside the model"].click()
+    arrive(window.lessons)
+    comparing.end()
+    window.slots.arrange(window.slots.layout_name, "ndc")
+    card.go_on()
+    arrive(window.lessons)
+    assert not comparing.is_on and window.store.look().large == "ndc", "as the student has put it"
+    for number in (2, 1):  # a wrong one without a number, and the right one
+        card.begin_again()
+        block = card.blocks[0]
+        block.findChildren(QRadioButton)[number].click()
+        buttons_of(block)["Commit"].click()
+        assert "Your idea beside the model" not in buttons_of(block)
+
+
 def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> None:
     activate(window)
     window.menus.lesson_menu.tour.trigger()

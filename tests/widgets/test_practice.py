@@ -185,6 +185,9 @@ def test_a_test_is_taken_by_keyboard_alone(
     attempts = {each.exercise.partition("/")[2]: each for each in window.record.read()}
     assert {name: each.typed for name, each in attempts.items()} == given
     assert attempts["wide"].idea == "angle-linear" and attempts["set"].verdict == "right"
+    assert {(each.hints, each.is_test) for each in attempts.values()} == {(0, True)}
+    outcomes = {key[1]: each.outcome for key, each in standings(attempts.values()).items()}
+    assert outcomes["practise/choose"] == outcomes["practise/set"] == "alone"
     out = tmp_path / "mine.json"
     monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))

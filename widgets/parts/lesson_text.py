@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Any, cast
 
 from PySide6.QtCore import (
@@ -47,6 +47,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
 from app.lessons.blocks.block import Here, Part
+from app.lessons.marking import digits_shown
 from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, said_of
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
@@ -84,8 +85,8 @@ h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
 
 
 def answer_of(part: Part, here: Here) -> str:
-    """Return the right number with its unit, to four digits; a `Refusal` names the line."""
-    return part.answer_text(here, partial(figure_text, digits=FEW))
+    """Return the right number with its unit, to four digits or more; a `Refusal` names the line."""
+    return part.answer_text(here, lambda value: figure_text(value, digits_shown(value, FEW)))
 
 
 def set_text(

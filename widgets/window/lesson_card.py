@@ -500,7 +500,7 @@ class LessonCard(QFrame):
         attempt = Attempt(
             int(time.time()), view.here.course.name,
             f"{view.here.step.name}/{view.block.name}", view.variant_seed, typed,
-            WRONG if idea else word, idea, view.hints_read,
+            WRONG if idea else word, idea, view.hints_read, self._is_test,
         )  # fmt: skip
         try:
             self._record.add(attempt)

@@ -107,6 +107,8 @@ class Lessons(QObject):
         """The panes' cameras when the step was shown."""
         self._posed: Document | None = None
         """The state of the step's exercise, shown in place of the step's own."""
+        self._beside: dict[str, tuple[Any, Any]] = {}
+        """The fields of the view that a state beside the step changed: before, and then."""
         self.course: Course | None = None
         self.place = 0
         self._clock = Clock(self)
@@ -145,6 +147,9 @@ class Lessons(QObject):
         shown, look = self._shown_at(self.place), self._store.look()
         if look.panes != self._arrived or self._store.document != shown.document:
             return True
+        beside = self._beside.items()
+        if any(before != then == getattr(look, name) for name, (before, then) in beside):
+            return True
         leading = {"large": scene_of(shown.document).leading}  # an empty name stands for this pane
         return any(
             (getattr(look, name) or leading.get(name, getattr(look, name)))
@@ -182,7 +187,7 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.course, self.place = left
             return False
-        self._arrived, self._posed = {}, None
+        self._arrived, self._posed, self._beside = {}, None, {}
         self._watch()
         self.opened.emit()
         self.stepped.emit()
@@ -266,6 +271,10 @@ class Lessons(QObject):
             self._store.document.scene,
             self._store.document.mesh,
         )
+        first = {name: before for name, (before, _) in self._beside.items()}
+        self._beside |= {
+            name: (first.get(name, getattr(look, name)), value) for name, value in fields.items()
+        }
         fields |= {"panes": look.panes if same else {}}
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
         self._set_off()
@@ -286,7 +295,9 @@ class Lessons(QObject):
 
     def _view(self, shown: Shown, *, other_scene: bool) -> View:
         """Return the view of a step: fields set by the lesson, the others from the window."""
-        look = self._store.look()
+        look, left = self._store.look(), self._beside
+        own = {name: before for name, (before, then) in left.items() if getattr(look, name) == then}
+        look, self._beside = replace(look, **own), {}
         if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
             look = replace(
                 look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),

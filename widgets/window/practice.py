@@ -22,13 +22,14 @@ from app.lessons.practice import (
     drawn,
     exercises_of,
     find_waiting,
+    hints_of,
     name_of_test,
     named_test,
     practised,
     to_review,
     topics,
 )
-from app.lessons.record import Attempt, Record, met, standings
+from app.lessons.record import Attempt, Record, mended, met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
@@ -129,6 +130,11 @@ class Practice(QObject):
         else:
             self._messages.say(self.tr("These topics have no exercises yet."), warns=False)
 
+    @property
+    def attempts(self) -> list[Attempt]:
+        """All answers of this student."""
+        return mended(self._record.read(), hints_of)
+
     # -- results
 
     def save(self, attempts: Sequence[Attempt]) -> None:
@@ -154,7 +160,7 @@ class Practice(QObject):
 
     def show_overview(self) -> None:
         """Show every topic with its exercises, as they were solved."""
-        attempts = self._record.read()
+        attempts = self.attempts
         known, problem = standings(attempts), self._record.problem
         waiting = find_waiting(attempts)
         said = "" if problem is None else sentence(problem)
@@ -178,11 +184,11 @@ class Practice(QObject):
 
     @property
     def waiting(self) -> Waiting:
-        return find_waiting(self._record.read())
+        return find_waiting(self.attempts)
 
     def review(self) -> None:
         """Practise what has come back, with new numbers."""
-        attempts = self._record.read()
+        attempts = self.attempts
         if self._record.problem is not None:
             self._messages.say(sentence(self._record.problem))
         found = find_waiting(attempts)

@@ -2,48 +2,67 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
+from functools import partial
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import CHECKS, RIGHT, Marked, Question, Reply, Verdict, said_below
+from app.lessons.blocks.question import (
+    CHECKS,
+    RIGHT,
+    Marked,
+    Question,
+    Reply,
+    Value,
+    Verdict,
+    said_below,
+)
 from app.lessons.lines import LACKS, Body, refused
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.lessons.marking import Typed
+from app.model.formula import Formula
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
-WAYS = ("value", "matrix", "click", "choice")
+NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "counts something, but its value is {0}")
+A_COUNT = QT_TRANSLATE_NOOP("Refusal", "must be a whole number: the question asks for a count")
+WAYS = ("value", "count", "matrix", "click", "choice")
 """The keys by which an answer may be given."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Answer(Marked):
-    """A question whose answer is the value of a formula."""
+    """A question whose answer is the value of a formula; of what it `counts`, the exact one."""
 
     kind = "answer"
+    counts: bool = False
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        keys = ("value", "matrix", "click", "at", "within", "first", "unit", "wrong", *CHECKS)
-        text, items = body.items(*keys, choices=True)
+        keys = ("value", "count", "matrix", "click", "at", "within", "first", "unit", "number")
+        text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         ways = [item for item in items if item.key in WAYS]
         if not ways:
             raise refused(
-                body.line, LACKS, "“value: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
+                body.line,
+                LACKS,
+                "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices",
             )
         other = next((item for item in ways if item.key != ways[0].key), None)
         if other is not None:
-            raise refused(other.line, EITHER, "value, matrix, click and choices")
+            raise refused(other.line, EITHER, "value, count, matrix, click and choices")
         if ways[0].key == "choice":
             return Choices.of(body, text, items)
         if ways[0].key == "click":
             return Click.of(body, text, items)
         if ways[0].key == "matrix":
             return Matrix.of(body, text, items)
-        value = items.single("value")
+        value = items.single(ways[0].key)
         assert value is not None
         wrong = (item for item in items if item.key == "wrong")
         symbol, _, formula = value.text.rpartition("=")
@@ -56,20 +75,36 @@ class Answer(Marked):
             ),
             right=(value._replace(text=formula.strip()).formula(),),
             right_line=value.line,
+            counts=value.key == "count",
         )
 
     def answer(self, here: Here) -> float:
         return self.values(here, *self.key)[0]
 
+    def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
+        found = super().values(here, formulas, line)
+        whole = tuple(map(float, map(round, found))) if self.counts else found
+        if not all(map(partial(math.isclose, rel_tol=1e-9), whole, found)):
+            raise refused(line, NOT_WHOLE, f"{found[0]:.6g}")
+        return whole
+
+    def are_alike(self, here: Here, one: Value, other: Value) -> bool:
+        return one == other if self.counts else super().are_alike(here, one, other)
+
     def mark(self, here: Here, typed: str) -> Verdict:
-        number, value = marking.read(typed, self.unit), self.answer(here)
-        if marking.equals(number, value):
+        value = self.answer(here)
+        number = marking.read(typed, self.unit, value)
+        if self.counts and number.value.denominator > 1:
+            raise Refusal("answer", typed, A_COUNT)
+        is_value = _is_count if self.counts else marking.equals
+        if is_value(number, value):
             return Verdict(True, says=self.why)
-        for wrong in self.replies:
-            if marking.equals(number, *self.values(here, wrong.formulas, wrong.line)):
-                return wrong.verdict(here)
-        too_short = marking.is_too_short(number, value)
-        return Verdict(False, too_short=too_short, remark=marking.remark(number, value))
+        wrong = self.mistaken(here, [number], is_value)
+        if wrong is None and not self.counts and not marking.is_rounded(number, value):
+            wrong = self.mistaken(here, [number], marking.is_rounded)
+        too_short = marking.is_too_short(number, value) and not self.counts
+        remark = marking.remark(number, value)
+        return wrong or Verdict(False, too_short=too_short, remark=remark)
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
@@ -77,3 +112,7 @@ class Answer(Marked):
 
     def told(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text
+
+
+def _is_count(typed: Typed, value: float) -> bool:
+    return typed.value == Fraction(value)

@@ -58,7 +58,8 @@ class Choice(Reply):
     def check_number(self, value: float) -> None:
         for text in _WRITTEN.findall(self.text):
             number = marking.read(text)
-            if abs(number.value - Fraction(value)) <= number.unit * Fraction("0.5001"):
+            half = number.unit * Fraction("0.5001")
+            if abs(number.value - Fraction(value)) <= half + marking.EXACT * abs(number.value):
                 return
         raise refused(self.line, OTHER_NUMBER, f"{value:.6g}", value=self.text)
 
@@ -97,7 +98,8 @@ class Choices(Question):
 
     def chosen(self, here: Here, number: int) -> Verdict:
         """Return the verdict on a choice, counted from 0."""
-        return self.replies[number].verdict(here, self.why)
+        reply = self.replies[number]
+        return reply.verdict(here, self.why) if reply.right else self.reply_to(here, reply)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         number, count = int(sample) if sample.isdecimal() else 0, len(self.replies)

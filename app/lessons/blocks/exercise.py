@@ -17,9 +17,10 @@ from typing import NamedTuple
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Question, are_alike, hidden_in
+from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, on_line, refused
+from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, RATIONAL, Condition
 from app.lessons.state import State, read_state
 from app.model.formula import parse
@@ -118,12 +119,11 @@ class Exercise(Asked):
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
             states=states, hides=frozenset(hides), recipe=recipe,
         )  # fmt: skip
-        first = made.question({each.name: each.values[0] for each in varied})
-        object.__setattr__(made, "text", first.text)
+        object.__setattr__(made, "text", made.first.text)
         return made
 
     def texts(self) -> Iterator[tuple[int, str]]:
-        yield from self.question({each.name: each.values[0] for each in self.varied}).texts()
+        yield from self.first.texts()
 
     def question(self, numbers: Mapping[str, Fraction]) -> Question | Task:
         """Return the question or the task with these numbers in its text."""
@@ -137,10 +137,14 @@ class Exercise(Asked):
         return Answer.read(body._replace(kind="answer"))
 
     @property
+    def first(self) -> Question | Task:
+        """Return the question or the task with the first value of each number."""
+        return self.question({each.name: each.values[0] for each in self.varied})
+
+    @property
     def is_on_paper(self) -> bool:
         """Whether it can be solved on paper; a task is done in the window."""
-        first = self.question({each.name: each.values[0] for each in self.varied})
-        return isinstance(first, Question)
+        return isinstance(self.first, Question)
 
     def variant(self, here: Here, seed: int) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.

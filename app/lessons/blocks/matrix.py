@@ -95,20 +95,22 @@ class Matrix(Marked):
         return [cell.strip() for row in rows for cell in row]
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        numbers = [marking.read(text, self.unit) for text in self.texts_of(typed)]
-        right = self.answer(here)
+        right, texts = self.answer(here), self.texts_of(typed)
+        numbers = [
+            marking.read(text, self.unit, value) for text, value in zip(texts, right, strict=True)
+        ]
         cells = tuple(map(marking.equals, numbers, right))
         if all(cells):
             return Verdict(True, says=self.why, cells=cells)
-        for wrong in self.replies:
-            if all(map(marking.equals, numbers, self.values(here, wrong.formulas, wrong.line))):
-                return wrong.verdict(here)._replace(cells=cells)
+        wrong = self.mistaken(here, numbers, marking.equals)
         short = map(marking.is_too_short, numbers, right)
         too_short = all(
             is_right or is_short for is_right, is_short in zip(cells, short, strict=True)
         )
+        if wrong is None and not too_short:
+            wrong = self.mistaken(here, numbers, _counts_as)
         remark = self._remark(numbers, right, cells)
-        return Verdict(False, too_short=too_short, remark=remark, cells=cells)
+        return (wrong or Verdict(False, too_short=too_short, remark=remark))._replace(cells=cells)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         with on_line(line):
@@ -187,6 +189,11 @@ class Matrix(Marked):
         rows = [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
         lines = [[""] * self.columns, ["---"] * self.columns, *rows]
         return "\n".join(f"| {' | '.join(line)} |" for line in lines)
+
+
+def _counts_as(typed: Typed, value: float) -> bool:
+    """Whether a typed number is a value, or is rounded to too few digits."""
+    return marking.equals(typed, value) or marking.is_rounded(typed, value)
 
 
 def _first(items: Items) -> tuple[int, ...]:

@@ -6,20 +6,22 @@ The value of a reply is one number, those of a matrix, or the coordinates of a p
 from __future__ import annotations
 
 import difflib
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from app.document.document import Document
 from app.document.view import PANES
 from app.lessons import marking
+from app.lessons.blocks.beside import beside, is_set
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Item, Items, on_line, refused
-from app.lessons.marking import UNITS
+from app.lessons.marking import UNITS, Typed
 from app.lessons.quantities import Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
-from app.model.formula import Formula
+from app.model.formula import Formula, parse
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -33,6 +35,9 @@ NO_REPLY = QT_TRANSLATE_NOOP(
 )
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
+OTHER_NUMBER = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a number of the model that can be set, and the answer; it is {0} here"
+)
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 
 Value: TypeAlias = tuple[float, ...]
@@ -63,6 +68,8 @@ class Verdict(NamedTuple):
         How an answer that no idea explains differs from the right one.
     cells : tuple of bool
         Which numbers of a matrix are right, row after row.
+    beside : Document, optional
+        A state that shows the idea's number beside the model's own one.
     """
 
     right: bool
@@ -72,6 +79,7 @@ class Verdict(NamedTuple):
     too_short: bool = False
     remark: Refusal | None = None
     cells: tuple[bool, ...] = ()
+    beside: Document | None = None
 
     @property
     def word(self) -> str:
@@ -137,6 +145,8 @@ class Question(Asked):
         TeX of what the value is called in its worked solution.
     unit : str
         The unit of the value, one of `UNITS`.
+    number : str
+        The name of the number of the model that the value is; empty if it is none, or is the key.
     """
 
     reveals: ClassVar[bool] = True
@@ -144,6 +154,7 @@ class Question(Asked):
     checks: tuple[tuple[int, Condition], ...] = ()
     symbol: str = ""
     unit: str = ""
+    number: str = ""
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
@@ -175,8 +186,8 @@ class Question(Asked):
                 raise refused(line, NO_VALUE, str(error)) from error
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
-        """Whether two values cannot be told apart: their numbers agree to three digits."""
-        return all(map(are_alike, one, other))
+        """Whether two values cannot be told apart: the same typed numbers would count as both."""
+        return all(map(marking.are_alike, one, other))
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
@@ -196,10 +207,23 @@ class Question(Asked):
                         owner.check_number(found[0])
                 if owner is None or owner.right:
                     value = found
+                    with trial.kept():
+                        self._check_number(here, line, *found)
                 else:
                     wrong.append((line, found))
         for clash in self._clashes(here, value, wrong):
             trial.complain(clash)
+
+    def _check_number(self, here: Here, line: int, *value: float) -> None:
+        """Refuse a number of the model that is not the right value, or that cannot be set."""
+        if self.number:
+            known = self.known(here)
+            with on_line(line, "number"):
+                found = known.value(parse(self.number))
+            if not (
+                is_set(known.document, self.number) and math.isclose(value[0], found, rel_tol=1e-9)
+            ):
+                raise refused(line, OTHER_NUMBER, f"{found:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:
         """Refuse a value that does not exist, and wrong ones that equal another one."""
@@ -233,6 +257,16 @@ class Question(Asked):
         found = working(formulas[0], self.known(here)) if is_way else None
         return in_markdown(found.sides(self.symbol, self.unit)) if found is not None else ""
 
+    def reply_to(self, here: Here, wrong: Reply) -> Verdict:
+        """Return the reply to a wrong idea, with both numbers beside each other where it can be."""
+        verdict = wrong.verdict(here)
+        formulas, _ = self.key
+        name = self.number or (formulas[0].text if len(formulas) == 1 else "")
+        if len(wrong.formulas) != 1 or not name:
+            return verdict
+        (value,) = self.values(here, wrong.formulas, wrong.line)
+        return verdict._replace(beside=beside(here, self.known(here).document, name, value))
+
     def _clashes(
         self, here: Here, value: Value | None, wrong: Sequence[tuple[int, Value]]
     ) -> Iterator[Refusal]:
@@ -261,7 +295,17 @@ class Marked(Question):
         unit = items.single("unit")
         if unit is not None and unit.text.lower() not in UNITS:
             raise refused(unit.line, ONE_OF, ", ".join(UNITS), value=unit.text)
-        return Question.fields(body, text, items) | {"unit": items.text("unit")}
+        more = {"unit": items.text("unit"), "number": items.text("number")}
+        return Question.fields(body, text, items) | more
+
+    def mistaken(
+        self, here: Here, numbers: Sequence[Typed], is_value: Callable[[Typed, float], bool]
+    ) -> Verdict | None:
+        """Return the reply to the wrong idea whose values are typed, if there is one."""
+        for wrong in self.replies:
+            if all(map(is_value, numbers, self.values(here, wrong.formulas, wrong.line))):
+                return self.reply_to(here, wrong)
+        return None
 
     def mark(self, here: Here, typed: str) -> Verdict:
         """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
@@ -286,8 +330,3 @@ def hidden_in(text: str, line: int) -> set[str]:
 
 def _figures(value: Value) -> str:
     return ", ".join(f"{each:.6g}" for each in value)
-
-
-def are_alike(one: float, other: float) -> bool:
-    """Whether two values agree to three significant digits."""
-    return marking.equals(marking.read(f"{one:.{marking.DIGITS}g}"), other)

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from app.lessons.marking import digits_shown
 from app.lessons.quantities import FUNCTIONS, Quantities
 from app.model.formula import (
     Call,
@@ -114,7 +115,7 @@ def written_value(value: float) -> tuple[str, bool]:
     """Return a value to four digits as TeX, and whether that is all of it."""
     if abs(value) < 1e-12:
         return "0", True
-    text = f"{value:.{10 if value.is_integer() else 4}g}"
+    text = f"{value:.{digits_shown(value, 4)}g}"
     is_whole = math.isclose(float(text), value, rel_tol=1e-9)
     digits, _, power = text.partition("e")
     return (rf"{digits} \cdot 10^{{{int(power)}}}" if power else digits), is_whole

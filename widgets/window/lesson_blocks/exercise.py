@@ -71,10 +71,6 @@ class Practises(BlockView):
     def variant_seed(self) -> int:
         return self.variant.seed if self.variant is not None else 0
 
-    @property
-    def hints_read(self) -> int:
-        return 0 if self.asked is None else self.asked.hints_read
-
     def restore(self, answer: str) -> None:
         seed, _, given = answer.partition(" ")
         if self.is_test and seed != self.seed.text():  # the lessons have changed since
@@ -145,7 +141,8 @@ class Practises(BlockView):
             self.asked.deleteLater()
         if self.is_test:
             asked.begin_test()
-        self.asked, self.answer, self.hints = asked, "", asked.hints
+        self.asked, self.answer = asked, ""
+        self.hints, self.hints_read = asked.hints, 0
         self._insert(asked)
         self._begin.hide()
         self._another.show()
@@ -158,6 +155,7 @@ class Practises(BlockView):
     def give_hint(self) -> None:
         if self.asked is not None:
             self.asked.give_hint()
+            self.hints_read = self.asked.hints_read
 
     def look(self, document: Document, view: View) -> None:
         if self.asked is not None:

@@ -105,6 +105,7 @@ class BlockView(QFrame):
         """Whether the answer is kept unmarked, for the end of a test."""
         self.hints = list(block.hints)
         """The hints not given yet."""
+        self.hints_read = 0
         self.setAccessibleName(said_of(block.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
@@ -161,10 +162,6 @@ class BlockView(QFrame):
         """Return the number of an exercise's variant; 0 for what is no exercise."""
         return 0
 
-    @property
-    def hints_read(self) -> int:
-        return len(self.block.hints) - len(self.hints)
-
     def begin_test(self) -> None:
         """Give no hints, and keep the first answer for the end of a test."""
         self.is_test = True
@@ -204,9 +201,9 @@ class BlockView(QFrame):
 
     def give_hint(self) -> None:
         if self.hints:
-            count = len(self.block.hints) - len(self.hints) + 1
+            self.hints_read += 1
             many = len(self.block.hints) > 1
-            head = self.tr("Hint {0}:").format(count) if many else self.tr("Hint:")
+            head = self.tr("Hint {0}:").format(self.hints_read) if many else self.tr("Hint:")
             text = f"*{head}* {self.hints.pop(0)}"
             self._hint = _row("help", "", text)
             self._insert(self._hint)
@@ -276,6 +273,8 @@ class BlockView(QFrame):
         self._say("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
+        tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
+        self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
         self._announce(head, verdict.says)
 
     def _announce(self, *texts: str) -> None:
