@@ -8,20 +8,22 @@
     "view numbers"       the same matrix in numbers
 
 A word is one of `USUAL`, a lecture's own name of a matrix or a factor (``M_persp``, ``R``), or a
-name that `python -m app matrices` prints. The chosen lecture's names come first.
+name that `python -m app matrices` prints. The chosen lecture's names come first. All matrices have
+the letters and signs of one lecture; else their product would not be the product of what is shown.
 """
 
 from __future__ import annotations
 
+import itertools
 import re
-from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from functools import lru_cache, reduce
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from app.arithmetic.rationals import product
 from app.lecture.algebra import Ratio, ratio
-from app.lecture.dependence import reach, state_of
 from app.lecture.notation import (
     LETTERS,
     Formulas,
@@ -32,7 +34,7 @@ from app.lecture.notation import (
     matrices,
     names_of,
 )
-from app.model.formula import parse
+from app.model.formula import LONGEST, parse
 from app.model.object_transform import FROM_OBJECT
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -60,6 +62,10 @@ ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
 NUMBERS = "numbers"
 """The last word of an equation whose cells are numbers."""
 MOST_FACTORS = 4
+OF_ONE_LECTURE = QT_TRANSLATE_NOOP("Refusal", "must name matrices that one lecture has together")
+SHORTER = QT_TRANSLATE_NOOP(
+    "Refusal", "must have a result whose formulas have at most {0} characters, or end in {1}"
+)
 SOME_MATRICES = QT_TRANSLATE_NOOP(
     "Refusal", "must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}"
 )
@@ -101,22 +107,21 @@ def equation_of(
     words = words[:-1] if is_in_numbers else words
     if not 1 <= len(words) <= MOST_FACTORS:
         raise _refused(text, text)
-    distance = (settings or {}).get(_PLANE)
-    keys, terms = [], []
-    for word in words:
-        if word in ONTO_PLANE and isinstance(distance, float) and distance:
-            found = word, _onto_plane(word, distance, letters)
-        else:
-            first = next(_found(projection, letters, word), None)
-            if first is None:
-                raise _refused(text, word)
-            found = first
-        keys.append(found[0])
-        terms.append(found[1])
+    distance: Any = (settings or {}).get(_PLANE)
+    planes = ONTO_PLANE if isinstance(distance, float) and distance else {}
+    found = _found(projection, letters, [word for word in words if word not in planes])
+    lecture = next((term.letters for term in found.values()), letters)
+    found |= {word: _onto_plane(word, distance, lecture) for word in planes}
+    missing = [word for word in words if word not in found]
+    if missing:
+        raise _refused(text, missing[0])
+    terms = [found[word] for word in words]
     if len(terms) == 1:
         name = terms[0].name or "M"
         return Equation((), terms[0]._replace(name=name), is_in_numbers)
-    result = None if "," in text else _result(projection, keys, terms)
+    result = None
+    if "," not in text:
+        result = _own_result(projection, terms) or _result(terms, text, is_in_numbers)
     return Equation(tuple(terms), result, is_in_numbers)
 
 
@@ -133,43 +138,94 @@ def _refused(text: str, word: str) -> Refusal:
     return Refusal("equation", text, SOME_MATRICES, MOST_FACTORS, ", ".join(USUAL), repr(word))
 
 
-def _found(projection: Projection, letters: Letters, word: str) -> Iterator[tuple[str, Term]]:
-    """Yield the matrices of a name, each with its key, those of the chosen lecture first."""
+def _found(projection: Projection, letters: Letters, words: Sequence[str]) -> dict[str, Term]:
+    """Return the matrices of words in the letters of one lecture, the chosen one if it has all.
+
+    Words of several lectures are the matrices of the first lecture that has them, whatever it calls
+    them. A word that no lecture has is missing.
+    """
     lectures = (letters, *(each for each in LETTERS if each != letters))
+    called = dict[str, tuple[str, str]]()
     for lecture in lectures:
-        names = names_of(projection, lecture)
-        by_key = dict(_by_key(projection, lecture))
-        wanted = USUAL.get(word, word)
-        for key, matrix in by_key.items():
-            called = names.get(key, "")
-            if word == called or wanted in (key, key.partition("/")[2]):
-                yield key, Term(matrix, lecture, latex_called(called))
+        named = _named(projection, lecture, words)
+        if len(named) == len(set(words)):
+            return _terms(projection, lecture, named)
+        called = named | called
+    for lecture in lectures:
+        if {key for key, _ in called.values()} <= _by_key(projection, lecture).keys():
+            return _terms(projection, lecture, called)
+    raise Refusal("equation", " ".join(words), OF_ONE_LECTURE)
 
 
-def _by_key(projection: Projection, letters: Letters) -> Iterator[tuple[str, Matrix]]:
+def _terms(
+    projection: Projection, letters: Letters, called: Mapping[str, tuple[str, str]]
+) -> dict[str, Term]:
+    by_key = _by_key(projection, letters)
+    return {word: Term(by_key[key], letters, name) for word, (key, name) in called.items()}
+
+
+def _named(
+    projection: Projection, letters: Letters, words: Sequence[str]
+) -> dict[str, tuple[str, str]]:
+    """Return the keys of those words that a lecture has, and the names of their matrices."""
+    names, found = names_of(projection, letters), dict[str, tuple[str, str]]()
+    for word, key in itertools.product(words, _by_key(projection, letters)):
+        called = names.get(key, "")
+        own = (key, key.partition("/")[2])
+        if word in (called, called.removesuffix(" I")) or USUAL.get(word, word) in own:
+            found.setdefault(word, (key, latex_called(called)))
+    return found
+
+
+@lru_cache(maxsize=len(LETTERS))
+def _by_key(projection: Projection, letters: Letters) -> Mapping[str, Matrix]:
+    """Return the matrices by their names, and their factors by ``matrix/factor``."""
+    found = dict[str, Matrix]()
     for matrix in matrices(projection, letters):
-        yield matrix.name, matrix
-        for factor in matrix.factors:
-            yield f"{matrix.name}/{factor.name}", factor
+        found[matrix.name] = matrix
+        found |= {f"{matrix.name}/{factor.name}": factor for factor in matrix.factors}
+    return found
 
 
-def _result(projection: Projection, keys: list[str], terms: list[Term]) -> Term:
-    """Return the program's own matrix for a product, or the product."""
-    letters = terms[0].letters
-    for matrix in matrices(projection, letters):
-        of_factors = [f"{matrix.name}/{factor.name}" for factor in matrix.factors]
-        if keys in (list(matrix.product), of_factors):
+def _own_result(projection: Projection, terms: Sequence[Term]) -> Term | None:
+    """Return the program's own matrix for a product, if it has one."""
+    letters, factors = terms[0].letters, [term.matrix for term in terms]
+    by_key = _by_key(projection, letters)
+    for matrix in by_key.values():
+        if factors in ([by_key[name] for name in matrix.product], [*matrix.factors]):
             return Term(matrix, letters)
-    values = np.array(terms[0].matrix.values)
-    cells = _cells(terms[0])
-    for right in terms[1:]:
-        values = values @ np.array(right.matrix.values)
-        cells = product(cells, _cells(right))
+    return None
+
+
+def _result(terms: Sequence[Term], text: str, is_in_numbers: bool) -> Term:
+    """Return a product: each cell as one quotient, or as a letter that stands for its number."""
+    whole = reduce(_multiplied, (term.matrix for term in terms))
+    if is_in_numbers:
+        return Term(whole, terms[0].letters)
+    cells = reduce(product, map(_cells, terms))
     formulas = tuple(tuple(cell.text for cell in row) for row in cells)
-    state = state_of(projection)
-    fields = tuple(tuple(reach(cell, state).fields for cell in row) for row in formulas)
-    rows = tuple(map(tuple, (values + 0.0).tolist()))
-    return Term(Matrix("product", rows, formulas, fields), letters)
+    if max(len(cell) for row in formulas for cell in row) > LONGEST:
+        raise Refusal("equation", text, SHORTER, LONGEST, NUMBERS)
+    return Term(whole._replace(formulas=formulas), terms[0].letters)
+
+
+def _multiplied(left: Matrix, right: Matrix) -> Matrix:
+    """Return a product in numbers; all that changes a cell of a sum changes the sum."""
+    cells = [[k for k in range(4) if "0" not in (left.formulas[i][k], right.formulas[k][j])]
+             for i in range(4) for j in range(4)]  # fmt: skip
+    formulas = [f"m_{n // 4 + 1}{n % 4 + 1}" if terms else "0" for n, terms in enumerate(cells)]
+    fields = [
+        tuple(dict.fromkeys(
+            name for k in terms for name in left.fields[n // 4][k] + right.fields[k][n % 4]
+        ))
+        for n, terms in enumerate(cells)
+    ]  # fmt: skip
+    numbers = (np.array(left.values) @ np.array(right.values) + 0.0).ravel().tolist()
+    return Matrix("product", *map(_in_rows, (numbers, formulas, fields)))
+
+
+def _in_rows(cells: Sequence[Any]) -> Any:
+    return tuple(tuple(cells[start : start + 4]) for start in range(0, 16, 4))
 
 
 def _cells(term: Term) -> list[list[Ratio]]:

@@ -82,7 +82,7 @@ _CHAINS: dict[str, dict[str, str]] = {
         "canonical_perspective_from_view": "M_persp",
         "canonical_parallel_from_canonical_perspective": "M_pp",
         "depth_range_from_canonical_parallel": "M_z",
-        "clip_from_depth_range": "",  # a common factor does not matter there
+        "clip_from_depth_range": "{w} I",  # the lecture's own w is 1 at far
     },
     "000": {"clip_from_view": "P"},
     "002": {
@@ -229,6 +229,8 @@ class Matrix(NamedTuple):
         As in `Stage`.
     called : str
         The lecture's name and chain: ``P_obl = P_ort H``; empty if it has none.
+    chain : tuple of str
+        `product` with the lecture's name of each stage that has one.
     """
 
     name: str
@@ -239,6 +241,7 @@ class Matrix(NamedTuple):
     product: tuple[str, ...] = ()
     note: str = ""
     called: str = ""
+    chain: tuple[str, ...] = ()
 
 
 def matrices(
@@ -304,7 +307,8 @@ def _names(lens: _Written, letters: Letters) -> dict[str, str]:
     """Return a lecture's names of the matrices of a lens."""
     names = _CHAINS.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
-    found = {name: called.format(kind=kind) for name, called in names.items()}
+    w = written(_formulas(lens, letters).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
+    found = {name: called.format(kind=kind, w=w) for name, called in names.items()}
     if letters == "002" and not lens.table.steps:
         found["clip_from_view"] = "P"
     elif letters == "002" and _steps(lens.table, letters):
@@ -318,9 +322,12 @@ def names_of(projection: Projection, letters: Letters) -> dict[str, str]:
 
 
 def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
-    """Return a product in a lecture's names; empty if one of its parts has no name."""
+    """Return a product in a lecture's names; empty if one of its parts has no name.
+
+    A multiple of the identity is a number there: ``f M_z M_pp M_persp``.
+    """
     called = [names.get(name) for name in parts]
-    return "" if None in called else " ".join(filter(None, called))
+    return "" if None in called else " ".join(filter(None, called)).replace(" I", "")
 
 
 def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix, ...]:
@@ -330,7 +337,7 @@ def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix,
         for matrix in whole
         if matrix.formulas != _IDENTITY or (matrix.name == FROM_OBJECT and FROM_OBJECT in names)
     }
-    found = []
+    found, shown = [], dict[str, str]()
     for matrix in whole:
         if matrix.name not in kept:
             continue
@@ -340,9 +347,11 @@ def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix,
         )
         parts = tuple(name for name in matrix.product if name in kept)
         of = parts or [f"{matrix.name}/{factor.name}" for factor in factors]
-        called = names.get(matrix.name, ""), _chain(names, of)
+        called = [*filter(None, (names.get(matrix.name, ""), _chain(names, of)))]
+        shown[matrix.name] = called[0] if called else matrix.name
+        chain = tuple(_chain(shown, [name]) for name in parts)
         found.append(
-            matrix._replace(product=parts, factors=factors, called=" = ".join(filter(None, called)))
+            matrix._replace(product=parts, factors=factors, called=" = ".join(called), chain=chain)
         )
     return tuple(found)
 
@@ -407,7 +416,7 @@ def _matrix(
                  tuple(factors))  # fmt: skip
     if rows:
         product = product[::-1]
-    return whole._replace(product=product, note=stage.note)
+    return whole._replace(product=product, note=stage.note, chain=product)
 
 
 def _one(
@@ -755,6 +764,8 @@ def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str
 
 def latex_called(called: str) -> str:
     """Write a lecture's name of a matrix in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
+    if "_from_" in called:
+        return latex_name(called)
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 

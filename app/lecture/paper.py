@@ -65,7 +65,7 @@ def displayed(
     """
     name, *chain = (latex_called(matrix.called) or latex_name(matrix.name)).split(" = ")
     if not matrix.called:
-        chain = [*map(latex_name, matrix.product)]
+        chain = [*map(latex_called, matrix.chain)]
     sides = [[_Part(each, _width(each)) for each in chain]] if chain else []
     for wanted, formulas in ((symbols, True), (numbers, False)):
         for product in (matrix.factors, (matrix,)) if wanted else ():

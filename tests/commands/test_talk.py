@@ -7,6 +7,7 @@ from collections import Counter
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from app.commands.composed import Composed, taken
@@ -21,6 +22,7 @@ from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
+from widgets.program.handout_content import Equation, contents
 
 pytestmark = pytest.mark.usefixtures("display")
 """A check measures texts; it would otherwise begin Qt on the platform without a screen."""
@@ -216,6 +218,33 @@ def test_the_handout_has_the_matrices_where_their_panel_opens_or_they_change(
     assert {text: runs[text] for text in cells} == dict(cells)
     assert runs["image ← ndc"] == runs["view ← world = V"] == 3
     assert runs["with lecture 002's signs: w = z, and"] == 3
+
+
+@pytest.mark.parametrize(
+    ("letters", "equation"),
+    [
+        ("001", "M_z M_pp M_persp"), ("001", "f M_z M_pp M_persp"), ("004", "R P"),
+        ("own", "frustum view"), ("002", "P_persp V"), ("003", "M_projection M_W→E M_O→W"),
+    ],
+)  # fmt: skip
+def test_an_equation_of_the_handout_is_true(talk: Path, letters: str, equation: str) -> None:
+    """What stands above the result is what stands above the factors, and they multiply to it."""
+    state = f"view.letters={letters}\nview.slide=equation\nview.equation={equation} numbers"
+    talk.write_text(
+        f"---\ntitle: One\n---\n# One {{#one}}\n```state\nscene=letter-f\n{state}\n```\n"
+    )
+    (tables,) = (part.tables for part in contents(Course(read(talk)), 0, False)
+                 if isinstance(part, Equation))  # fmt: skip
+    names = [table.partition(" =\n")[0] for table in tables]
+    numbers = [
+        np.reshape([*map(float, re.findall(r"(?<=\| )[^\s|]+", table.replace("−", "-")))], (4, 4))
+        for table in tables
+    ]
+    factors = re.sub(r"[$() ·]", "", "".join(names[:-1]))
+    assert re.sub(r"[$() ·]", "", names[-1]) == factors != ""
+    size = np.prod([np.abs(each).max() for each in numbers[:-1]])
+    assert np.allclose(np.linalg.multi_dot(numbers[:-1]), numbers[-1], rtol=0.0, atol=2e-3 * size)
+    assert np.abs(numbers[-1]).max() > 0.02 * size
 
 
 def test_the_handout_has_the_numbers_of_the_scene_where_it_is_explained(

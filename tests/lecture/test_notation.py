@@ -205,7 +205,10 @@ def one(shown: tuple[Matrix, ...], name: str) -> Matrix:
 
 CALLED: dict[tuple[Letters, str], list[str]] = {
     ("000", "frustum"): ["", "P", "", ""],
-    ("001", "perspective"): ["", "M_persp", "M_pp", "M_z", "", "M_z M_pp M_persp", "", ""],
+    ("001", "perspective"): [
+        "", "M_persp", "M_pp", "M_z", "f I", "f M_z M_pp M_persp", "", "",
+    ],
+    ("001", "infinite"): ["", "M_persp", "M_pp", "M_z", "n I", "n M_z M_pp M_persp", "", ""],
     ("001", "orthographic"): ["", "", "M_z", "", "", ""],
     ("002", "perspective"): ["M", "V", "P_persp", "P_persp V", ""],
     ("002", "frustum"): ["M", "V", "H", "P_persp", "P_persp H", "P_persp H V", ""],

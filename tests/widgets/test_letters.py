@@ -164,7 +164,7 @@ def test_the_stage_strip_names_axes_and_planes_in_the_letters(window: MainWindow
 FORMULAS: dict[Letters, tuple[str, ...]] = {
     "own": ("I p", "R (p − e)", "P p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
     "000": ("I p", "R (p − e)", "P p_view;  w = −z_view", "z_min ≤ −z_view ≤ z_max"),
-    "001": ("I p", "R (p − P)", "M_z M_pp M_persp p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
+    "001": ("I p", "R (p − P)", "f M_z M_pp M_persp p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
     "002": ("M p", "V p", "P_persp p_view;  w = z_view", "z_f ≤ z_view ≤ z_n"),
     "003": ("M_O→W p", "M_W→E p", "M_projection p_view;  w = −z_view", "n ≤ −z_view ≤ f"),
     "004": ("I p", "R P p", "P p_view;  w = −z_view", "n ≤ −z_view ≤ f"),

@@ -908,7 +908,8 @@ def test_l9_the_chain_is_the_lectures_and_without_identities(panel: MatrixPanel)
     }
     assert [*titles] == [matrix.name for matrix in panel.shown]
     assert "world_from_object" not in titles
-    assert titles["clip_from_view"].endswith("= M<sub>z</sub> M<sub>pp</sub> M<sub>persp</sub>")
+    assert titles["clip_from_view"].endswith("= f M<sub>z</sub> M<sub>pp</sub> M<sub>persp</sub>")
+    assert titles["clip_from_depth_range"].endswith("= f I")
     assert titles["depth_range_from_canonical_parallel"].endswith("= M<sub>z</sub>")
     choose(panel.letters, "own")
     assert "world_from_object" in {matrix.name for matrix in panel.shown}

@@ -132,10 +132,12 @@ def _equation(document: Document) -> Iterator[str]:
                  for row in term.matrix.formulas]  # fmt: skip
         if shown.is_in_numbers:
             cells = [[read_text(value) for value in row] for row in term.matrix.values]
-        is_result = bool(shown.factors) and term is shown.result
-        names = [each.name for each in shown.factors] if is_result else [term.name]
-        above = f"${' '.join(names)}$ =" if all(names) else "="
-        lines = [above, "", "| | | | |", "|---|---|---|---|"]
+        parts = shown.factors if shown.factors and term is shown.result else (term,)
+        if all(each.name for each in parts):
+            above = f"${' '.join(each.name for each in parts)}$"
+        else:
+            above = " · ".join(f"({stage_title(each.matrix.name)})" for each in parts)
+        lines = [f"{above} =", "", "| | | | |", "|---|---|---|---|"]
         lines += [f"| {' | '.join(row)} |" for row in cells]
         yield "\n".join(lines)
 
