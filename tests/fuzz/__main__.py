@@ -6,6 +6,7 @@
 | `hostile` | opens damaged files with the command line, and with ``--window`` in a window |
 | `documents` | looks for silent NaNs in random documents |
 | `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
+| `hands` | uses the window as a restless person does, and looks for errors, leaks and long steps |
 
 Each has ``--help``.
 """
@@ -20,7 +21,7 @@ from app import bootstrap
 
 if __name__ == "__main__":
     tool, *words = sys.argv[1:] or [""]
-    if tool not in ("golden", "hostile", "documents", "cheap"):
+    if tool not in ("golden", "hostile", "documents", "cheap", "hands"):
         sys.exit(__doc__)
     bootstrap.start("tests", extras=("test",))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along
