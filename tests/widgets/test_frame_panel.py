@@ -317,7 +317,7 @@ def test_a_refused_angle_shows_the_models_sentence(
     window: MainWindow, text: str, bound: str
 ) -> None:
     panel, before = window.frame_panel, window.store.document.projection
-    enter(panel.angle, text)
+    enter(panel.angle.field, text)
     assert bound in panel.angle.error
     assert window.store.document.projection == before
     QTest.keyClick(panel.angle.field, Qt.Key.Key_Escape)
