@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import argparse
 import collections
+import ctypes
 import faulthandler
 import gc
 import logging
@@ -114,6 +115,10 @@ class Findings(logging.Handler):
             text, key = f"{text}\n{''.join(lines)}", "".join(lines[-2:])
         self.add(text, key)
 
+    def slow(self, spent_s: float) -> None:
+        act = self._last[-1].partition(" ")[2]
+        self.add(f"{spent_s:.1f} s of processor time for the last step", f"slow: {act}")
+
     def add(self, text: str, key: str) -> None:
         self.counts[key] += 1
         if self.counts[key] == 1:
@@ -201,22 +206,25 @@ class Hands:
         spent, self._used = used - self._used, used
         self.slowest = max(self.slowest, spent)
         if spent > LONGEST_S:
-            self.findings.add(f"{spent:.1f} s of processor time for the last step", "a slow step")
+            self.findings.slow(spent)
         if self._acted - self._measured > MEASURED_S:
             self.measure()
 
     def measure(self) -> None:
         """Print how much the program holds."""
         self._measured, process = time.monotonic(), psutil.Process()
-        memory = process.memory_full_info()
-        held = getattr(memory, "pss", memory.uss)
+        held = [process.memory_full_info().uss]
+        gc.collect()
+        if trim := getattr(ctypes.CDLL(None), "malloc_trim", None):
+            trim(0)  # what the C library keeps for later would hide what the program keeps
+        held.append(process.memory_full_info().uss)
         files = process.num_fds() if hasattr(process, "num_fds") else len(process.open_files())
         log = sum(each.stat().st_size for each in log_path().parent.glob(f"{log_path().name}*"))
-        self.measures.append((self.findings.step, held))
+        self.measures.append((self.findings.step, held[1]))
         print(
             f"{(self._measured - self.began) / 60.0:.1f} min, step {self.findings.step}:"
-            f" {held >> 20} MiB, {len(QApplication.allWidgets())} widgets, {files} files,"
-            f" log {log} bytes, window {self.opened}",
+            f" {held[0] >> 20} MiB, {held[1] >> 20} of them in use, {files} files, log {log} bytes,"
+            f" {len(QApplication.allWidgets())} widgets, window {self.opened}",
             flush=True,
         )
 
