@@ -42,6 +42,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from app.bootstrap import ROOT, die_with_parent
+from app.document.codec import to_json
 from app.document.document import Document
 from app.drawings import image, stage, world  # noqa: F401  (VTK, whose import is no step)
 from app.lessons.course import CONTENT as LESSONS
@@ -100,6 +101,8 @@ class Findings(logging.Handler):
         self.seed, self.step = seed, 0
         self.counts: collections.Counter[str] = collections.Counter()
         self._last: collections.deque[str] = collections.deque(maxlen=SHOWN)
+        self.shown: Callable[[], str] = str
+        """Tells what the window shows."""
         self._trail = trail.open("w", encoding="utf-8", errors="backslashreplace", buffering=1)
 
     def note(self, text: str) -> None:
@@ -112,8 +115,11 @@ class Findings(logging.Handler):
         key = re.sub(r"[\d.]+|'.*'", "#", text)
         if record.exc_info:
             lines = traceback.format_exception(*record.exc_info)
-            text, key = f"{text}\n{''.join(lines)}", "".join(lines[-2:])
-        self.add(text, key)
+            key = "".join(lines[-2:])
+        else:
+            lines = traceback.format_stack()
+        own = [line for line in lines if "/tests/" not in line and "/logging/" not in line]
+        self.add(f"{text}\n{''.join(own)}{self.shown()}", key)
 
     def slow(self, spent_s: float) -> None:
         act = self._last[-1].partition(" ")[2]
@@ -132,7 +138,7 @@ class Hands:
     def __init__(self, folder: Path, options: argparse.Namespace) -> None:
         self.folder, self.options = folder, options
         self.findings = Findings(options.seed, folder / "trail")
-        self.note = self.findings.note
+        self.note, self.findings.shown = self.findings.note, self._shown
         self.files, self.rng = some_files(folder), random.Random()
         self.window: Any = None
         self.opened = self.depth = 0
@@ -149,6 +155,9 @@ class Hands:
         name = self.folder / f"{self.rng.choice('abc')}{Path(place).suffix}"
         path = name if name.suffix else self.rng.choice(self.files)
         return ("" if self.rng.random() < 0.25 else str(path)), ""
+
+    def _shown(self) -> str:
+        return "" if self.window is None else to_json(self.window.store.document)
 
     # -- the window
 
