@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.arithmetic import double_double as dd
-from app.model.limits import cos_sin_deg
+from app.model.limits import cos_sin_deg, finite
 from app.model.projection import Camera, Vector
 
 STEPS = ("eye", "look", "up", "n", "u", "v", "view")
@@ -77,7 +77,7 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
         If up is then parallel to the view direction, or not a finite number.
     """
     _, v, n = camera.frame
-    cosine, sine = cos_sin_deg(angle_deg)
+    cosine, sine = cos_sin_deg(finite("up", angle_deg))
     up = sine * v - cosine * n
     return replace(camera, up=tuple((up + 0.0).tolist()))
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.rationals import Rationals, product
+from app.arithmetic.rationals import Rationals, dot, nearest, product
 from app.model.limits import ONE_OF, Array, Row, Vector, finite_vector, keep_checked, within
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import Step, evaluated, inverse, matrix, rounded
@@ -238,21 +238,16 @@ class ObjectTransform:
 
     def _applied(self, homogeneous: Sequence[float]) -> tuple[Fraction, ...]:
         numbers = [*map(Fraction, homogeneous)]
-        return tuple(
-            sum((a * b for a, b in zip(row, numbers, strict=True)), Fraction(0))
-            for row in self.exact[:3]
-        )
+        return tuple(dot(row, numbers) for row in self.exact[:3])
 
     def object_from_world(self, homogeneous: Sequence[float]) -> Row:
         """A point or a direction of the world in object coordinates, each rounded once.
 
-        Raises a `Refusal` for an object that a scale of 0 has flattened.
+        A number beyond float64 is infinite. Raises a `Refusal` for an object that a scale of 0 has
+        flattened.
         """
         numbers = [*map(Fraction, homogeneous)]
-        x, y, z, w = (
-            float(sum((a * b for a, b in zip(row, numbers, strict=True)), Fraction(0)))
-            for row in inverse(FROM_OBJECT, self.exact)
-        )
+        x, y, z, w = (nearest(dot(row, numbers)) for row in inverse(FROM_OBJECT, self.exact))
         return x, y, z, w
 
     def local_from(self, origin: Vector, target: Vector) -> Array:

@@ -7,6 +7,7 @@
 | `documents` | looks for silent NaNs in random documents |
 | `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
 | `variants` | draws the variants of all exercises, and types right and wrong answers |
+| `hands` | uses the window as a restless person does, and looks for errors, leaks and long steps |
 
 Each has ``--help``.
 """
@@ -21,7 +22,7 @@ from app import bootstrap
 
 if __name__ == "__main__":
     tool, *words = sys.argv[1:] or [""]
-    if tool not in ("golden", "hostile", "documents", "cheap", "variants"):
+    if tool not in ("golden", "hostile", "documents", "cheap", "variants", "hands"):
         sys.exit(__doc__)
     bootstrap.start("tests", extras=("test",))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along

@@ -214,6 +214,13 @@ def test_back_to_the_object_each_number_is_rounded_once() -> None:
     assert caught.value.field == "world_from_object"
 
 
+def test_a_coordinate_of_the_object_beyond_float64_is_infinite() -> None:
+    """A probe's field takes 1e99, and the panel shows it on the object too."""
+    tiny = ObjectTransform(scale=(1e-300, 1.0, 1.0), translate=(0.0, 2.0, 0.0))
+    assert tiny.object_from_world((1e99, 2.0, 3.0, 1.0)) == (math.inf, 0.0, 3.0, 1.0)
+    assert tiny.object_from_world((-1e99, 2.0, 3.0, 1.0))[0] == -math.inf
+
+
 def test_a_scale_of_0_flattens_and_says_what_is_gone() -> None:
     flat = ObjectTransform(rotate_deg=(10.0, 20.0, 30.0), scale=(1.0, 0.0, 1.0))
     assert flat.rank == 2 and ObjectTransform(scale=(0.0, 0.0, 0.0)).rank == 0

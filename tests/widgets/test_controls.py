@@ -777,6 +777,23 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Column, record: R
     assert row.field.text() in ("270", "-90")
 
 
+@pytest.mark.parametrize("text", ["-", "-2"])
+def test_a_text_in_a_row_that_another_lens_hides_is_dropped(
+    controls: Column, record: Record, text: str
+) -> None:
+    """Hiding the row takes the keyboard away from its field, which ends the typing."""
+    show(controls, BOX)
+    row = number(controls, "bottom")
+    row.field.setFocus()
+    row.field.selectAll()
+    QTest.keyClicks(row.field, text)
+    show(controls, START)
+    assert row.isHidden() and not row.field.hasFocus()
+    show(controls, BOX)
+    show(controls, replace(BOX, image_size=(100, 100)))
+    assert row.field.text() == "-3" and row.error == "" and record.edits == []
+
+
 def test_a_camera_set_elsewhere_is_shown_in_the_orbit_rows(controls: Column) -> None:
     enter(number(controls, "azimuth_deg"), "30")
     camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))

@@ -40,6 +40,7 @@ from tests.support.window import (
     activate,
     click,
     counted_repaints,
+    enter,
     pixels,
     present,
     settle,
@@ -304,12 +305,20 @@ def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_a_refused_angle_shows_the_models_sentence(window: MainWindow) -> None:
+@pytest.mark.parametrize(
+    ("text", "bound"),
+    [
+        ("0", "must not be parallel to the view direction"),
+        ("inf", "must be a finite number"),
+        ("-inf", "must be a finite number"),
+    ],
+)
+def test_a_refused_angle_shows_the_models_sentence(
+    window: MainWindow, text: str, bound: str
+) -> None:
     panel, before = window.frame_panel, window.store.document.projection
-    panel.angle.field.selectAll()
-    QTest.keyClicks(panel.angle.field, "0")
-    QTest.keyClick(panel.angle.field, Qt.Key.Key_Return)
-    assert "must not be parallel to the view direction" in panel.angle.error
+    enter(panel.angle.field, text)
+    assert bound in panel.angle.error
     assert window.store.document.projection == before
     QTest.keyClick(panel.angle.field, Qt.Key.Key_Escape)
     assert panel.angle.error == ""

@@ -396,6 +396,8 @@ def own_logging() -> Iterator[logging.Logger]:
         root.removeHandler(handler)
         handler.close()
     root.setLevel(level)
+    for name in logs.IN_DETAIL:
+        logging.getLogger(name).setLevel(logging.NOTSET)
 
 
 def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: logging.Logger) -> None:
@@ -404,6 +406,23 @@ def test_the_log_is_in_the_users_data_folder(own_home: Path, own_logging: loggin
     text = log_path().read_text(encoding="utf-8")
     assert log_path().is_relative_to(own_home)
     assert "WARNING root: hello \\udcff" in text
+
+
+def test_the_log_has_of_other_packages_only_warnings(own_logging: logging.Logger) -> None:
+    """A PDF figure would fill it with the names of glyphs."""
+    logs.start_log()
+    for name in ("fontTools.subset", "widgets.program.application", "vtk"):
+        logging.getLogger(name).info("information")
+        logging.getLogger(name).warning("warning")
+    lines = log_path().read_text(encoding="utf-8").splitlines()
+    kept = [line.split(" ", 2)[2] for line in lines]
+    assert kept == [
+        "WARNING fontTools.subset: warning",
+        "INFO widgets.program.application: information",
+        "WARNING widgets.program.application: warning",
+        "INFO vtk: information",
+        "WARNING vtk: warning",
+    ]
 
 
 def test_the_folders_of_xdg_hold_everywhere(
@@ -425,7 +444,7 @@ def test_the_log_does_not_grow_for_ever(
     monkeypatch.setattr(logs, "LARGEST_LOG", 10_000)
     logs.start_log()
     for number in range(2_000):
-        own_logging.info("line %d of many", number)
+        logging.getLogger("app").info("line %d of many", number)
     files = sorted(log_path().parent.iterdir())
     assert len(files) == 3
     assert max(file.stat().st_size for file in files) <= 10_000

@@ -436,6 +436,8 @@ class Controls(Dock, RowHolder):
 
     def _limit(self, binding: Binding, value: float) -> Refusal | None:
         """Return the model's limit that an infinite value exceeds, if there is one."""
+        if not self._in_use(binding):
+            return None
         probe = math.copysign(LARGEST, value)
         try:
             binding.write(self._projection, probe)
@@ -446,6 +448,8 @@ class Controls(Dock, RowHolder):
         return None
 
     def _accepts(self, binding: Binding, value: float) -> bool:
+        if not self._in_use(binding):
+            return False
         try:
             binding.write(self._projection, value)
         except Refusal:

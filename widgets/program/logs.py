@@ -16,15 +16,19 @@ log = logging.getLogger(__name__)
 
 LARGEST_LOG = 1_000_000
 """A log file of this many bytes is replaced by a new one; two old ones are kept."""
+IN_DETAIL = ("app", "widgets", "qt", "vtk")
+"""Whose information is logged. Of the other packages, such as fontTools, only warnings are."""
 
 
 def start_log() -> logging.Handler | None:
-    """Send all log records to the log file, and those of crashes to standard error as well.
+    """Send log records to the log file, and those of crashes to standard error as well.
 
     Returns the file's handler, or None if it cannot be written.
     """
     root = logging.getLogger()
-    root.setLevel(logging.INFO)
+    root.setLevel(logging.WARNING)
+    for name in IN_DETAIL:
+        logging.getLogger(name).setLevel(logging.INFO)
     logging.captureWarnings(True)
     form = logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s")
     if sys.stderr is not None:
