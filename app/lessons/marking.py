@@ -16,13 +16,14 @@ from typing import NamedTuple
 
 from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import parse
+from app.model.limits import LARGEST
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
 """Significant digits required of an inexact number."""
 _EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
-_LARGEST_EXPONENT = 300
+_LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST = 60
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
@@ -242,8 +243,9 @@ def _value(text: str, plain: str) -> Fraction:
 
 
 def _bounded(text: str, typed: Typed) -> Typed:
-    """Return the number if float64 has it, else refuse it."""
-    if abs(typed.value) > Fraction(10) ** _LARGEST_EXPONENT:
+    """Return the number if the value of a formula may be so large, or so near to 0."""
+    most = Fraction(10) ** _LARGEST_EXPONENT
+    if typed.value and not 1 / most <= abs(typed.value) <= most:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
     return typed
 
