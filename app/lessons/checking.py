@@ -46,8 +46,11 @@ NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step 
 NO_LINKS = QT_TRANSLATE_NOOP(
     "Refusal", "has a picture or a link, which a lesson shows as it is typed"
 )
-_CODE = re.compile(r"(`+).+?\1|\\[$\[\]<]", re.DOTALL)
-_LINK = re.compile(r"!?\[[^\]\n]*\]\([^)\n]*\)|<(?:https?:|mailto:)[^>\n]*>|<(?:img|a)\s[^>\n]*>")
+_MARK = re.compile(r"(`+|\\[$\[\]<])")
+_LINK = re.compile(
+    r"!?\[[^\[\]\n]*\]\([^()\n]*\(?[^()\n]*\)"
+    r"|<(?:https?:|mailto:)[^<>\n]*>|<(?:img|a)\s[^<>\n]*>"
+)
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>")
 
 
@@ -81,7 +84,7 @@ class Report:
         course, trial = Course(lesson), Trial(lesson.path)
         _check(course, trial)
         self.checks += trial.checks
-        self.wrong += trial.wrong
+        self.wrong += trial.wrong.values()
         return course
 
 
@@ -152,8 +155,7 @@ def _check_texts(step: Step, trial: Trial) -> None:
 
 def _check_signs(line: int, text: str, trial: Trial) -> None:
     """Report a dollar without its partner, and what would be a link in other Markdown."""
-    bare = _CODE.sub(lambda found: "\n" * found[0].count("\n"), text)
-    for number, words in enumerate(MATH.sub("", bare).split("\n"), line):
+    for number, words in enumerate(MATH.sub("", _bare(text)).split("\n"), line):
         if "$" in words:
             trial.complain(refused(number, UNCLOSED, value=words.strip()[:60]))
         link, html = _LINK.search(words), _HTML.search(words)
@@ -161,6 +163,25 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
             trial.complain(refused(number, NO_LINKS, value=link[0][:60]))
         elif html is not None:
             trial.complain(refused(number, NO_HTML, value=html[0][:60]))
+
+
+def _bare(text: str) -> str:
+    """Return a text without its code and its escaped signs, but with all line breaks."""
+    parts = _MARK.split(text)  # every second one is a mark
+    ends, later = dict[int, int](), dict[str, int]()
+    for place in range(len(parts) - 2, 0, -2):
+        if parts[place] in later:
+            ends[place] = later[parts[place]]
+        if parts[place].startswith("`"):
+            later[parts[place]] = place
+    bare, place = list[str](), 0
+    while place < len(parts):
+        end = ends.get(place, place)
+        is_kept = place % 2 == 0 or (end == place and parts[place].startswith("`"))
+        code = "".join(parts[place : end + 1])
+        bare.append(code if is_kept else "\n" * code.count("\n"))
+        place = end + 1
+    return "".join(bare)
 
 
 def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
@@ -188,6 +209,6 @@ def _problem_of_tex(tex: str) -> str:
     except ValueError as error:
         said = str(error).strip().splitlines()[-1]
         # Drop the exception's name, its position, and its list of expected tokens.
-        said = re.sub(r"^\w+Exception: |\s*\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", said)
+        said = re.sub(r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", said)
         return re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
     return ""

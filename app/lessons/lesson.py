@@ -23,7 +23,16 @@ from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.samples import Sample, Samples
 from app.lessons.blocks.shown import ShownState
-from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, Lines, number_in, refused
+from app.lessons.lines import (
+    LONG_LINE,
+    LONGEST_LINE,
+    ONLY_ONCE,
+    UNEXPECTED,
+    Body,
+    Lines,
+    number_in,
+    refused,
+)
 from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
@@ -209,7 +218,11 @@ def parse_lesson(text: str, path: Path, complain: Complain | None = None) -> Les
 
 def _lines(text: str) -> list[str]:
     text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
-    return text.removeprefix("\ufeff").split("\n")
+    lines = text.removeprefix("\ufeff").split("\n")
+    for number, line in enumerate(lines, 1):  # before a regular expression reads it
+        if len(line) > LONGEST_LINE:
+            raise refused(number, LONG_LINE, len(line), LONGEST_LINE)
+    return lines
 
 
 _TOPIC = re.compile(r"L([1-9]|1\d|2[0-5])")
@@ -272,7 +285,7 @@ def _parted(text: str) -> list[str]:
 # --------------------------------------------------------------------------- steps
 
 _NAME = re.compile(r"[^\W_][\w-]*")
-_HEADING = re.compile(r"#\s+(.*?)(?:\s*\{#([^{}]*)\})?\s*#*\s*")
+_OWN_NAME = re.compile(r"\{#([^{}]*)\}$")
 _BLOCK = re.compile(rf"\s*(```+|~~~+)\s*({'|'.join(KINDS)})\b")
 
 
@@ -418,13 +431,16 @@ class _StepReader:
         heading = self._tokens[0]
         line = _line(heading, self._first)
         text = self._lines[line - 1]
-        found = _HEADING.fullmatch(text.strip())
-        if heading.type != "heading_open" or heading.tag != "h1" or found is None or not found[1]:
+        mark, *rest = text.split(None, 1)
+        whole = "".join(rest).rstrip().rstrip("#").rstrip()  # a title may end with #
+        found = _OWN_NAME.search(whole)
+        title = whole[: found.start()].rstrip() if found is not None else whole
+        if heading.type != "heading_open" or heading.tag != "h1" or mark != "#" or not title:
             raise refused(line, NO_HEADING, value=text[:60])
-        name = found[2].strip() if found[2] is not None else slug(found[1])
+        name = found[1].strip() if found is not None else slug(title)
         if not _NAME.fullmatch(name):
             raise refused(line, BAD_NAME, value=name)
-        return name, found[1], line
+        return name, title, line
 
     def _take(self, token: Token) -> None:
         """Add a token to the text, or read it as a block."""

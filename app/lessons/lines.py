@@ -12,8 +12,9 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from app.lessons.quantities import Condition
-from app.model.formula import Formula, parse
+from app.document import fields
+from app.lessons.quantities import Condition, read_formula
+from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
@@ -23,6 +24,13 @@ ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
 NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]” if it is right, else “- [ ]”")
 CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
+LONG_LINE = QT_TRANSLATE_NOOP("Refusal", "has {0} characters; the limit is {1}")
+LONG_VALUE = QT_TRANSLATE_NOOP(
+    "Refusal", "has {0} characters, with the indented lines below; the limit is {1}"
+)
+
+LONGEST_LINE = 4000
+"""Most characters of a line, also with the indented lines that continue it."""
 
 Lines = Sequence[tuple[int, str]]
 """Lines of a file with their numbers, from 1."""
@@ -52,14 +60,26 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
         ) from error
 
 
+def continued(above: str, text: str, line: int) -> str:
+    """Return a value with a line that continues it; refuse one that becomes too long."""
+    whole = f"{above} {text.strip()}".strip()
+    if len(whole) > LONGEST_LINE:
+        raise refused(line, LONG_VALUE, len(whole), LONGEST_LINE)
+    return whole
+
+
 def number_in(text: str, line: int, low: float, high: float) -> float:
-    try:
-        number = float(text)
-    except ValueError:
-        number = -1.0
-    if not low <= number <= high:
+    value = fields.number(text)
+    if value is None or not low <= value <= high:
         raise refused(line, A_NUMBER, low, high, value=text)
-    return number
+    return value
+
+
+def whole(text: str, most: int) -> int:
+    """Return a whole number from 1 to `most`; 0 for any other text."""
+    if not text.isdecimal() or len(text) > len(str(most)):  # Python reads 4300 digits at most
+        return 0
+    return int(text) if int(text) <= most else 0
 
 
 def split(text: str) -> list[str]:
@@ -89,7 +109,7 @@ class Item(NamedTuple):
 
     def formula(self) -> Formula:
         with on_line(self.line, self.key):
-            return parse(self.text)
+            return read_formula(self.text)
 
 
 class Items(tuple[Item, ...]):
@@ -184,9 +204,9 @@ def _continued(
         raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
     if last.below:
         further = last.below[-1]
-        further = further._replace(text=f"{further.text} {text}".strip())
+        further = further._replace(text=continued(further.text, text, number))
         return last._replace(below=[*last.below[:-1], further])
-    return last._replace(text=f"{last.text} {text}".strip())
+    return last._replace(text=continued(last.text, text, number))
 
 
 def _mistyped(text: str, keys: Sequence[str]) -> bool:

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product, Quotient, parse
+from app.model.limits import LARGEST
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 DIGITS = 3
@@ -26,7 +27,7 @@ EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
 _ZERO = 1e-12
 """A computed value below this is 0."""
-_LARGEST_EXPONENT = 300
+_LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST, _LONGEST_SHOWN = 60, 17
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
@@ -394,8 +395,9 @@ _ANGLED, _TO_ANGLES = ("sin", "cos", "tan", "cot"), ("asin", "acos", "atan")
 
 
 def _bounded(text: str, typed: Typed) -> Typed:
-    """Return the number if float64 has it, else refuse it."""
-    if abs(typed.value) > Fraction(10) ** _LARGEST_EXPONENT:
+    """Return the number if the value of a formula may be so large, or so near to 0."""
+    most = Fraction(10) ** _LARGEST_EXPONENT
+    if typed.value and not 1 / most <= abs(typed.value) <= most:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
     return typed
 

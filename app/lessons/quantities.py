@@ -7,11 +7,12 @@ stage, and every matrix' cells. Angles are in degrees, and so are the functions 
 
 from __future__ import annotations
 
+import contextlib
 import difflib
 import math
 import operator
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -25,7 +26,7 @@ from app.document.view import View
 from app.model import formula
 from app.model.formula import Arithmetic, Formula
 from app.model.infinity import trace_at_infinity
-from app.model.limits import Row
+from app.model.limits import LARGEST, Row
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -40,8 +41,13 @@ NO_FUNCTION = QT_TRANSLATE_NOOP(
 )
 NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large")
+TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large; the limit is {0}")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
+NO_NUMBER = QT_TRANSLATE_NOOP(
+    "Refusal", "has no value, because infinity minus infinity or infinity times 0 is no number"
+)
+WITHOUT_VALUE = DIVIDES_BY_ZERO, TOO_LARGE, NOT_DEFINED, NO_NUMBER
+"""Why a formula may have no value in some states."""
 NO_CONDITION = QT_TRANSLATE_NOOP(
     "Refusal",
     "must be a condition: two formulas with =, !=, <, >, <= or >= between them, or NAME = WORD",
@@ -97,14 +103,79 @@ FUNCTIONS: dict[str, Callable[..., float]] = {
 }
 
 
+def _called(name: str, arguments: Sequence[float]) -> float:
+    function = FUNCTIONS[name]
+    try:
+        return function(*arguments)
+    except (ValueError, TypeError):  # outside its domain, or too many arguments
+        raise Refusal("formula", name, NOT_DEFINED) from None
+
+
 def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
-    if name not in FUNCTIONS:
-        raise KeyError(name)
-    return Fraction(FUNCTIONS[name](*map(float, arguments)))
+    return Fraction(_called(name, [*map(float, arguments)]))
 
 
 RATIONAL = Arithmetic(Fraction, _rational)
 """Rationals, with the functions in float64; a `KeyError` names an unknown one."""
+
+NEGLIGIBLE = 1.0 / LARGEST
+"""A number nearer to 0 counts as 0."""
+_CONSTANTS = {"pi": math.pi, "infinity": math.inf}
+
+
+@contextlib.contextmanager
+def _of(asked: Formula) -> Iterator[None]:
+    """Refuse a formula that divides by zero or is too large."""
+    try:
+        yield
+    except ZeroDivisionError:
+        raise _refused(asked, DIVIDES_BY_ZERO) from None
+    except OverflowError:
+        raise _refused(asked, TOO_LARGE, LARGEST) from None
+
+
+def _evaluated(
+    asked: Formula,
+    known: Any,
+    call: Callable[[str, Sequence[float]], float] = _called,
+    *,
+    infinite: bool = False,
+) -> float:
+    with _of(asked):
+        found = float(asked.evaluate(known, Arithmetic(float, call)))
+    if math.isnan(found):
+        raise _refused(asked, NO_NUMBER)
+    if abs(found) > LARGEST and not (infinite and math.isinf(found)):
+        raise _refused(asked, TOO_LARGE, LARGEST)
+    return found if abs(found) >= NEGLIGIBLE else 0.0
+
+
+def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
+    """Return a formula's value as a rational number; a `KeyError` names an unknown name.
+
+    Raise a `Refusal` as `Quantities.value` does.
+    """
+    with _of(asked):
+        found: Fraction = asked.evaluate(numbers, RATIONAL)
+    if abs(found) > LARGEST:
+        raise _refused(asked, TOO_LARGE, LARGEST)
+    return found if abs(found) >= NEGLIGIBLE else Fraction(0)
+
+
+def read_formula(text: str, *, infinite: bool = False) -> Formula:
+    """Read a formula of a lesson; refuse one that has no value in any state.
+
+    Parameters
+    ----------
+    text : str
+    infinite : bool
+        Whether its value may be infinite.
+    """
+    found = formula.parse(text)
+    for part in found:
+        with contextlib.suppress(KeyError):  # a name has a value only in a state
+            _evaluated(part, _CONSTANTS, infinite=infinite or part is not found)
+    return found
 
 
 class Quantities:
@@ -148,29 +219,18 @@ class Quantities:
         return self._number(name, ())
 
     def _call(self, name: str, arguments: Sequence[float]) -> float:
-        function = FUNCTIONS.get(name)
-        if function is not None:
-            try:
-                return function(*arguments)
-            except (ValueError, TypeError):  # outside its domain, or too many arguments
-                raise Refusal("formula", name, NOT_DEFINED) from None
+        if name in FUNCTIONS:
+            return _called(name, arguments)
         return self._number(name, tuple(arguments))
 
-    def value(self, asked: Formula) -> float:
+    def value(self, asked: Formula, *, infinite: bool = False) -> float:
         """Return a formula's value.
 
-        Raise a `Refusal` for an unknown name, a division by zero or a value beyond float64, and
-        `NotThere` if a quantity is missing just now.
+        Raise a `Refusal` for an unknown name, a division by zero, a value beyond `LARGEST` (unless
+        it is infinite and may be so) and one that is no number, and `NotThere` if a quantity is
+        missing just now.
         """
-        try:
-            found = float(asked.evaluate(self, Arithmetic(float, self._call)))  # type: ignore[arg-type]
-        except ZeroDivisionError:
-            raise _refused(asked, DIVIDES_BY_ZERO) from None
-        except OverflowError:
-            raise _refused(asked, TOO_LARGE) from None
-        if not math.isfinite(found) and "infinity" not in asked.letters:
-            raise _refused(asked, TOO_LARGE)
-        return found
+        return _evaluated(asked, self, self._call, infinite=infinite)
 
     def word(self, path: str) -> str:
         """Return the word at a path of ``--set`` in the document; empty if there is none."""
@@ -302,7 +362,7 @@ class Quantities:
 
 def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
     """Return a value, an element of a row, a cell of a matrix, or a probe's coordinate."""
-    if any(place != int(place) or place < 0 for place in places):
+    if any(place < 0 or not place.is_integer() for place in places):
         raise Refusal("formula", name, NO_CELL, name)
     indices = [int(place) for place in places]
     if callable(value) and len(indices) < 2:  # of the first probe, or of the one with a number
@@ -326,8 +386,8 @@ def _numeric(name: str, value: Any) -> Any:
     return value
 
 
-def _refused(asked: Formula, bound: Any) -> Refusal:
-    return Refusal("formula", asked.text, bound)
+def _refused(asked: Formula, bound: Any, *limits: object) -> Refusal:
+    return Refusal("formula", asked.text, bound, *limits)
 
 
 _WORD = re.compile(r"[^\W_]+")
@@ -453,7 +513,8 @@ class Condition:
         left, right = text[: signs[0].start()].strip(), text[signs[0].end() :].strip()
         if sign in ("=", *_UNEQUAL) and _PATH.fullmatch(left):
             return cls(text, sign, path=left, word=right)
-        return cls(text, sign, formula.parse(left), formula.parse(right))
+        left_side, right_side = (read_formula(side, infinite=True) for side in (left, right))
+        return cls(text, sign, left_side, right_side)
 
     @property
     def letters(self) -> tuple[str, ...]:
@@ -465,7 +526,7 @@ class Condition:
         if self.left is None or self.right is None:
             return (known.word(self.path) == self.word) != (self.sign in _UNEQUAL)
         try:
-            left, right = known.value(self.left), known.value(self.right)
+            left, right = (known.value(side, infinite=True) for side in (self.left, self.right))
         except NotThere:
             return False
         if self.sign in _COMPARED:

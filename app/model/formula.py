@@ -131,12 +131,12 @@ class Number(Formula):
 
     @cached_property
     def evaluate(self) -> Evaluator:
-        made: dict[Arithmetic, Any] = {}
+        made: dict[Callable[[Fraction], Any], Any] = {}
 
         def number(known: Mapping[str, Any], arithmetic: Arithmetic) -> Any:
-            if arithmetic not in made:
-                made[arithmetic] = arithmetic.number(self.number)
-            return made[arithmetic]
+            if arithmetic.number not in made:
+                made[arithmetic.number] = arithmetic.number(self.number)
+            return made[arithmetic.number]
 
         return number
 

@@ -293,7 +293,7 @@ def test_a_number_has_any_letter_of_a_lecture() -> None:
         ("20..100 step 5", "20..100 step 0", "must be a range"),
         ("20..100 step 5", "20..100 step 1/50", "has 4001 values; the limit is 1000"),
         ("20..100 step 5", "twenty", "unknown name, twenty"),
-        ("20..100 step 5", "1/0", "does not hold"),
+        ("20..100 step 5", "1/0", "divides by zero"),
         ("vary a:", "vary fov:", "varies fov twice"),
         ("{=720*a}", "{=720*b}", "unknown name, b; the nearest is fov, a"),
         ("lens.fov_y_deg={=fov}", "lens.fov_y_deg={=9*fov+1000}", "finds no numbers that suit"),

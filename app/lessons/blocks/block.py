@@ -63,17 +63,16 @@ class Here(Protocol):
 
 @dataclass
 class Trial:
-    """The progress of a check: what was tried, and the faults found."""
+    """The progress of a check: what was tried, and the faults found, by their sentences."""
 
     path: Path
     checks: int = 0
-    wrong: list[Refusal] = field(default_factory=list)
+    wrong: dict[str, Refusal] = field(default_factory=dict)
 
     def complain(self, error: Refusal) -> None:
         """Add a fault, but only once for all steps that continue a faulty one."""
         error.file = str(self.path)
-        if str(error) not in map(str, self.wrong):
-            self.wrong.append(error)
+        self.wrong.setdefault(str(error), error)
 
     @contextmanager
     def kept(self) -> Iterator[None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -11,9 +12,10 @@ from typing import Any, ClassVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, said_below
-from app.lessons.lines import LACKS, Body, Item, Items, on_line, refused
-from app.model.formula import Formula, parse
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.lessons.lines import LACKS, Body, Item, Items, on_line, refused, whole
+from app.lessons.quantities import read_formula
+from app.model.formula import Formula
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 ONE_RIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
@@ -25,8 +27,8 @@ LETTERS = "ABCDEFGHIJ"
 """The letters by which a class names the choices."""
 MANY = 4
 """Number of choices from which a talk's band needs many lines."""
-_IDEA = re.compile(r"\s+\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
-_WRITTEN = re.compile(r"[-−]?\d+(?:\.\d+)?(?:/\d+)?")
+_IDEA = re.compile(r"(?<=\s)\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
+_WRITTEN = re.compile(r"[-−]?\d+(?:[.,]\d+)?(?:/\d+)?")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -45,7 +47,7 @@ class Choice(Reply):
         formulas: tuple[Formula, ...] = ()
         if behind.strip():
             with on_line(item.line, ":="):
-                formulas = (parse(behind.strip()),)
+                formulas = (read_formula(behind.strip()),)
         return cls(
             line=item.line,
             right=item.about == "x",
@@ -57,10 +59,11 @@ class Choice(Reply):
 
     def check_number(self, value: float) -> None:
         for text in _WRITTEN.findall(self.text):
-            number = marking.read(text)
-            half = number.unit * Fraction("0.5001")
-            if abs(number.value - Fraction(value)) <= half + marking.EXACT * abs(number.value):
-                return
+            with contextlib.suppress(Refusal):  # what cannot be read is another number
+                number = marking.read(text)
+                half = number.unit * Fraction("0.5001")
+                if abs(number.value - Fraction(value)) <= half + marking.EXACT * abs(number.value):
+                    return
         raise refused(self.line, OTHER_NUMBER, f"{value:.6g}", value=self.text)
 
 
@@ -102,8 +105,9 @@ class Choices(Question):
         return reply.verdict(here, self.why) if reply.right else self.reply_to(here, reply)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        number, count = int(sample) if sample.isdecimal() else 0, len(self.replies)
-        if not 1 <= number <= count:
+        count = len(self.replies)
+        number = whole(sample, count)
+        if not number:
             raise refused(line, A_NUMBER_OF, count, value=sample)
         return self.chosen(here, number - 1).word
 

@@ -12,7 +12,8 @@ from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Item, Items, number_in, on_line, refused, split
-from app.model.formula import Formula, parse
+from app.lessons.quantities import read_formula
+from app.model.formula import Formula
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -137,4 +138,4 @@ def _place(item: Item, count: int) -> tuple[Formula, ...]:
     if len(parts) != count:
         raise refused(item.line, NOT_SO_MANY, count, value=item.text[:60])
     with on_line(item.line, item.key):
-        return tuple(parse(part.strip()) for part in parts)
+        return tuple(read_formula(part.strip()) for part in parts)

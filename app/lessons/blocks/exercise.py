@@ -19,9 +19,9 @@ from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
-from app.lessons.lines import LACKS, Body, Lines, on_line, refused
+from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, whole
 from app.lessons.marking import are_alike
-from app.lessons.quantities import NO_NAME, RATIONAL, Condition
+from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
 from app.lessons.state import State, read_state
 from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -50,10 +50,10 @@ CAN_BE_READ = QT_TRANSLATE_NOOP(
     "Refusal", "has an answer that the scene shows as “{0}”: add “hide: numbers”"
 )
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
+NO_VALUE_WITH = QT_TRANSLATE_NOOP("Refusal", "{0}, with {1}; “where: CONDITION” excludes numbers")
 
 _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
-_RANGE = re.compile(r"(.+?)\.\.(.+?)(?:\s+step\s+(.+))?")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
 
@@ -146,11 +146,12 @@ class Exercise(Asked):
         """Whether it can be solved on paper; a task is done in the window."""
         return isinstance(self.first, Question)
 
-    def variant(self, here: Here, seed: int) -> Variant:
+    def variant(self, here: Here, seed: int, *, complete: bool = False) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.
 
-        Numbers suit if their state exists, the conditions hold, and no wrong idea leads to the
-        right value or to that of another idea.
+        Numbers suit if their state exists, the conditions hold, every formula has a value, and no
+        wrong idea leads to the right value or to that of another idea. With `complete`, an answer
+        without a value is a `Refusal`.
         """
         chance = random.Random(f"{self.name} {seed}")
         problem: Refusal | None = None
@@ -159,6 +160,8 @@ class Exercise(Asked):
             try:
                 return self._suited(here, seed, numbers)
             except Refusal as error:
+                if complete and error.bound == NO_VALUE_WITH:
+                    raise
                 problem = error
         raise refused(self.line, NO_VARIANT, seed, str(problem).rstrip("."))
 
@@ -170,14 +173,35 @@ class Exercise(Asked):
             with on_line(line, "where"):
                 if not condition.holds(known):
                     raise refused(line, UNSUITED, value=condition.text)
-        question = self.question(numbers)
+        try:
+            question = self.question(numbers)
+            if isinstance(question, Question):
+                question.values(here, *question.key)
+            elif question.is_done(here, here.document):
+                raise refused(self.line, UNSUITED, value=question.text[:60])
+        except Refusal as error:
+            if error.bound not in WITHOUT_VALUE:
+                raise
+            error.limits = error.bound.format(*error.limits), _listed(numbers)
+            error.bound = NO_VALUE_WITH
+            raise
         if isinstance(question, Question):
             question.check_values(here)
-        elif question.is_done(here, here.document):
-            raise refused(self.line, UNSUITED, value=question.text[:60])
         else:
             question.check_wrong(here)
         return Variant(seed, numbers, question, here)
+
+    def _check_every_value(self, here: Here) -> None:
+        """Refuse an answer that has no value with one value of a name; the others are drawn."""
+        chance = random.Random(self.name)
+        for each in self.varied:
+            for value in each.values:
+                numbers = {other.name: chance.choice(other.values) for other in self.varied}
+                try:
+                    self._suited(here, 1, numbers | {each.name: value})
+                except Refusal as error:
+                    if error.bound == NO_VALUE_WITH:
+                        raise
 
     def _state(self, numbers: Mapping[str, Fraction]) -> State | None:
         if not self.states:
@@ -187,12 +211,11 @@ class Exercise(Asked):
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
-        count = 1
-        for each in self.varied:
-            count *= len(each.values)
+        self._check_every_value(here)
+        count = math.prod(len(each.values) for each in self.varied)
         found = set[tuple[Fraction, ...]]()
         for seed in range(1, SEEDS + 1):
-            variant = self.variant(here, seed)
+            variant = self.variant(here, seed, complete=True)
             found.add(tuple(variant.numbers.values()))
             if isinstance(variant.question, Task):
                 variant.question.check_right(variant.here)
@@ -208,15 +231,15 @@ class Exercise(Asked):
             trial.complain(refused(self.line, CAN_BE_READ, min(shown).replace("_", " ")))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        seed, _, rest = sample.partition(" ")
-        if not seed.isdecimal() or not 1 <= int(seed) <= LARGEST_SEED:
+        first, _, rest = sample.partition(" ")
+        seed = whole(first, LARGEST_SEED)
+        if not seed:
             raise refused(line, A_SEED, LARGEST_SEED, value=sample)
-        variant = self.variant(here, int(seed))
+        variant = self.variant(here, seed)
         return variant.question.verdict(variant.here, rest.strip(), line)
 
     def drawn(self, here: Here, sample: str) -> str:
-        numbers = self.variant(here, int(sample.partition(" ")[0])).numbers
-        return ", ".join(f"{name} = {written_number(value)}" for name, value in numbers.items())
+        return _listed(self.variant(here, int(sample.partition(" ")[0])).numbers)
 
 
 def _continued(lines: Lines) -> Lines:
@@ -225,10 +248,14 @@ def _continued(lines: Lines) -> Lines:
     for line, text in lines:
         above = found[-1] if text[:1] in (" ", "\t") and found else (0, "")
         if _VARY.fullmatch(above[1]) or _OWN.fullmatch(above[1]):
-            found[-1] = above[0], f"{above[1]} {text.strip()}"
+            found[-1] = above[0], continued(above[1], text, line)
         else:
             found.append((line, text))
     return found
+
+
+def _listed(numbers: Mapping[str, Fraction]) -> str:
+    return ", ".join(f"{name} = {written_number(value)}" for name, value in numbers.items())
 
 
 def _readings(variant: Variant) -> set[str]:
@@ -251,15 +278,11 @@ def _readings(variant: Variant) -> set[str]:
 def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
     """Return the value of a formula of numbers and of the names that are varied."""
     with on_line(line, "formula"):
-        formula = parse(text.strip())
         try:
-            value: Fraction = formula.value(numbers, RATIONAL)
+            return rational(parse(text.strip()), numbers)
         except KeyError as error:
             near = ", ".join(numbers) or "none"
             raise Refusal("formula", text.strip(), NO_NAME, str(error.args[0]), near) from error
-        except (ArithmeticError, ValueError, TypeError) as error:
-            raise Refusal("formula", text.strip(), UNSUITED) from error
-    return value
 
 
 def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied:
@@ -268,12 +291,15 @@ def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied
         raise refused(line, TOO_MANY_NAMES, MOST_NAMES)
     if any(each.name == name for each in before):
         raise refused(line, TWICE, name)
-    found = _RANGE.fullmatch(text)
-    if found is None:
-        values = [_number(part, line, {}) for part in text.split(",")]
+    begin, is_range, rest = " ".join(text.split()).partition("..")
+    if not is_range:
+        parts = text.split(",")
+        if len(parts) > MOST_VALUES:
+            raise refused(line, TOO_MANY, len(parts), MOST_VALUES)
+        values = [_number(part, line, {}) for part in parts]
     else:
-        first, last = _number(found[1], line, {}), _number(found[2], line, {})
-        step = _number(found[3] or "1", line, {})
+        end, _, by = rest.partition(" step ")
+        first, last, step = (_number(part, line, {}) for part in (begin, end, by or "1"))
         if step <= 0 or last < first:
             raise refused(line, A_RANGE, value=text[:60])
         count = (last - first) // step + 1

@@ -14,7 +14,8 @@ from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_belo
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Item, Items, number_in, on_line, refused, split
 from app.lessons.marking import Typed
-from app.model.formula import Formula, parse
+from app.lessons.quantities import read_formula
+from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Part = TypeVar("Part")
@@ -225,4 +226,4 @@ def _cells(item: Item) -> tuple[int, int, tuple[Formula, ...]]:
     if not is_even or max(count, width) > MOST or count * width < 2:
         raise refused(item.line, A_MATRIX, MOST, value=item.text[:60])
     with on_line(item.line, item.key):
-        return count, width, tuple(parse(cell.strip()) for row in rows for cell in row)
+        return count, width, tuple(read_formula(cell.strip()) for row in rows for cell in row)
