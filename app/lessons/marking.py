@@ -337,7 +337,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
     except OverflowError as error:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT) from error
     except (ValueError, TypeError) as error:
-        if isinstance(error, Refusal):
+        if isinstance(error, Refusal) and error.field == "answer":
             raise
         raise Refusal("answer", text, NOT_DEFINED) from error
     value = _bounded(text, Typed(value, DIGITS, Fraction(0))).value
