@@ -540,11 +540,14 @@ class Environment:
             held.say("the tested versions cannot be installed on this machine: trying others")
             status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
-            held_open = _shows(output, _HELD) and not _shows(output, _NO_ANSWER)
-            to_do = "close all windows of Frustum Lab" if held_open else "check the network"
+            to_do = f"check the network and run again: {_command_again()}"
+            if _shows(output, _HELD) and not _shows(output, _NO_ANSWER):
+                to_do = f"close all windows of Frustum Lab and run again: {_command_again()}"
+            elif _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
+                here = ".".join(map(str, sys.version_info[:2]))
+                to_do = f"no version fits Python {here} on this machine; use another Python"
             what = "the Python packages could not be installed ({}); "
-            again = f"{to_do} and run again: {_command_again()}"
-            raise self._failure(status, output, "ERROR:", what + again)
+            raise self._failure(status, output, "ERROR:", what + to_do)
 
     def _failure(self, status: int, output: list[str], start: str, what: str) -> SetupError:
         """Return a sentence that says why a command failed, from its output."""
