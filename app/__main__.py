@@ -36,11 +36,19 @@ def main() -> int:
                 return status
         from app import bootstrap
 
-        bootstrap.start(need_of(arguments))
+        bootstrap.start(need_of(arguments), before=lambda: _check(arguments))
         from app.commands.cli import main as run  # only now are its imports sure to be there
     except KeyboardInterrupt:
         return 130
     return run(arguments)
+
+
+def _check(arguments: Sequence[str]) -> None:
+    """Refuse misspelt words and options: the set-up takes minutes."""
+    from app.commands import options
+
+    if status := options.outcome(lambda: options.check(arguments)):
+        raise SystemExit(status)
 
 
 def _without_set_up(arguments: Sequence[str]) -> int | None:

@@ -228,8 +228,6 @@ def _is_root() -> bool:
 
 def _ensure_system(missing: Sequence[System]) -> None:
     """Install what is missing with apt-get if running as root; otherwise say how."""
-    if not missing:
-        return
     if not _is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
     packages = _packages(missing)
@@ -755,17 +753,22 @@ def _try_lock(file: IO[bytes]) -> bool:
 # --- the start ------------------------------------------------------------------------------------
 
 
-def start(need: Need, extras: Sequence[str] = ()) -> None:
+def start(
+    need: Need, extras: Sequence[str] = (), before: Callable[[], object] = lambda: None
+) -> None:
     """Return if everything is installed; otherwise install it, and start the same command again.
 
-    `extras` are optional groups of ``pyproject.toml`` that are also needed. If only the user can
-    install what is missing, the program ends with status 3 after one sentence on standard error.
+    `extras` are optional groups of ``pyproject.toml`` that are also needed; `before` is called
+    before anything is installed. If only the user can install what is missing, the program ends
+    with status 3 after one sentence on standard error.
     """
     with _in_one_sentence():
-        if _has_packages(tuple(extras)):
-            _ensure_system(missing_system(need))
-        else:
+        if not _has_packages(tuple(extras)):
+            before()
             _set_up(need, Environment(ROOT, tuple(extras)))
+        if missing := missing_system(need):
+            before()
+            _ensure_system(missing)
 
 
 def enter() -> bool:
@@ -823,7 +826,8 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
                 f"{command_line([str(outside), *sys.orig_argv[1:]])}"
             )
         _again(outside)
-    _ensure_system([*venv_module(), *missing_system(need)])
+    if missing := [*venv_module(), *missing_system(need)]:
+        _ensure_system(missing)
     how = "made"
     try:
         environment.make()

@@ -620,10 +620,16 @@ def answer(arguments: Sequence[str]) -> None:
     end = arguments.index("--") if "--" in arguments else len(arguments)
     if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
         return
-    if arguments[0] in SUMMARIES:
+    check(arguments)
+
+
+def check(arguments: Sequence[str]) -> None:
+    """Refuse a command line that has no such command or options."""
+    if arguments and arguments[0] in SUMMARIES:
         parser_of(arguments[0]).read(arguments[1:])
     else:
-        check_file(arguments[0])
+        if arguments:
+            check_file(arguments[0])
         parser_of("").read(arguments)
 
 

@@ -113,9 +113,9 @@ class Checkout:
 
     def assert_runs(self, version: str = "1.0") -> str:
         """Run ``python3 -m app``, check that it ran inside .venv, return what was said."""
-        status, output, said = self.run("-m", "app", "project")
+        status, output, said = self.run("-m", "app", "matrices")
         assert (status, said[-500:] if status else "") == (0, "")
-        assert json.loads(output) == [str(self.root / ".venv"), version, ["project"]]
+        assert json.loads(output) == [str(self.root / ".venv"), version, ["matrices"]]
         return said
 
 
@@ -142,7 +142,7 @@ def fresh(tmp_path: Path) -> Checkout:
 def first_starts(tmp_path_factory: pytest.TempPathFactory) -> tuple[Checkout, list[str]]:
     """A checkout that was first started twice at once, and the output of both starts."""
     checkout = fresh.__wrapped__(tmp_path_factory.mktemp("made"))
-    command = ("-m", "app", "project")
+    command = ("-m", "app", "matrices")
     with checkout.start(*command) as one, checkout.start(*command) as two:
         ends = [process.communicate() for process in (one, two)]
     assert [process.returncode for process in (one, two)] == [0, 0], ends
@@ -186,8 +186,8 @@ def one_sentence(said: str) -> str:
 
 
 def refused(checkout: Checkout, *arguments: str, status: int = 3, **environment: str) -> str:
-    """The sentence with which a start ends, ``project`` if no arguments are given."""
-    ended, output, said = checkout.run(*(arguments or ("-m", "app", "project")), **environment)
+    """The sentence with which a start ends, ``matrices`` if no arguments are given."""
+    ended, output, said = checkout.run(*(arguments or ("-m", "app", "matrices")), **environment)
     assert (ended, output) == (status, "")
     return one_sentence(said)
 
@@ -212,7 +212,7 @@ def stopped_at_the_server(made: Checkout, by: signal.Signals) -> tuple[int, str,
     """Stop a start while pip waits for the answer of a server."""
     with socket.create_server(("127.0.0.1", 0)) as silent:
         address = f"http://127.0.0.1:{silent.getsockname()[1]}/"
-        with made.start("-m", "app", "project", PIP_INDEX_URL=address) as process:
+        with made.start("-m", "app", "matrices", PIP_INDEX_URL=address) as process:
             connection, _ = silent.accept()
             process.send_signal(by)
             connection.close()
@@ -272,7 +272,7 @@ def test_a_second_start_installs_nothing_and_needs_no_network(made: Checkout) ->
 
 
 def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
-    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "project"]
+    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "matrices"]
     done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)[0] == str(made.root / ".venv")
     assert done.stderr == ""
@@ -338,7 +338,7 @@ def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
     made.ask_for(">=2,<3", exactly="2.1")
     status, output, said = stopped_at_the_server(made, signal.SIGINT)
     assert (status, output) == (130, "")
-    stopped = r"frustum-lab: the set-up was stopped; to go on: python\S* -m app project"
+    stopped = r"frustum-lab: the set-up was stopped; to go on: python\S* -m app matrices"
     assert re.fullmatch(stopped, one_sentence(said))
 
 
@@ -347,7 +347,7 @@ def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
     made: Checkout, room: str
 ) -> None:
     (made.root / "app" / room).write_text("raise KeyboardInterrupt\n")
-    assert made.run("-m", "app", "project") == (130, "", "")
+    assert made.run("-m", "app", "matrices") == (130, "", "")
 
 
 def test_a_check_that_is_stopped_says_nothing(
@@ -376,7 +376,7 @@ def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: st
     assert "a folder that you may write to" in refused(made)
     if lost != "python":
         assert made.stamp.read_text() == "setting up\n"
-        inside = [python, "-m", "app", "project"]
+        inside = [python, "-m", "app", "matrices"]
         done = subprocess.run(inside, cwd=made.root, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stdout) == (3, "")
 
@@ -549,10 +549,10 @@ def offline() -> dict[str, str]:
 def test_without_a_network_a_first_start_is_one_sentence(
     fresh: Checkout, offline: dict[str, str]
 ) -> None:
-    status, output, said = fresh.run("-m", "app", "project", **offline)
+    status, output, said = fresh.run("-m", "app", "matrices", **offline)
     assert (status, output) == (3, "")
     assert re.search(
-        "no package server could be reached.*run again: python.* -m app project$",
+        "no package server could be reached.*run again: python.* -m app matrices$",
         one_sentence(said),
     )
     assert "trying others" not in said  # which would only take as long again
@@ -563,7 +563,7 @@ def test_without_a_network_a_working_environment_is_used_under_new_bounds(
 ) -> None:
     stamp = made.stamp.read_text()
     made.ask_for(">=2,<3", exactly="2.1")
-    status, output, said = made.run("-m", "app", "project", **offline)
+    status, output, said = made.run("-m", "app", "matrices", **offline)
     assert (status, json.loads(output)[1]) == (0, "1.0")
     *_, why, what = said.splitlines()
     assert "no package server could be reached" in why
@@ -576,7 +576,7 @@ def test_without_a_network_a_working_environment_is_used_under_new_bounds(
     status, output, said = made.run(
         "-c",
         "import subprocess, sys; from app import bootstrap; bootstrap.start('numbers');"
-        f"subprocess.run([{str(inside)!r}, '-m', 'app', 'project'])",
+        f"subprocess.run([{str(inside)!r}, '-m', 'app', 'matrices'])",
         **offline,
     )
     assert (status, json.loads(output)[1], said.count("going on")) == (0, "1.0", 1)
@@ -588,7 +588,7 @@ def test_without_a_network_changed_tested_versions_do_not_matter(
     made: Checkout, offline: dict[str, str]
 ) -> None:
     made.ask_for(">=1,<2", exactly="1.7")
-    status, output, said = made.run("-m", "app", "project", **offline)
+    status, output, said = made.run("-m", "app", "matrices", **offline)
     assert (status, json.loads(output)[1]) == (0, "1.0")
     assert one_sentence(said) == "frustum-lab: going on with the installed packages"
 
@@ -622,9 +622,28 @@ def test_an_environment_put_aside_by_a_killed_set_up_comes_back(made: Checkout) 
     assert not (made.root / ".venv.old").exists()
 
 
-def test_a_package_that_does_not_exist_is_named(fresh: Checkout) -> None:
+def test_a_package_without_a_version_for_this_python_is_named(fresh: Checkout) -> None:
     fresh.ask_for(">=2,<3", exactly="2.1")
-    assert "frustum-probe" in refused(fresh)
+    said = refused(fresh)
+    assert "No matching distribution found for frustum-probe<3,>=2" in said
+    here = f"{sys.version_info[0]}.{sys.version_info[1]}"
+    assert said.endswith(f"no version fits Python {here} on this machine; use another Python")
+
+
+@pytest.mark.parametrize(
+    ("words", "refusal"),
+    [
+        ("expot a.png", "nearest command is export"),
+        ("export", "export takes OUT [FILE], and 0 names were given"),
+        ("export a.png --sise=9x9", "the nearest is --size"),
+        ("--sise=9x9", "the nearest is --size"),
+    ],
+)
+def test_what_is_typed_is_checked_before_anything_is_set_up(
+    words: str, refusal: str, fresh: Checkout
+) -> None:
+    assert refusal in refused(fresh, "-m", "app", *words.split(), status=2)
+    assert not (fresh.root / ".venv").exists()
 
 
 @pytest.mark.parametrize("full", ["environment", "temporary"])
