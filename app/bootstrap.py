@@ -50,7 +50,7 @@ SPACE_GB = 1.5
 TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
 
 #: What a command needs of the machine: no graphics, pictures without a window, a window, or a
-#: window on its own virtual display.
+#: window on a virtual display.
 Need = Literal["numbers", "picture", "window", "tests"]
 _PICTURE: tuple[Need, ...] = ("picture", "window", "tests")
 _WINDOW: tuple[Need, ...] = ("window", "tests")
@@ -175,13 +175,7 @@ def missing_system(need: Need) -> list[System]:
     """Return the missing libraries and programs for a need; macOS and Windows have them all."""
     if not sys.platform.startswith("linux"):
         return []
-    # If DISPLAY is set, there is already an X server.
-    own_display = not os.environ.get("DISPLAY")
-    return [
-        item
-        for item in SYSTEM
-        if need in item.needs and (item.name != "Xvfb" or own_display) and not item.is_here()
-    ]
+    return [item for item in SYSTEM if need in item.needs and not item.is_here()]
 
 
 def venv_module() -> list[System]:

@@ -1,47 +1,60 @@
-"""``python3 -m tests``: set up, find screens, run every check there is.
+"""``python3 -m tests``: set up, bring screens, run every check there is.
 
-Where it starts the X servers itself, there is one for each processor, and the tests are shared
-out among as many processes: two windows on one screen would take each other's keyboard.
-Arguments go to pytest: ``python3 -m tests tests/scenes/test_scene.py -k posts``. The exit status is
-pytest's own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
+On Linux each processor has an X server of one known size, whatever screen a person works on. The
+tests are shared out among as many processes: two windows on one screen would take each other's
+keyboard. `tests.conftest` starts the servers, so that pytest may be called alone, too. Arguments go
+to pytest: ``python3 -m tests tests/scenes/test_scene.py -k posts``. The exit status is pytest's
+own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
 """
 
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import os
+import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
+from pathlib import Path
 from types import FrameType
 
 from app import bootstrap
 
 MOST_SCREENS = 4
+_PERSONAL = ("DISPLAY", "WAYLAND_DISPLAY", "QT_", "LANG", "LC_", "TEST_DISPLAYS")
+"""How the variables begin that say how a person sees the program, or what runs around this."""
+
+_FONTS = """<fontconfig><dir>{}</dir><cachedir>{}</cachedir><selectfont>
+<acceptfont><glob>*/DejaVu*</glob></acceptfont><rejectfont><glob>*</glob></rejectfont></selectfont>
+<match target="pattern"><edit name="family" mode="append_last"><string>DejaVu Sans</string></edit>
+<edit name="hintstyle"><const>hintslight</const></edit></match></fontconfig>
+"""
+"""Qt's fonts: those that come with matplotlib, and not what a person has installed."""
 
 
 @contextlib.contextmanager
 def screens(count: int) -> Iterator[dict[str, str]]:
-    """Yield the environment for Qt on real X servers: the one that is there, or some of our own.
+    """Yield the environment for Qt on X servers of our own, with fonts of our own, in English.
 
-    Parameters
-    ----------
-    count : int
-        Of our own, if there is none. ``TEST_DISPLAYS`` names them, for `tests.conftest`.
+    ``TEST_DISPLAYS`` names the servers, for `tests.conftest`. Other systems have the one screen.
     """
-    environment = dict(os.environ)
-    environment.pop("TEST_DISPLAYS", None)
+    kept = {name: value for name, value in os.environ.items() if not name.startswith(_PERSONAL)}
+    environment = kept | {"LANG": "C.UTF-8"}
     if not sys.platform.startswith("linux"):
         yield environment
         return
     environment["QT_QPA_PLATFORM"] = "xcb"
-    if environment.get("DISPLAY"):
-        yield environment
-        return
     with contextlib.ExitStack() as stack:
         displays = [stack.enter_context(own_screen()) for _ in range(count)]
+        home = Path(stack.enter_context(tempfile.TemporaryDirectory()))
+        matplotlib = importlib.util.find_spec("matplotlib")
+        assert matplotlib is not None and matplotlib.origin is not None
+        fonts = Path(matplotlib.origin).with_name("mpl-data") / "fonts" / "ttf"
+        (home / "fonts.conf").write_text(_FONTS.format(fonts, home), encoding="utf-8")
+        environment["FONTCONFIG_FILE"] = str(home / "fonts.conf")
         environment["DISPLAY"] = displays[0]
         environment["TEST_DISPLAYS"] = " ".join(displays)
         yield environment
@@ -58,6 +71,8 @@ def at_home(extras: Sequence[str] = ("test",)) -> Iterator[dict[str, str]]:
 @contextlib.contextmanager
 def own_screen() -> Iterator[str]:
     """Yield the name of an X server of our own."""
+    if shutil.which("Xvfb") is None:
+        bootstrap.fail(bootstrap.advice(bootstrap.missing_system("tests")))
     reading, writing = os.pipe()
     # No -auth: without it the server lets in nobody but the user who started it.
     command = f"Xvfb -displayfd {writing} -screen 0 1920x1080x24 +extension GLX -nolisten tcp"
@@ -76,7 +91,7 @@ def own_screen() -> Iterator[str]:
             if not number:
                 said.seek(0)
                 why = " ".join(said.read().decode(errors="replace").split())
-                bootstrap.fail(f"Xvfb did not start ({why}); start an X server and set DISPLAY")
+                bootstrap.fail(f"Xvfb did not start ({why})")
             yield f":{number}"
         finally:
             server.terminate()
@@ -93,22 +108,19 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _stop)
     # A job in the background has Ctrl-C ignored, and so would all that the tests start and stop.
     signal.signal(signal.SIGINT, signal.default_int_handler)
-    with screens(min(os.cpu_count() or 1, MOST_SCREENS)) as environment:
-        command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
-        processes = len(environment.get("TEST_DISPLAYS", "").split())
-        if processes > 1:
-            command += ["--numprocesses", str(processes), "--dist", "worksteal"]
-        before = None if sys.platform == "win32" else bootstrap.die_with_parent
-        with subprocess.Popen(
-            command, cwd=bootstrap.ROOT, env=environment, preexec_fn=before
-        ) as pytest:
-            try:
-                return pytest.wait()
-            except KeyboardInterrupt:  # pytest has it too, and writes its summary
-                return pytest.wait()
-            except SystemExit:
-                pytest.terminate()
-                raise
+    command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
+    processes = min(os.cpu_count() or 1, MOST_SCREENS)
+    if sys.platform.startswith("linux") and processes > 1:
+        command += ["--numprocesses", str(processes), "--dist", "worksteal"]
+    before = None if sys.platform == "win32" else bootstrap.die_with_parent
+    with subprocess.Popen(command, cwd=bootstrap.ROOT, preexec_fn=before) as pytest:
+        try:
+            return pytest.wait()
+        except KeyboardInterrupt:  # pytest has it too, and writes its summary
+            return pytest.wait()
+        except SystemExit:
+            pytest.terminate()
+            raise
 
 
 if __name__ == "__main__":

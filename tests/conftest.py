@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import contextlib
 import gc
 import itertools
 import os
@@ -16,6 +18,7 @@ from hypothesis import settings
 from pytestqt.qtbot import QtBot
 
 from tests import PATIENCE_MS
+from tests.__main__ import screens
 
 MOST_WIDGETS = 600
 """Most widgets left after a test, about two docks: Python has not collected them yet."""
@@ -34,6 +37,17 @@ settings.load_profile("same")
 
 for wait in ("Until", "Signal", "Signals", "Exposed", "Active", "Callback"):
     getattr(QtBot, f"wait{wait}").__kwdefaults__["timeout"] = PATIENCE_MS
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Bring a screen for each process, unless whoever started this one has brought it."""
+    if not _displays:
+        stack = contextlib.ExitStack()
+        atexit.register(stack.close)  # after Qt and VTK, which end the process without their server
+        count = config.getoption("numprocesses", None) or 1
+        environment = stack.enter_context(screens(count))
+        os.environ.clear()
+        os.environ.update(environment)
 
 
 @pytest.hookimpl(wrapper=True)

@@ -138,8 +138,7 @@ class Copy:
 
     def __init__(self, folder: Path, environment: dict[str, str]) -> None:
         self.folder = folder
-        self.environment = dict(environment)
-        self.environment.pop("TEST_DISPLAYS", None)
+        self.environment = environment
         left_out = shutil.ignore_patterns(".git", ".venv", "__pycache__", ".*_cache", ".hypothesis")
         shutil.copytree(bootstrap.ROOT, folder, ignore=left_out)
         # By its hash: a mistake of the same length, made within a second, would not be seen.

@@ -804,7 +804,6 @@ def test_one_command_brings_what_app_export_and_tests_lack(
     programs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program(programs, "apt-get")
-    monkeypatch.setenv("DISPLAY", ":0")
     for kind in {type(item) for item in bootstrap.SYSTEM}:
         monkeypatch.setattr(kind, "is_here", lambda _: False)
     words = bootstrap.advice(bootstrap.missing_system("picture")).replace("'", "").split()
@@ -879,13 +878,10 @@ def test_each_need_asks_for_no_more_than_it_uses(programs: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
         for kind in {type(item) for item in bootstrap.SYSTEM}:
             patch.setattr(kind, "is_here", lambda _: False)
-        patch.delenv("DISPLAY", raising=False)
         numbers, picture, window, tests = (
             {item.name for item in bootstrap.missing_system(need)}
             for need in ("numbers", "picture", "window", "tests")
         )
-        patch.setenv("DISPLAY", ":0")
-        assert "Xvfb" not in {item.name for item in bootstrap.missing_system("tests")}
         patch.setattr(sys, "platform", "darwin")
         assert bootstrap.missing_system("tests") == []
     assert numbers == set()
@@ -999,25 +995,29 @@ def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
 
 @pytest.mark.parametrize("end", ["pass", "raise SystemExit(0)"])
 def test_the_tests_bring_a_screen_and_take_it_away(end: str, tmp_path: Path) -> None:
-    """A new process is needed because of ``preexec_fn``."""
+    """Whatever a person's is. A new process is needed because of ``preexec_fn``."""
     probe = (
+        "import os\n"
         "from tests.__main__ import screens\n"
         "with screens(2) as environment:\n"
-        "    print(environment['QT_QPA_PLATFORM'], environment['TEST_DISPLAYS'], flush=True)\n"
+        "    print(*{'WAYLAND_DISPLAY', 'QT_SCALE_FACTOR', 'LC_ALL'} & environment.keys(),\n"
+        "          environment['QT_QPA_PLATFORM'], environment['TEST_DISPLAYS'], flush=True)\n"
         "    assert environment['TEST_DISPLAYS'].startswith(environment['DISPLAY'])\n"
+        "    assert os.path.exists(environment['FONTCONFIG_FILE'])\n"
         f"    {end}\n"
     )
-    environment = {key: value for key, value in os.environ.items() if key != "DISPLAY"}
+    persons = {"DISPLAY": ":9999", "WAYLAND_DISPLAY": "wayland-9", "QT_SCALE_FACTOR": "2"}
     done = subprocess.run(
         [sys.executable, "-c", probe],
         cwd=bootstrap.ROOT,
-        env=environment,
+        env=os.environ | persons | {"LC_ALL": "de_DE.UTF-8"},
         capture_output=True,
         text=True,
         check=True,
     )
-    platform, *displays = done.stdout.split()
-    assert platform == "xcb" and len(set(displays)) == 2
+    *left, platform, one, other = done.stdout.split()
+    displays = one, other
+    assert platform == "xcb" and one != other and left == []
     for display in displays:
         number = display.removeprefix(":")
         assert int(number) >= 0

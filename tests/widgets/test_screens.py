@@ -6,8 +6,10 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
+from PySide6.QtGui import QFontDatabase
 
 from app.bootstrap import ROOT
 from tests import PATIENCE_S
@@ -82,6 +84,14 @@ window.store.mark_saved()
 window.close()
 monitors.close()
 """
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="an X server of our own")
+def test_a_persons_screen_and_fonts_are_not_used(display: Any) -> None:
+    assert os.environ["DISPLAY"] in os.environ["TEST_DISPLAYS"].split()
+    assert display.primaryScreen().size().toTuple() == (1920, 1080)
+    fonts = {name.partition(" ")[0] for name in QFontDatabase.families()}
+    assert fonts - {"Sans", "Serif", "Monospace"} == {"DejaVu"}  # the others are no fonts
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="an X server with RandR")
