@@ -78,7 +78,7 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
     import pyvista as pv
     from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
 
-    at_one_vertex = int(np.bincount(surface.regular_faces.ravel()).max())
+    at_one_vertex = int(np.bincount(np.asarray(surface.regular_faces, np.int64).ravel()).max())
     if surface.n_cells <= QUADRIC_TRIANGLES and at_one_vertex <= QUADRIC_VALENCE:
         decimation = vtkQuadricDecimation()
         decimation.SetInputData(surface)
