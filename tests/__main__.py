@@ -94,6 +94,8 @@ def main() -> int:
     # A job in the background has Ctrl-C ignored, and so would all that the tests start and stop.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     with screens(min(os.cpu_count() or 1, MOST_SCREENS)) as environment:
+        # Otherwise every process that a test starts compiles the program anew.
+        environment.pop("PYTHONDONTWRITEBYTECODE", None)
         command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
         processes = len(environment.get("TEST_DISPLAYS", "").split())
         if processes > 1:
