@@ -113,7 +113,12 @@ def main() -> int:
     if sys.platform.startswith("linux") and processes > 1:
         command += ["--numprocesses", str(processes), "--dist", "worksteal"]
     before = None if sys.platform == "win32" else bootstrap.die_with_parent
-    with subprocess.Popen(command, cwd=bootstrap.ROOT, preexec_fn=before) as pytest:
+    # Otherwise every process that a test starts compiles the program anew.
+    environment = {**os.environ}
+    environment.pop("PYTHONDONTWRITEBYTECODE", None)
+    with subprocess.Popen(
+        command, cwd=bootstrap.ROOT, env=environment, preexec_fn=before
+    ) as pytest:
         try:
             return pytest.wait()
         except KeyboardInterrupt:  # pytest has it too, and writes its summary
