@@ -293,8 +293,9 @@ def _about(figure: str) -> str:
             return extract(content, "Description") or ""
     except Refusal:
         return ""
-    found = re.search(r"<desc>(.*?)</desc>", content.decode(errors="replace"))
-    return "" if found is None else html.unescape(found[1])
+    _, _, rest = content.decode(errors="replace").partition("<desc>")
+    about, end, _ = rest.partition("</desc>")
+    return html.unescape(about) if end else ""
 
 
 def _page(title: str, entries: Sequence[tuple[str, str, str]]) -> bytes:

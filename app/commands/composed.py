@@ -163,12 +163,14 @@ def taken(
 ) -> list[Refusal]:
     """Measure all steps; return why some cannot be drawn, unless a check knows it already."""
     refused: list[Refusal] = []
+    said = {*map(str, known)}
     for place, step in enumerate(course.lesson.steps):
         try:
             composed.take(course, place, states_of(course, place), draw)
         except Refusal as error:
             error = _placed(error, course.lesson, step)
-            if str(error) not in map(str, (*known, *refused)):
+            if str(error) not in said:
+                said.add(str(error))
                 refused.append(error)
     return refused
 

@@ -53,15 +53,16 @@ def _line(file: Path) -> str:
 
 
 def _checked(report: Report, composed: Composed, files: Sequence[Path], own: bool) -> Iterator[str]:
-    """Yield a line for each mistake, and a summary line."""
+    """Yield a line for each mistake or warning, and the lines that sum them up."""
     if own:
         ideas_report = Report()
         ideas_report.take(ideas().lesson)
         report.wrong += ideas_report.wrong
     for file in files:
-        said = len(report.wrong)
+        said, warned = len(report.wrong), len(report.warnings)
         report.read(file)
-        yield from (f"{printable(str(error))}\n" for error in report.wrong[said:])
+        faults = *report.wrong[said:], *report.warnings[warned:]
+        yield from (f"{printable(str(error))}\n" for error in faults)
         if len(report.wrong) == said:
             before = len(composed.wrong)
             report.wrong += taken(composed, Course(read(file)), measure(), ())

@@ -14,6 +14,7 @@ from app.lessons.checking import Report
 from app.lessons.course import Course, file_of
 from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal, counted
+from app.strangers import printable
 
 READERS = ("teacher", "students")
 """Of a handout; the first ones unless others are asked for."""
@@ -37,7 +38,7 @@ def talk(arguments: Sequence[str]) -> int:
     status = 0
     if found.check:
         wrong, sums = _tried(file_of(name))
-        write_out(f"{line}\n" for line in (*wrong, *sums))
+        write_out(f"{printable(line)}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if found.handout is not None and not status:
         _print(read(file_of(name)), found.handout, answers=readers == READERS[0])
@@ -45,7 +46,7 @@ def talk(arguments: Sequence[str]) -> int:
 
 
 def _tried(path: Path) -> tuple[list[str], list[str]]:
-    """Return everything that is wrong with a talk, and the lines that sum it up."""
+    """Return everything that is wrong with a talk, and the warnings and lines that sum it up."""
     report, composed, left = Report(), Composed(), ""
     try:
         course = report.take(read(path))
@@ -55,8 +56,9 @@ def _tried(path: Path) -> tuple[list[str], list[str]]:
         report.wrong += taken(composed, course, measure(), report.wrong)
         left = _take_texts(composed, course.lesson)
     steps = counted(composed.steps, "step")
-    sums = [f"{path.name}: {steps} drawn, {len(report.wrong)} wrong", str(composed)]
-    return [*map(str, report.wrong), *composed.wrong], [*sums, *filter(None, [left])]
+    drawn = f"{path.name}: {steps} drawn, {len(report.wrong)} wrong"
+    sums = [*map(str, report.warnings), drawn, str(composed), *filter(None, [left])]
+    return [*map(str, report.wrong), *composed.wrong], sums
 
 
 def _take_texts(composed: Composed, lesson: Lesson) -> str:

@@ -36,7 +36,7 @@ TEXT_PT = 6.0
 """Of letters in a pane of 640 pixels, which a phone shows as wide as itself."""
 _SHARPER = 2.0  # of pixels, for the screens of phones
 
-_PART = re.compile(r'<path[^>]* d="|M[^M"<]*|"/>|<[^>]*>|[^<]+')
+_PART = re.compile(r'<path[^<>]* d="|M[^M"<]*|"/>|<[^<>]*>|[^<]+')
 STYLE = f"""
 :root{{color-scheme:light dark}}
 body{{margin:0 auto;max-width:90rem;padding:0 1rem 1rem;font:100%/1.45 system-ui,sans-serif;\

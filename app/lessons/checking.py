@@ -15,12 +15,12 @@ from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
 from app.lessons.blocks.block import Asked, Here, Trial, of_kind
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.question import Question
+from app.lessons.blocks.question import Marked, Question
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
-from app.lessons.record import WRONG
+from app.lessons.record import RIGHT, WRONG
 from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
@@ -39,7 +39,9 @@ TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
 NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
-
+NO_RIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "is tried by no sample “{0}: ... -> right”, so a wrong value would not be noticed"
+)
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
 NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
 NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step can name")
@@ -62,11 +64,13 @@ class Report:
     talks: int = 0
     checks: int = 0
     wrong: list[Refusal] = field(default_factory=list)
+    warnings: list[Refusal] = field(default_factory=list)
 
     def __str__(self) -> str:
+        warnings = f", {counted(len(self.warnings), 'warning')}" if self.warnings else ""
         return (
             f"{counted(self.lessons, 'lesson')}, {counted(self.talks, 'talk')}, "
-            f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong"
+            f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong{warnings}"
         )
 
     def read(self, path: Path) -> None:
@@ -85,6 +89,7 @@ class Report:
         _check(course, trial)
         self.checks += trial.checks
         self.wrong += trial.wrong.values()
+        self.warnings += trial.warnings
         return course
 
 
@@ -185,8 +190,9 @@ def _bare(text: str) -> str:
 
 
 def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
-    """Report a solution that cannot be typeset, and a wrong idea that no sample acts on."""
+    """Report a solution that cannot be typeset, and an answer or a wrong idea without a sample."""
     question: Asked = part
+    words = {sample.verdict for sample in step.samples if sample.block == part.name}
     if isinstance(part, Exercise):
         variant = part.variant(here, 1)
         question, here = variant.question, variant.here
@@ -195,8 +201,9 @@ def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
             problem = _problem_of_tex(tex)
             if problem:
                 trial.complain(refused(question.key[1], NOT_TEX, problem, value=tex))
+        if isinstance(question, Marked) and RIGHT not in words:
+            trial.warn(refused(question.right_line, NO_RIGHT, part.name))
     elif isinstance(question, Task):
-        words = {sample.verdict for sample in step.samples if sample.block == part.name}
         for wrong in question.wrong:
             if (wrong.idea or WRONG) not in words:
                 trial.complain(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))

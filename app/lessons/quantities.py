@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, lru_cache
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -162,6 +162,7 @@ def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
     return found if abs(found) >= NEGLIGIBLE else Fraction(0)
 
 
+@lru_cache(maxsize=4096)
 def read_formula(text: str, *, infinite: bool = False) -> Formula:
     """Read a formula of a lesson; refuse one that has no value in any state.
 

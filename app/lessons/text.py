@@ -30,7 +30,6 @@ _EM = 100.0
 _SCRIPTS = re.compile(r"([_^]?\{|\}|\\frac)")
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
-_APART = re.compile(rf"<p>((?:(?!</p>).)*{DISPLAYED}(?:(?!</p>).)*)</p>", re.DOTALL)
 _ROW = re.compile(rf"((?:{DISPLAYED}\s*)+[.,;:]?)")
 _MINUS = re.compile(r"(?<![\w.)\]])-(?=\d)")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
@@ -180,7 +179,7 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     reader.add_render_rule("math", lambda _self, *given: math(*given))
     reader.add_render_rule("text", lambda _self, tokens, place, *_: _words(tokens[place].content))
     text = re.sub(f"[{FORMULA}{DISPLAYED}]", "\ufffd", text)
-    whole = _APART.sub(_parted, _NO_HEAD.sub("", str(reader.render(text))))
+    whole = _parted(_NO_HEAD.sub("", str(reader.render(text))))
     return _ALONE.sub(r'<p align="center">\1</p>', whole.strip()), tuple(found)
 
 
@@ -189,14 +188,17 @@ def _words(text: str) -> str:
     return html.escape(_MINUS.sub("\N{MINUS SIGN}", text))
 
 
-def _parted(paragraph: re.Match[str]) -> str:
-    """Give the displayed formulas of a paragraph lines of their own."""
-    parts = (part.strip() for part in _ROW.split(paragraph[1]))
-    return "".join(
-        f'<p align="center">{part}</p>' if DISPLAYED in part else f"<p>{part}</p>"
-        for part in parts
-        if part
-    )
+def _parted(whole: str) -> str:
+    """Give the displayed formulas of each paragraph lines of their own."""
+    found, *paragraphs = whole.split("<p>")
+    for paragraph in paragraphs:
+        inside, end, behind = paragraph.partition("</p>")
+        is_whole = DISPLAYED not in inside
+        for part in [inside] if is_whole else filter(None, map(str.strip, _ROW.split(inside))):
+            align = ' align="center"' * (DISPLAYED in part)
+            found += f"<p{align}>{part}{end}"
+        found += behind
+    return found
 
 
 def readable(tex: str) -> str:

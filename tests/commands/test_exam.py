@@ -254,7 +254,7 @@ def test_fractions_on_paper_have_letters_of_full_size(qapp: Any) -> None:
 
 
 def test_an_exercise_that_fills_more_than_a_page_is_refused(qapp: Any) -> None:
-    long = exercises(1, LESSON.replace("Which is", "Which " * 4000 + "is"))
+    long = exercises(1, LESSON.replace("Which is", "Which\n" * 4000 + "is"))
     with pytest.raises(Refusal, match=r"line \d+ is too long for one page"):
         paged(long, paper.Block(60.0, lambda *_: None), 490.0, 745.0)
 

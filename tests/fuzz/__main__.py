@@ -22,7 +22,8 @@ from app import bootstrap
 
 if __name__ == "__main__":
     tool, *words = sys.argv[1:] or [""]
-    if tool not in ("golden", "hostile", "documents", "cheap", "variants", "hands"):
+    tools = "golden", "hostile", "documents", "cheap", "variants", "hands", "regexes"
+    if tool not in tools:
         sys.exit(__doc__)
     bootstrap.start("tests", extras=("test",))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along

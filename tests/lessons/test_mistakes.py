@@ -78,3 +78,16 @@ def test_nothing_is_said_that_only_follows_from_a_mistake(tmp_path: Path) -> Non
         assert LESSON.count(old) == 1, old
         found = faults(tmp_path / "l.md", LESSON.replace(old, new))
         assert len(found) == 1, found
+
+
+def test_an_answer_without_a_right_sample_is_a_warning(tmp_path: Path) -> None:
+    """Nobody else knows whether the formula of its value is the right one."""
+    path, tried = tmp_path / "l.md", "angle: 98.2 -> right\n"
+    for text, lines in ((LESSON, [52]), (LESSON.replace(tried, ""), [29, 52])):
+        path.write_text(text, encoding="utf-8")
+        report = Report()
+        report.read(path)
+        assert [each.field for each in report.warnings] == [f"line {line}" for line in lines]
+    said = "line 29 is tried by no sample “angle: ... -> right”, so a wrong value"
+    assert f"{path}: {said}" in str(report.warnings[0])
+    assert str(report) == "1 lesson, 0 talks, 16 checks, 0 wrong, 2 warnings"

@@ -114,7 +114,9 @@ class FramePanel(Panel):
         """Replace the letters under arrows with the lecture's."""
         letters = frame_letters(lettering.now)
         return re.sub(
-            f"([a-z]+){ARROW}", lambda found: f"{letters.get(found[1], found[1])}{ARROW}", text
+            f"(?<![a-z])([a-z]+){ARROW}",
+            lambda found: f"{letters.get(found[1], found[1])}{ARROW}",
+            text,
         )
 
     # -- making

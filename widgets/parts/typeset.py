@@ -46,7 +46,8 @@ LEAST_EM = 8
 
 _SIGNS = (OPEN, "[", "_", "^", ARROW, "\n")
 _PIECE = re.compile(
-    f"_(?P<below>[^\\W_]*(?:\u2192[^\\W_]+)?)|\\^(?P<above>[-−]?[^\\W_]*)|(?P<vector>[^\\W\\d_]+){ARROW}|(?P<plain>.)"
+    "_(?P<below>[^\\W_]*(?:\u2192[^\\W_]+)?)|\\^(?P<above>[-−]?[^\\W_]*)"
+    f"|(?<![^\\W\\d_])(?P<vector>[^\\W\\d_]+){ARROW}|(?P<plain>.)"
 )
 
 
@@ -278,7 +279,7 @@ def matrix(rows: Iterable[Iterable[str]]) -> str:
     return f"[{';'.join('&'.join(row) for row in rows)}]"
 
 
-_FRACTION = re.compile(f"{OPEN}([^{OPEN}{CLOSE}]*){OVER}([^{OPEN}{CLOSE}]*){CLOSE}")
+_FRACTION = re.compile(f"{OPEN}([^{OPEN}{OVER}{CLOSE}]*){OVER}([^{OPEN}{OVER}{CLOSE}]*){CLOSE}")
 _MATRIX = re.compile(r"\[([^\[\]]*)\]")
 
 

@@ -45,7 +45,7 @@ def _shown(text: str) -> str:
         keys = PLAY_KEY if found[1] == "Play" else found[1]
         return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
 
-    return re.sub(r"\{(.+?)\}", key, QCoreApplication.translate("Help", text))
+    return re.sub(r"\{([^{}]+)\}", key, QCoreApplication.translate("Help", text))
 
 
 class Help(QObject):

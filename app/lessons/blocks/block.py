@@ -63,16 +63,24 @@ class Here(Protocol):
 
 @dataclass
 class Trial:
-    """The progress of a check: what was tried, and the faults found, by their sentences."""
+    """The progress of a check: what was tried, and the faults found, by their sentences.
+
+    A warning is about what the check cannot know to be right.
+    """
 
     path: Path
     checks: int = 0
     wrong: dict[str, Refusal] = field(default_factory=dict)
+    warnings: list[Refusal] = field(default_factory=list)
 
     def complain(self, error: Refusal) -> None:
         """Add a fault, but only once for all steps that continue a faulty one."""
         error.file = str(self.path)
         self.wrong.setdefault(str(error), error)
+
+    def warn(self, error: Refusal) -> None:
+        error.file = str(self.path)
+        self.warnings.append(error)
 
     @contextmanager
     def kept(self) -> Iterator[None]:

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import random
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
@@ -191,11 +191,11 @@ class Exercise(Asked):
             question.check_wrong(here)
         return Variant(seed, numbers, question, here)
 
-    def _check_every_value(self, here: Here) -> None:
-        """Refuse an answer that has no value with one value of a name; the others are drawn."""
+    def _check_values_but(self, here: Here, tried: Sequence[Collection[Fraction]]) -> None:
+        """Refuse an answer without a value for one more value of a name; the others are drawn."""
         chance = random.Random(self.name)
-        for each in self.varied:
-            for value in each.values:
+        for each, known in zip(self.varied, tried, strict=True):
+            for value in (value for value in each.values if value not in known):
                 numbers = {other.name: chance.choice(other.values) for other in self.varied}
                 try:
                     self._suited(here, 1, numbers | {each.name: value})
@@ -211,7 +211,6 @@ class Exercise(Asked):
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
-        self._check_every_value(here)
         count = math.prod(len(each.values) for each in self.varied)
         found = set[tuple[Fraction, ...]]()
         for seed in range(1, SEEDS + 1):
@@ -219,6 +218,7 @@ class Exercise(Asked):
             found.add(tuple(variant.numbers.values()))
             if isinstance(variant.question, Task):
                 variant.question.check_right(variant.here)
+        self._check_values_but(here, [set(values) for values in zip(*found, strict=True)])
         if min(count, len(found)) < LEAST_VARIANTS:
             raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
         shown: set[str] | None = None
