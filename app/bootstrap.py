@@ -40,9 +40,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Literal, NoReturn, Self
 
-ROOT = Path(__file__).resolve().parent.parent
+ROOT = Path(os.path.realpath(__file__)).parent.parent
 #: The command that starts the program: an installed one has no checkout around it.
-PROGRAM = "python3 -m app" if (ROOT / "pyproject.toml").exists() else "frustum-lab"
+PROGRAM = "python3 -m app" if os.path.exists(ROOT / "pyproject.toml") else "frustum-lab"
 EXIT_NOT_SET_UP = 3
 #: Space for a fresh environment with the tests' packages, 1.15 GB, and pip's temporary files.
 SPACE_GB = 1.5
@@ -387,21 +387,26 @@ class Environment:
 
     def read_stamp(self) -> str | None:
         try:
-            return self.stamp.read_text(encoding="utf-8")
-        except (FileNotFoundError, NotADirectoryError):
+            return self.stamp.read_text(encoding="utf-8", errors="replace")
+        except OSError:
             return None
 
     def is_complete(self) -> bool:
         stamp = self.read_stamp()
         complete = stamp is not None and self.line(self.extras) in stamp.split("\n")
-        return complete and self.python.exists()
+        return complete and os.path.exists(self.python)
 
     def is_running(self) -> bool:
         """Whether the current interpreter belongs to this environment."""
-        return Path(sys.prefix).resolve() == self.folder.resolve()
+        return os.path.realpath(sys.prefix) == os.path.realpath(self.folder)
 
     def make(self) -> None:
         """Complete the environment, whatever state it is in."""
+        if os.path.lexists(self.folder) and not os.path.isdir(self.folder):  # not ours to remove
+            raise SetupError(
+                f"{self.folder} is not a folder; rename or remove it, and run again: "
+                f"{_command_again()}"
+            )
         started = time.monotonic()
         with _stoppable(), _lock(self.root / ".venv.lock") as held:
             self._bring_back()  # left aside by a set-up that was killed
@@ -446,7 +451,7 @@ class Environment:
 
     def _bring_back(self) -> None:
         """Restore the environment that was put aside, unless the new one is complete."""
-        if self.aside.exists():
+        if os.path.exists(self.aside):
             if self.is_complete():
                 self._clear(self.aside)
             else:
@@ -455,7 +460,7 @@ class Environment:
 
     def _clear(self, folder: Path) -> None:
         with self._not_in_use():
-            if folder.exists():
+            if os.path.exists(folder):
                 shutil.rmtree(folder)
 
     @contextlib.contextmanager
@@ -600,7 +605,7 @@ def _no_space(environment: Path) -> SetupError:
         temporary = Path(tempfile.gettempdir())
     except FileNotFoundError:  # there, not even an empty file could be written
         temporary = Path(os.environ.get("TMPDIR", "/tmp"))
-    folders = [folder for folder in (environment, temporary) if folder.exists()] or [ROOT]
+    folders = [folder for folder in (environment, temporary) if os.path.exists(folder)] or [ROOT]
     full = min(folders, key=lambda folder: shutil.disk_usage(folder).free)
     also = " or set TMPDIR to a folder that has it" if full == temporary else ""
     return SetupError(
@@ -719,7 +724,11 @@ def die_with_parent() -> None:
 @contextlib.contextmanager
 def _lock(path: Path) -> Iterator[Held]:
     """Hold a lock that the operating system releases if the process dies."""
-    with open(path, "ab") as file:
+
+    def without_waiting(name: str, flags: int) -> int:  # for the reader of a pipe
+        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0), 0o666)
+
+    with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
             _say("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
@@ -776,7 +785,7 @@ def enter() -> bool:
 
 def _has_packages(extras: tuple[str, ...] = ()) -> bool:
     """Whether this interpreter has the packages; first enters .venv if its stamp is complete."""
-    if not (ROOT / "pyproject.toml").exists():  # installed by pip, which installed the packages too
+    if not os.path.exists(ROOT / "pyproject.toml"):  # pip has installed it, with the packages
         return True
     environment, wanted = Environment(ROOT, extras), requirements(ROOT, extras)
     if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():

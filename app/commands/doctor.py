@@ -76,7 +76,7 @@ def examine() -> Iterator[Finding]:
 def _packages() -> Iterator[Finding]:
     from importlib import metadata  # slow, and every command imports this file
 
-    if (bootstrap.ROOT / "pyproject.toml").exists():
+    if os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         for requirement in bootstrap.requirements(bootstrap.ROOT):
             bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()
             try:
@@ -112,9 +112,9 @@ def _folders() -> Iterator[Finding]:
         ("Log folder", log_path().parent),
     ):
         there = folder
-        while not there.exists() and there != there.parent:
+        while not os.path.exists(there) and there != there.parent:
             there = there.parent
-        if there.is_dir() and os.access(there, os.W_OK):
+        if os.path.isdir(there) and os.access(there, os.W_OK):
             yield Finding(name, str(folder))
         else:
             yield Finding(

@@ -76,7 +76,7 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
     found = dict[str, os.PathLike[str]]()
     for word in (word.strip() for word in text.split(",")):
         path = file_of(word)
-        if not path.is_file():
+        if not os.path.isfile(path):
             topics = (
                 each.stem.partition("-")[0].upper().replace("L0", "L") for each in contained()
             )

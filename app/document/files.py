@@ -204,18 +204,20 @@ def write(document: Document, path: Path) -> None:
     write_bytes_atomically(path, to_json(document, folder).encode())
 
 
-def write_bytes_atomically(path: Path, content: bytes) -> None:
+def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False) -> None:
     """Write a file completely or not at all, even if the power fails.
 
     The content goes to a new file in the same folder, which replaces the old one once it is safely
     on the disk. Links are followed, and the permissions of an old file are kept. The next program
-    that writes there removes unfinished files of a killed program.
+    that writes there removes unfinished files of a killed program. A trial leaves the old file in
+    its place: it only finds out whether another one could be written.
 
     Raises
     ------
     Refusal
         If it cannot be written; an old file is unchanged.
     """
+    finish = (lambda unfinished, _: os.unlink(unfinished)) if is_trial else os.replace
     with blamed_on(path, UNWRITABLE):
         target = os.path.realpath(path)
         mode = _mode_to_keep(target)
@@ -230,9 +232,9 @@ def write_bytes_atomically(path: Path, content: bytes) -> None:
                 unfinished.flush()
                 os.fsync(unfinished.fileno())
                 if sys.platform != "win32":  # while the lock is held
-                    os.replace(unfinished.name, target)
+                    finish(unfinished.name, target)
             if sys.platform == "win32":  # Windows renames closed files only
-                os.replace(unfinished.name, target)
+                finish(unfinished.name, target)
         except BaseException:
             with contextlib.suppress(OSError):
                 os.unlink(unfinished.name)
@@ -289,7 +291,7 @@ def _remove_unfinished(folder: str) -> None:
                     if time.time() - entry.stat().st_mtime > STALE_S:
                         os.unlink(entry.path)
                 else:
-                    with open(entry.path, "rb") as file:
+                    with open_regular(entry.path) as file:  # nobody may write to a pipe
                         if _lock(file, wait=False):
                             os.unlink(entry.path)
 

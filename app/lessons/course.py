@@ -277,7 +277,7 @@ def idea_named(name: str) -> Idea | None:
 def file_of(name: str) -> Path:
     """Return the file of a path, or of a lesson's or a talk's own name: ``talk-001.md``, ``L5``."""
     path = Path(name)
-    if path.exists() or path.parent != Path():
+    if os.path.exists(path) or path.parent != Path():
         return path
     stem = path.stem.lower()
     names = stem, f"talk-{stem}"

@@ -165,7 +165,9 @@ class Record:
                 status = os.fstat(file)
                 if not stat.S_ISREG(status.st_mode):
                     raise OSError("it is not a regular file")
-                os.write(file, line)  # at once, so that lines of two windows do not mix
+                left = line
+                while left:  # at once if it fits, so that lines of two windows do not mix
+                    left = left[os.write(file, left) :]
             finally:
                 os.close(file)
             if status.st_size + len(line) > LARGEST:
@@ -196,7 +198,7 @@ class Record:
 
 def _lines(path: Path) -> list[bytes]:
     """Return the last lines of a file, so many as a file of ours can have."""
-    if not path.exists():
+    if not os.path.exists(path):
         return []
     with blamed_on(path, UNREADABLE), open_regular(path) as file:
         size = file.seek(0, os.SEEK_END)

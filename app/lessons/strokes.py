@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+import os
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
-from app.document.files import UNREADABLE, blamed_on, content_of
+from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 LARGEST = 8 * 2**20
@@ -38,26 +39,36 @@ def picture_beside(talk: Path, step: str) -> Path:
 
 
 def write_strokes(talk: Path, strokes: Strokes) -> Path:
-    """Keep the strokes of a talk in the file beside it; raise `OSError` if that fails."""
+    """Keep the strokes of a talk in the file beside it; a `Refusal` if that fails.
+
+    A file that cannot be read stays there as ``.bak``.
+    """
     tree = {
         step: [[each.colour, *each.points] for each in drawn] for step, drawn in strokes.items()
     }
     path = path_beside(talk)
-    path.write_text(json.dumps({"strokes": tree}), encoding="utf-8")
+    try:
+        read_strokes(talk)
+    except Refusal as error:
+        with blamed_on(path, UNWRITABLE):
+            if error.bound == NO_STROKES:
+                os.replace(path, f"{path}.bak")
+    write_bytes_atomically(path, json.dumps({"strokes": tree}).encode())
     return path
 
 
 def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
     """Read the strokes that were kept of a talk; none if there is no file."""
     path = path_beside(talk)
-    if not path.exists():
+    if not os.path.exists(path):
         return {}
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
         try:
             tree = json.loads(content.decode("utf-8"))["strokes"]
             return {str(step): tuple(map(_stroke, drawn)) for step, drawn in tree.items()}
-        except (ValueError, TypeError, KeyError, AttributeError, RecursionError) as error:
+        except (ValueError, TypeError, LookupError, ArithmeticError,
+                AttributeError, RecursionError) as error:  # fmt: skip
             raise Refusal.in_document(NO_STROKES) from error
 
 

@@ -248,7 +248,7 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
         if error.bound != NOT_IN_WORDS:
             raise
         beside = folder / _free(
-            f"{lesson.path.stem}-{name}", lambda each: (folder / each).exists(), ".json"
+            f"{lesson.path.stem}-{name}", lambda each: os.path.lexists(folder / each), ".json"
         )
         values = [f"document: {beside.name}"]
     return _Written([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)

@@ -16,6 +16,7 @@ from __future__ import annotations
 
 import difflib
 import math
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -417,7 +418,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if path.suffix.lower() in ENDINGS:
         return _scene_of_mesh(name_or_path, path, progress)
     is_file_name = path.name != name_or_path or path.suffix != ""
-    if name_or_path and (is_file_name or _exists(path)):
+    if name_or_path and (is_file_name or os.path.exists(path)):
         open_mesh(path).close()
         raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
@@ -610,13 +611,6 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     )
     report(progress, 1.0)
     return scene
-
-
-def _exists(path: Path) -> bool:
-    try:
-        return path.exists()
-    except (OSError, ValueError):  # no permission, or an impossible name
-        return False
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:

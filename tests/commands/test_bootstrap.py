@@ -744,6 +744,32 @@ def test_a_folder_that_cannot_be_written_to_is_one_sentence(fresh: Checkout) -> 
     assert "a folder that you may write to" in refused(fresh)
 
 
+@pytest.mark.parametrize("is_link", [False, True], ids=["file", "link-to-itself"])
+def test_an_environment_that_is_no_folder_is_left_alone(fresh: Checkout, is_link: bool) -> None:
+    environment = bootstrap.Environment(fresh.root)
+    if is_link:
+        environment.folder.symlink_to(environment.folder)
+    else:  # some programs write there where theirs is
+        environment.folder.write_text("elsewhere")
+    assert not environment.is_complete() and not environment.is_running()
+    with pytest.raises(bootstrap.SetupError, match=r"\.venv is not a folder; rename or remove it"):
+        environment.make()
+    assert os.path.lexists(environment.folder)
+
+
+def test_a_lock_that_is_a_pipe_hangs_no_start(fresh: Checkout) -> None:
+    os.mkfifo(fresh.root / ".venv.lock")
+    with pytest.raises(OSError, match=r"\.venv\.lock"):
+        bootstrap.Environment(fresh.root).make()
+
+
+def test_a_stamp_that_is_no_text_is_not_trusted(fresh: Checkout) -> None:
+    environment = bootstrap.Environment(fresh.root)
+    environment.folder.mkdir()
+    environment.stamp.write_bytes(b"\xff")
+    assert not environment.is_complete()
+
+
 def test_a_python_that_is_too_old_is_refused(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

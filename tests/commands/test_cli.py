@@ -64,6 +64,7 @@ from tests.support.commands import (
     run_here,
 )
 from tests.support.drawings import colours_of
+from tests.support.unreachable import unreachable
 from widgets.program import application
 
 __all__ = ["comma_locale"]
@@ -512,6 +513,27 @@ def test_after_two_dashes_all_words_are_names(tmp_path: Path, by_hand: Path) -> 
     assert (done.returncode, json.loads(done.stdout)) == (0, matrices(by_hand))
     assert "was given 2 names" in refused("matrices", by_hand, "--", "--format")
     assert "-- does not exist" in refused("matrices", "--", "--")
+
+
+@pytest.mark.parametrize("ending", [".json", ".md", ".png", ".obj", ""])
+def test_a_file_that_cannot_be_looked_for_is_refused_in_a_sentence(
+    ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    out, source = tmp_path / "out", tmp_path / "list.csv"
+    for name in unreachable(tmp_path, ending, monkeypatch):
+        for command in (
+            "{0}", "project {0} 1,2,3", "matrices {0}", "export {1}.png {0}", "export {0}/a.png",
+            "export {1}.png {0} --step 1", "measure {0} --quick", "talk {0} --handout {1}.pdf",
+            "lesson print --topics {0} --seeds 1 --out {1}",
+            "talk L5 --handout {0}/a.pdf", "measure --json {0}/a.json",
+            "lesson results --csv {0}/a.csv x", "project 1,2,3 --set scene={0}",
+        ):  # fmt: skip
+            refused(*command.format(name, out).split())
+        for command in ("lesson check {0}", "lesson results {0}", "export {1} --batch {0}"):
+            assert run_here(*command.format(name, out).split()).returncode
+        source.write_text(f"out,file\na.png,{name}\n")
+        listed = run_here("export", out, "--batch", source)
+        assert listed.returncode == 2 and listed.stderr.startswith(f"{source}, line 2: ")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a file of POSIX systems")

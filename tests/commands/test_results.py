@@ -95,6 +95,7 @@ def test_every_mark_comes_from_what_was_typed(
         answer("set", 1, f"lens.near=0.1 lens.far={wanted}"),
         answer("say", 0, "1", "wrong"),  # edited downwards
         answer("gone", 1, "1", "right"),
+        answer("wide", 1, "60", lesson="x" * 300),
         student="=cmd|' /C calc'!A0",
     )
     assert "ana" not in json.dumps(tree), "no folder that may name the student"
@@ -104,13 +105,13 @@ def test_every_mark_comes_from_what_was_typed(
     (folder / "b.json").write_text(json.dumps(tree), encoding="utf-8")
     assert run("a.json", "b.json", table="out.csv") == 0
     said = capsys.readouterr().out
-    assert "2 files, 9 answers: 2 right, 5 wrong, 1 shown, 1 not marked\n" in said
+    assert "2 files, 10 answers: 2 right, 5 wrong, 1 shown, 2 not marked\n" in said
     assert "3 marks not as in the files" in said and "    2    2  angle-linear  " in said
     assert "    1    1  own.md: far  That is far.\n" in said
     assert "    1  own.md one/wide 1: 77 (56.374)" in said
     found = rows(folder / "out.csv")
     assert [row["mark"] for row in found] == [
-        "right", "wrong", "wrong", "wrong", "shown", "wrong", "right", "", "wrong",
+        "right", "wrong", "wrong", "wrong", "shown", "wrong", "right", "", "", "wrong",
     ]  # fmt: skip
     assert [row["idea"] for row in found if row["idea"]] == [
         "angle-linear", "far", "angle-linear",

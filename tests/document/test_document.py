@@ -912,6 +912,20 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
             assert found == f"{place} cannot be written: {why}."
         assert pipe.is_fifo()
 
+    def test_a_pipe_named_like_an_unfinished_file_hangs_nobody(tmp_path: Path) -> None:
+        pipe = tmp_path / ".frustum-lab-01234567.tmp"
+        os.mkfifo(pipe)
+        write(Document(), tmp_path / "lesson.json")
+        assert pipe.is_fifo() and names_in(tmp_path) == [pipe.name, "lesson.json"]
+
+    def test_a_trial_says_what_prevents_writing_and_changes_nothing(tmp_path: Path) -> None:
+        path = tmp_path / "lesson.json"
+        write(Document(), path)
+        write_bytes_atomically(path, b"x", is_trial=True)
+        assert read(path) == Document() and names_in(tmp_path) == ["lesson.json"]
+        with pytest.raises(Refusal, match="No such file or directory"):
+            write_bytes_atomically(tmp_path / "no" / "such", b"x", is_trial=True)
+
     def test_a_read_only_folder_or_file_is_left_as_it_is() -> None:
         # Not in pytest's own folder, which nobody but its user can enter.
         with tempfile.TemporaryDirectory() as name:

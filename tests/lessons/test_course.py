@@ -15,8 +15,12 @@ from app.document.settings import set_values
 from app.lessons import transition
 from app.lessons.course import Course, file_of, idea_named, ideas
 from app.lessons.lesson import parse_lesson
+from app.lessons.practice import find, practised, to_review, topics
+from app.lessons.record import Attempt, Record, due, standings
+from app.lessons.strokes import read_strokes
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from tests.support.unreachable import unreachable
 
 TOP = "---\ntitle: T\nletters: 001\n---\n"
 STEPS = """# One {#one}
@@ -248,3 +252,16 @@ def test_a_lesson_or_talk_of_the_program_is_found_by_its_name(tmp_path: Path) ->
     own = tmp_path / "001"
     own.write_text("mine")
     assert file_of(str(own)) == own
+
+
+def test_a_lesson_that_cannot_be_looked_for_is_not_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its record comes back all the same, when its folder is open again."""
+    for name in unreachable(tmp_path, ".md", monkeypatch):
+        record = Record(tmp_path / "record.jsonl")
+        record.add(Attempt(1, name, "one/wide", 1, "60", "wrong"))
+        known = standings(record.read())
+        assert find((name, "one/wide")) is None and to_review(due(known), known) == []
+        assert practised(lesson for lesson, _ in known) == dict(topics())
+        assert Record(Path(name)).read() == [] and read_strokes(Path(name)) == {}

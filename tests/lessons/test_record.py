@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import json
+import os
 from datetime import date, timedelta
 from pathlib import Path
 
@@ -82,6 +83,17 @@ def test_a_full_file_becomes_the_old_one(tmp_path: Path, monkeypatch: pytest.Mon
     path.write_bytes(b"x" * 50_000)  # somebody else's
     Record(path).add(attempt(99))
     assert [each.seed for each in Record(path).read()][-1] == 99
+
+
+def test_an_answer_is_written_whole_if_the_system_takes_it_in_parts(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    write = os.write
+    monkeypatch.setattr(os, "write", lambda file, line: write(file, line[:7]))
+    kept = Record(tmp_path / "record.jsonl")
+    kept.add(attempt(1))
+    kept.add(attempt(2))
+    assert [each.seed for each in kept.read()] == [1, 2] and kept.problem is None
 
 
 def test_what_is_no_file_is_refused_in_a_sentence(tmp_path: Path) -> None:

@@ -177,15 +177,19 @@ def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk:
 
 @pytest.mark.parametrize(
     "text", ["", "[]", '{"strokes": {"one": [["pink", [0, 0]]]}}', '{"strokes": {"one": [["n"]]}}',
-             '{"strokes": {"one": [["n", [2, 0]]]}}']
+             '{"strokes": {"one": [["n", [2, 0]]]}}', '{"strokes": {"one": [["n", [NaN, 0]]]}}',
+             '{"strokes": {"one": [["n", [1' + 400 * "0" + ', 0]]]}}', "[" * 100_000]
 )  # fmt: skip
-def test_a_damaged_file_of_strokes_is_refused(tmp_path: Path, text: str) -> None:
+def test_a_damaged_file_of_strokes_is_refused_and_set_aside(tmp_path: Path, text: str) -> None:
     talk = tmp_path / "talk.md"
     write_strokes(talk, {"one": [Stroke("n", ((0.5, 0.5),))]})
     assert read_strokes(talk) == {"one": (Stroke("n", ((0.5, 0.5),)),)}
     path_beside(talk).write_text(text)
     with pytest.raises(Refusal, match="has no strokes as Frustum Lab writes them"):
         read_strokes(talk)
+    write_strokes(talk, {})
+    assert read_strokes(talk) == {}
+    assert Path(f"{path_beside(talk)}.bak").read_text() == text
 
 
 @pytest.mark.undrawn

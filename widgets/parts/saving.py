@@ -1,4 +1,4 @@
-"""Ask for a file to save to, and confirm before overwriting one.
+"""Ask for a file to save to, and confirm before overwriting one; encode pictures.
 
 Qt's own dialog does not know that a name without an ending gets one, so it checks another file.
 """
@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import os
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QBuffer, QCoreApplication
+from PySide6.QtGui import QImage, QPixmap
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from widgets.parts.plain import message_box
@@ -29,3 +30,11 @@ def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: st
         if box.exec() != buttons.Yes:
             return ""
     return path
+
+
+def png_of(picture: QImage | QPixmap) -> bytes:
+    """Return the content of a PNG file."""
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    picture.save(buffer, "PNG")  # type: ignore[call-overload]
+    return bytes(buffer.data().data())

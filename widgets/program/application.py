@@ -29,11 +29,9 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
-    QBuffer,
     QCoreApplication,
     QEvent,
     QEventLoop,
-    QIODevice,
     QLocale,
     QSocketNotifier,
     Qt,
@@ -46,6 +44,7 @@ from app import __version__, bootstrap
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from widgets.parts.saving import png_of
 from widgets.program import opengl
 from widgets.program.display import display
 from widgets.program.logs import log_qt, log_vtk, start_log
@@ -303,8 +302,6 @@ def _take_screenshot(
     window.messages.hide()  # the window may offer to recover work
     window.status.clearMessage()
     application.processEvents()
-    png = QBuffer()
-    png.open(QIODevice.OpenModeFlag.WriteOnly)
-    window.grab().save(png, "PNG")
+    png = png_of(window.grab())
     window.close()
-    write_bytes_atomically(path, bytes(png.data().data()))
+    write_bytes_atomically(path, png)

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -87,7 +88,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
         shown,
         texts,
         _note(step) if answers else "",
-        slide if slide.is_file() else None,
+        slide if os.path.isfile(slide) else None,
         bool(asked) and not answers,
     )
     if not any(part.is_tall and "\n|" in part.text for part in step.parts):

@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, Qt
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from app.drawings.describing import describe
@@ -22,6 +22,7 @@ from app.lessons.course import Course, panes_of, scene_of
 from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
 from app.model.formula import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
+from widgets.parts.saving import png_of
 from widgets.program.handout_content import (
     Content,
     Equation,
@@ -169,10 +170,7 @@ def _slide(path: Path) -> str:
         return ""
     if image.width() > _SLIDE_PX:
         image = image.scaledToWidth(_SLIDE_PX, Qt.TransformationMode.SmoothTransformation)
-    buffer = QBuffer()
-    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    image.save(buffer, "PNG")  # type: ignore[call-overload]
-    return f"data:image/png;base64,{base64.b64encode(buffer.data().data()).decode()}"
+    return f"data:image/png;base64,{base64.b64encode(png_of(image)).decode()}"
 
 
 def _beside(parts: Iterator[str]) -> str:

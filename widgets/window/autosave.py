@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import logging
 import os
+import re
 import secrets
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QTimer, Signal
@@ -16,6 +18,7 @@ from app.model.refusal import Refusal
 
 log = logging.getLogger(__name__)
 
+_COPY = re.compile(r"autosave-.*\.(json|lock)")
 DELAY_MS = 2000
 """Delay between an edit and its copy; during a long drag, the interval between copies."""
 
@@ -88,20 +91,21 @@ class Autosave(QObject):
 
     def orphans(self) -> list[Path]:
         """Return the copies left by windows that died, newest first, and remove their locks."""
-        found = []
-        left = (*self._folder.glob("autosave-*.json"), *self._folder.glob("autosave-*.lock"))
-        for path in {path.with_suffix(".json") for path in left} - {self._path}:
+        left, found = list[str](), list[tuple[float, Path]]()
+        with suppress(OSError):
+            left = [name for name in os.listdir(self._folder) if _COPY.fullmatch(name)]
+        for path in {(self._folder / name).with_suffix(".json") for name in left} - {self._path}:
             lock = _lock(path)
             if lock.tryLock(0):
                 lock.unlock()
-                if path.exists():
-                    found.append(path)
-        return sorted(found, key=lambda path: path.stat().st_mtime, reverse=True)
+                with suppress(OSError):  # a lock alone, or another window has just taken it
+                    found.append((path.stat().st_mtime, path))
+        return [path for _, path in sorted(found, reverse=True)]
 
     def leave(self) -> bool:
         """Keep unsaved work before another document is shown; False if there is no copy to keep."""
         self._timer.stop()
-        return self.save_now() and self._path.exists()
+        return self.save_now() and os.path.exists(self._path)
 
     def release(self) -> None:
         """Leave the copy for the next window: its work was neither saved nor discarded."""

@@ -207,7 +207,8 @@ class ExportDialog(QDialog):
     def _take(self, kept: Mapping[str, Any]) -> None:
         """Show a choice that was kept; nothing of it needs to be possible."""
         for name, combo in self._combos.items():
-            combo.setCurrentIndex(max(0, combo.findData(kept.get(name))))
+            known = [combo.itemData(place) for place in range(combo.count())]
+            combo.setCurrentIndex(known.index(kept[name]) if kept.get(name) in known else 0)
         panes = kept.get("panes")
         if isinstance(panes, (list, tuple)) and any(name in panes for name in PANES):
             for name, box in self._boxes.items():

@@ -34,6 +34,7 @@ from app.document.document import Document
 from app.document.store import Store
 from app.drawings.style import Style
 from app.lessons.record import Record
+from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -52,6 +53,7 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, Shown
 from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
@@ -375,12 +377,12 @@ class MainWindow(QMainWindow):
         text = self.tr("The answers in “{0}” were deleted.").format(title)
         self.messages.say(text, (self.tr("Undo"), take_back), warns=False)
 
-    def _tell_unsaved(self, path: Path) -> None:
+    def _tell_unsaved(self, why: Refusal) -> None:
         text = self.tr(
-            "Settings and progress cannot be written to {0}. They are kept until the program ends,"
-            " and saving is tried again with the next change: free some space on the disk."
+            "{0} Settings and progress are kept until the program ends, and saving them is tried"
+            " again with the next change."
         )
-        self.messages.say(text.format(path))
+        self.messages.say(text.format(sentence(why)))
 
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
@@ -604,7 +606,7 @@ class MainWindow(QMainWindow):
         self.strip.pause()
         self.counting.stop()
         self.measure_panel.close_process()
-        self.settings.cannot_save = lambda _path: None
+        self.settings.cannot_save = lambda _why: None
         self.settings.geometry = bytes(geometry.data())
         self.lesson_card.keep_now()
         self.recovery.close()

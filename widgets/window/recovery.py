@@ -8,11 +8,12 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QDateTime, QLocale, QObject
+from PySide6.QtCore import QFileInfo, QLocale, QObject
 
 from app.document.files import read
 from app.document.store import Origin, Store
@@ -67,7 +68,7 @@ class Recovery(QObject):
         orphans = self.autosave.orphans()
         if orphans:
             newest = orphans[0]
-            time = QDateTime.fromSecsSinceEpoch(int(newest.stat().st_mtime))
+            time = QFileInfo(newest).lastModified()
             written = QLocale().toString(time, QLocale.FormatType.ShortFormat)
             text = self.tr("There is unsaved work from {0}.").format(written)
             self._messages.say(text, *self._choices(newest))
@@ -82,7 +83,8 @@ class Recovery(QObject):
         try:
             document = read(path)
         except Refusal as error:
-            choices = self._choices(path) if path.exists() else ()  # or another window has it
+            is_left = os.path.exists(path)  # or another window has it
+            choices = self._choices(path) if is_left else ()
             self._messages.say(sentence(error), *choices)
             return
         if self._files.open_recovered(document):

@@ -16,8 +16,11 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 
 from app import __version__
+from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
+from app.strangers import open_regular
 
 log = logging.getLogger(__name__)
 
@@ -59,6 +62,11 @@ LEAST_NOTES_PX, LARGEST_NOTES_PX = 10, 72
 MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 1200
 """Limits of saved progress: lessons, the newest answers of each, and characters of an answer,
 which may be a matrix."""
+
+
+TRIAL_BYTES = 2**18
+"""Size of a file that finds out why the settings cannot be written; they are seldom as large."""
+LOCKED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: another program may be writing it")
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
@@ -208,7 +216,7 @@ class Settings:
         self._refused: set[str] = set()
         self._unsaved: dict[str, str] = {}
         self._is_told = False
-        self.cannot_save: Callable[[Path], object] = lambda _path: None
+        self.cannot_save: Callable[[Refusal], object] = lambda _why: None
         """Called once when the file cannot be written, until it can be written again."""
         if path is not None and _set_aside_if_broken(path):
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
@@ -304,14 +312,27 @@ class Settings:
             self._is_told = False
         elif not self._is_told:
             self._is_told = True
-            log.warning("the settings cannot be written to %s", path)
-            self.cannot_save(path)
+            why = _why_not(path)
+            log.warning("the settings cannot be written: %s", str(why))  # without its traceback
+            self.cannot_save(why)
+
+
+def _why_not(path: Path) -> Refusal:
+    """Return why the settings cannot be written, which Qt does not say."""
+    try:
+        with blamed_on(path, UNWRITABLE):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_bytes_atomically(path, bytes(TRIAL_BYTES), is_trial=True)
+    except Refusal as error:
+        return error
+    return Refusal.in_document(LOCKED, file=str(path))
 
 
 def _set_aside_if_broken(path: Path) -> bool:
     """Rename a broken settings file; return False if this path cannot be used."""
     try:
-        content = path.read_bytes()
+        with open_regular(path) as file:
+            content = file.read()
     except FileNotFoundError:
         return True
     except OSError as error:

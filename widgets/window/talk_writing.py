@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from PySide6.QtCore import QObject
@@ -50,7 +51,7 @@ class TalkWriter(QObject):
 
     def _is_gone(self, lesson: Lesson) -> bool:
         """Say that the file is missing, if it is."""
-        if lesson.path.exists():
+        if os.path.exists(lesson.path):
             return False
         text = self.tr(
             "{0} is not in its folder any more, and no step was added: put the file back, or"

@@ -8,8 +8,6 @@
 
 from __future__ import annotations
 
-import errno
-import os
 from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
@@ -18,6 +16,7 @@ from PySide6.QtCore import QObject, QRect, Qt, QTimer
 from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QMainWindow
 
+from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
 from app.document.store import Store
 from app.lessons.blocks.block import Part
 from app.lessons.course import Course
@@ -27,6 +26,7 @@ from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.saving import png_of
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
 from widgets.window.pen import Pen
@@ -215,12 +215,12 @@ class Talks(QObject):
         lesson = self._lessons.lesson
         for step in lesson.steps if lesson is not None else ():
             path = picture_beside(talk, step.name)
-            if not self._pen.strokes.get(step.name):
-                path.unlink(missing_ok=True)
-            elif step.name in self._pen.pictures:
-                path.parent.mkdir(exist_ok=True)
-                if not self._pen.pictures[step.name].save(str(path)):
-                    raise OSError(errno.EIO, os.strerror(errno.EIO))
+            with blamed_on(path, UNWRITABLE):
+                if not self._pen.strokes.get(step.name):
+                    path.unlink(missing_ok=True)
+                elif step.name in self._pen.pictures:
+                    path.parent.mkdir(exist_ok=True)
+                    write_bytes_atomically(path, png_of(self._pen.pictures[step.name]))
 
     def keep_strokes(self) -> None:
         """Write the strokes beside the talk, where the handout finds them."""
@@ -230,9 +230,8 @@ class Talks(QObject):
         try:
             path = write_strokes(self._drawn_on, self._pen.strokes)
             self._write_pictures(self._drawn_on)
-        except OSError as error:
-            text = self.tr("The strokes cannot be written beside the talk: {0}")
-            self._messages.say(text.format(error.strerror))
+        except Refusal as error:
+            self._messages.say(sentence(error))
             return
         self._say(self.tr("Kept for the handout: {0}").format(path.name))
 

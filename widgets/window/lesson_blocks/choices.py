@@ -91,17 +91,22 @@ class Chooses(BlockView):
         return self._group.checkedButton() or self._choices[0].button
 
     def _show(self, answer: str) -> None:
-        button = self._group.button(int(answer) - 1 if answer.isdecimal() else -1)
-        if button is not None:
-            button.setChecked(True)
+        number = self._number(answer)
+        if number is not None:
+            self._choices[number].button.setChecked(True)
+
+    def _number(self, answer: str) -> int | None:
+        """Return the choice, from 0, that an answer names; a kept one may be anything."""
+        names = [str(number) for number, _ in enumerate(self._choices, 1)]
+        return names.index(answer) if answer in names else None
 
     def restore(self, answer: str) -> None:
         if answer == TOLD and self.question.retries:
             self.answer = TOLD
             self._tell()
             return
-        number = int(answer) - 1 if answer.isdecimal() else -1
-        if 0 <= number < len(self._choices):
+        number = self._number(answer)
+        if number is not None:
             self._choices[number].button.setChecked(True)
             self.answer = answer
             self._show_verdict(number, shows=False)
