@@ -253,6 +253,7 @@ def test_what_counts_as_right(text: str, value: float, right: bool) -> None:
         (0.9501, 0.9501, True), (1.0, 0.993, True), (1.0, 0.985, False), (2.0, 2.02, True),
         (2.0, 2.0201, False), (9.99, 10.05, True), (-2.0, -2.02, True), (-2.0, 2.0, False),
         (0.0, 1e-17, True), (0.0, 0.001, False), (65535.0, 65536.0, True), (0.0305, 0.0312, False),
+        (0.9978, 0.9901, True),
     ],
 )  # fmt: skip
 def test_values_are_alike_if_a_number_counts_as_both(one: float, other: float, alike: bool) -> None:
