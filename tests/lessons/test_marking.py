@@ -263,13 +263,12 @@ def test_values_are_alike_if_a_number_counts_as_both(one: float, other: float, a
 @given(value=st.floats(0.001, 1e4), more=st.floats(-0.03, 0.03))
 def test_a_number_counts_as_two_values_only_if_they_are_alike(value: float, more: float) -> None:
     other = value * (1.0 + more)
-    texts = {
-        f"{near * (1.0 + part / 500.0):#.3g}" for part in range(-25, 26) for near in (value, other)
-    }
-    both = [
-        text for text in texts
-        if all(marking.equals(marking.read(text), each) for each in (value, other))
-    ]  # fmt: skip
+    numbers = [10.0 ** math.ceil(math.log10(max(value, other)))]
+    for each in (value, other):
+        unit = 10.0 ** (math.floor(math.log10(each)) - 2)
+        numbers += [each - unit, each, each + unit]
+    typed = [marking.read(f"{number:#.3g}") for number in numbers]
+    both = [each for each in typed if marking.equals(each, value) and marking.equals(each, other)]
     assert bool(both) is marking.are_alike(value, other), both
 
 
