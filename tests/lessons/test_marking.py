@@ -277,12 +277,14 @@ def test_a_number_counts_as_two_values_only_if_they_are_alike(value: float, more
     [
         (0.95003, "0.95003"), (0.9501, "0.9501"), (math.sqrt(3), "1.732"), (0.5, "0.5"),
         (16777215.0, "16777215"), (60.0004, "60.0004"), (2.0 / 3.0, "0.6667"),
+        (-0.95003, "-0.95003"), (0.12, "0.12"),
     ],
 )  # fmt: skip
 def test_an_answer_is_shown_so_that_it_counts(value: float, text: str) -> None:
     """Four digits without zeros at the end may leave one or two, which do not count."""
     assert f"{value:.{marking.digits_shown(value, 4)}g}" == text
     assert marking.equals(marking.read(text), value)
+    assert [marking.digits_shown(each, 4) for each in (math.inf, 1e-310, 1.25e305)] == [10, 4, 10]
 
 
 def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
