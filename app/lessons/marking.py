@@ -437,10 +437,14 @@ def are_alike(one: float, other: float) -> bool:
 
 def digits_shown(value: float, least: int) -> int:
     """Return how many digits a value is shown with, so that it counts if it is typed as shown."""
-    if value.is_integer():  # perhaps a count
+    if value.is_integer() or not math.isfinite(value):  # perhaps a count
         return 10
-    shown = range(least, _LONGEST_SHOWN)
-    return next((n for n in shown if equals(read(f"{value:.{n}g}"), value)), _LONGEST_SHOWN)
+    for count in range(least, _LONGEST_SHOWN):
+        text = f"{abs(value):.{count - 1}e}"
+        digits = text.partition("e")[0].replace(".", "").rstrip("0")
+        if len(digits) >= DIGITS or math.isclose(float(text), abs(value), rel_tol=EXACT):
+            return count
+    return _LONGEST_SHOWN
 
 
 def is_too_short(typed: Typed, value: float) -> bool:

@@ -144,7 +144,8 @@ def test_a_count_is_exact_and_whole() -> None:
         assert asked.verdict(here, f"1 {typed}", 1) == word, typed
     with pytest.raises(Refusal, match="must be a whole number: the question asks for a count"):
         variant.question.mark(variant.here, f"{right}.5")  # type: ignore[union-attr]
-    assert "counts something, but its value is" in faults(COUNT.replace("2^10 - 1", "2^10/7"))
+    for value in ("2^10/7", "infinity"):
+        assert "counts something, but its value is" in faults(COUNT.replace("2^10 - 1", value))
     far = COUNT.replace("2^10", "2^40")
     asked, here = exercise(far)
     assert (
@@ -159,17 +160,19 @@ SHORT = """vary k: 1..40
 Which part of {=k}?
 value: 0.0412
 wrong order: 0.0305
+wrong mirror: 0.0395
 """
 
 
 def test_a_wrong_number_with_too_few_digits_is_still_that_of_its_idea() -> None:
-    for body, cell in ((SHORT, ""), (SHORT.replace("value: ", "matrix: 1, ").replace(
-        "order: ", "order: 1, "), "1 | ")):  # fmt: skip
+    in_matrix = SHORT.replace("value: 0", "matrix: 1, 0").replace(": 0.03", ": 1, 0.03")
+    for body, cell in ((SHORT, ""), (in_matrix, "1 | ")):
         asked, here = exercise(body)
         variant = asked.variant(here, 1)
         for typed, word, too_short in (
             ("0.03", "order", False), ("0.031", "order", False), ("0.0305", "order", False),
-            ("0.04", "wrong", False), ("0.041", "wrong", True), ("0.02", "wrong", False),
+            ("0.04", "wrong", False), ("0.0395", "mirror", False), ("0.041", "wrong", True),
+            ("0.02", "wrong", False),
         ):  # fmt: skip
             verdict = variant.question.mark(variant.here, cell + typed)  # type: ignore[union-attr]
             assert (verdict.word, verdict.too_short) == (word, too_short), typed

@@ -6,7 +6,6 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import partial
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
@@ -83,10 +82,12 @@ class Answer(Marked):
 
     def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
         found = super().values(here, formulas, line)
-        whole = tuple(map(float, map(round, found))) if self.counts else found
-        if not all(map(partial(math.isclose, rel_tol=1e-9), whole, found)):
-            raise refused(line, NOT_WHOLE, f"{found[0]:.6g}")
-        return whole
+        if not self.counts:
+            return found
+        (value,) = found
+        if not (math.isfinite(value) and math.isclose(value, round(value), rel_tol=1e-9)):
+            raise refused(line, NOT_WHOLE, f"{value:.6g}")
+        return (float(round(value)),)
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
         return one == other if self.counts else super().are_alike(here, one, other)

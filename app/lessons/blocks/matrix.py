@@ -108,7 +108,7 @@ class Matrix(Marked):
         too_short = all(
             is_right or is_short for is_right, is_short in zip(cells, short, strict=True)
         )
-        if wrong is None and not too_short:
+        if wrong is None and not all(map(_counts_as, numbers, right)):
             wrong = self.mistaken(here, numbers, _counts_as)
         remark = self._remark(numbers, right, cells)
         return (wrong or Verdict(False, too_short=too_short, remark=remark))._replace(cells=cells)
