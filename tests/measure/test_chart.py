@@ -14,8 +14,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
+import app.measure.run
 from app.drawings.label_placement import beside
-from app.measure import chart
+from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.measuring import TRADES
@@ -348,7 +349,11 @@ def test_the_command_draws_a_chart(tmp_path: Path) -> None:
     assert "no folder /nowhere" in refused("measure", "--chart=/nowhere/a.png")
 
 
-def test_the_command_measures_the_mesh_in_a_scene(tmp_path: Path) -> None:
+def test_the_command_measures_the_mesh_in_a_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(measuring, "QUICK_SECONDS", 0.0)  # how fast it is does not matter here
+    monkeypatch.setattr(app.measure.run, "LEAST_ROUNDS", 1)
     mesh = tmp_path / "ball.ply"
     pv.Sphere(theta_resolution=30, phi_resolution=30).save(mesh)
     arguments = ("measure", "--trade=detail", "--quick", "--scene=similar-triangles")

@@ -362,7 +362,8 @@ def test_the_program_starts_with_broken_settings_and_keeps_new_ones(own_home: Pa
     assert ini.is_relative_to(own_home)
     ini.parent.mkdir(parents=True)
     ini.write_bytes(b"\0broken")
-    done = drive("print(window.settings.theme); window.look.set_theme('dark'); window.close()")
+    act = "print(window.settings.theme); window.look.set_theme('dark'); window.close()"
+    done = drive(act, when=PAINTED)
     assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
     assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
     assert "set aside as" in log_path().read_text(encoding="utf-8")
