@@ -38,8 +38,8 @@ _FADE_FROM, _FADED = (
     0.15,
 )  # share of the pane under a plane; share of the tint if that is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
-_WIDEST = 1e35  # edge of a box: larger than any scene, and a float32
-
+WIDEST = 1e35
+"""Edge of a box: larger than any scene, and a float32."""
 _NAMED_BY = {"near": ("near", *WINDOW), "far": ("far",)}
 """The planes, and the names for which they are not drawn quietly."""
 _VOLUME = ("near", "far", "fov")
@@ -149,7 +149,7 @@ class FrustumDrawing:
             reversed_range = projection.with_depth("reversed")
             local_from_cube = reversed_range.world_from_clip_at(standing.origin)
             frustum = normalised(projection.frustum_sign * local_from_cube)
-            self.corners = np.clip(applied(frustum, CUBE), -_WIDEST, _WIDEST)
+            self.corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
             self.space.set(frustum)
             self._body_space.set(frustum)
 
@@ -265,7 +265,7 @@ class FrustumDrawing:
 def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:
     """`Projection.matrices_between`, with an inverse that float32 can draw."""
     clip_from_view, view_from_clip = projection.matrices_between(near, far)
-    widest = _STEEPEST if projection.lens.central else _WIDEST
+    widest = _STEEPEST if projection.lens.central else WIDEST
     view_from_clip[:2] = np.clip(view_from_clip[:2], -widest, widest)
     return clip_from_view, view_from_clip
 

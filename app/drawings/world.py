@@ -23,7 +23,7 @@ from app.drawings.camera import CameraDrawing, Standing, view_matrices
 from app.drawings.dimensions import Dimensions, Measured
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frame import DIMMED
-from app.drawings.frustum import FrustumDrawing
+from app.drawings.frustum import WIDEST, FrustumDrawing
 from app.drawings.handles import APART_EM, HandleMarks
 from app.drawings.label_placement import SQUARE_EM, Ground
 from app.drawings.labels import DOT_EM, EYE, Board, Labels, Named, room
@@ -713,7 +713,7 @@ class WorldDrawing(Drawing):
             self._marks = MarksDrawing(
                 self._canvas, self._scene, self._words, names=self.names, board=self.board
             )
-        marks, limit = self._marks, _FARTHEST_MARK * self._standing.extent
+        marks, limit = self._marks, min(_FARTHEST_MARK * self._standing.extent, WIDEST)
         shown = illustration or Illustration(())
         if shown.rendering is not None:
             for rasteriser in self._rasterisers:

@@ -276,7 +276,11 @@ class EyeFirst:
         if point is not None and self._lens.central:
             offset = np.array(point) - eye
             away = -float(frame[2] @ offset)
-            return eye + at[:, None] * (offset / away) if away > 0.0 else None
+            if away <= 0.0:
+                return None
+            with np.errstate(over="ignore", invalid="ignore"):
+                line = eye + at[:, None] * (offset / away)
+            return line if np.isfinite(line).all() else None  # beside the eye
         # Where (x w - x_px w) = (y w - y_px w) = 0 at the distance -n (q - e): three equations.
         rows = of.image_from_ndc @ of.clip_from_view @ of.view_rotation
         if pixel is None:

@@ -458,6 +458,20 @@ def test_nothing_smears_that_is_far_away_or_nowhere(pane: str, shown: Callable[.
         assert (one.show(Illustration((), copies=(Copy(matrix, (pane,), RED),))) == before).all()
 
 
+def test_marks_are_cut_to_what_float32_holds_however_far_the_camera_stands(
+    shown: Callable[..., Shown],
+) -> None:
+    """Or numpy warns in the log, at each step of a slider."""
+    one = shown("world")
+    ends = np.array([(-2.0, 3.0, 0.0), (0.0, 0.0, 1e99)])
+    marks = Illustration((), world=Marks((Line(ends, RED, 2.0),), dots=(Dot(ends[1], RED),)))
+    before = one.show(marks)
+    one.projection = replace(AWAY, camera=Camera((0.0, 0.0, 1e99), (0.0, 0.0, 0.0)))
+    one.show(marks)
+    one.projection = AWAY
+    assert drawn(before, (255, 0, 0)).any() and (one.show(marks) == before).all()
+
+
 @pytest.mark.parametrize("pane", PANES)
 def test_a_line_toward_infinity_keeps_its_direction(pane: str, shown: Callable[..., Shown]) -> None:
     one = shown(pane)

@@ -418,6 +418,13 @@ def test_a_point_behind_the_eye_has_no_projector_and_cannot_be_dragged() -> None
     assert dragged(projection, (12.0, 8.0, 18.0), (3.0, 0.0), along_ray=False) is None
 
 
+def test_a_point_beside_the_eye_has_no_projector() -> None:
+    """Its direction from the eye has numbers beyond float64."""
+    projection = Projection(Camera((0.0, 0.0, 1e-300), (0.0, 0.0, 0.0)), LENSES["perspective"])
+    for point in ((1e99, 0.0, 0.0), (-1e99, 1e99, 0.0)):
+        assert projector(projection, Probe(1, point), [1.0, 1e100]) is None
+
+
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
 def test_a_dragged_point_stays_in_its_plane_or_on_its_ray(lens: Lens) -> None:
     projection = Projection(CAMERA, lens, (1280, 720))
