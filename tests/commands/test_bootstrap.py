@@ -123,11 +123,12 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands", "document"):
+    for folder in ("commands", "document", "model"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     stdlib_only = (
         *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
         *("document/__init__.py", "document/lengths.py"),
+        *("model/__init__.py", "model/refusal.py"),
     )
     for name in ("__init__.py", "__main__.py", "bootstrap.py", "strangers.py", *stdlib_only):
         shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
@@ -641,7 +642,7 @@ def test_a_package_without_a_version_for_this_python_is_named(by_hand: Checkout)
     ("words", "refusal"),
     [
         ("expot a.png", "nearest command is export"),
-        ("export", "export takes OUT [FILE], and 0 names were given"),
+        ("export", "export takes OUT [FILE], and was given 0 names"),
         ("export a.png --sise=9x9", "the nearest is --size"),
         ("--sise=9x9", "the nearest is --size"),
     ],
