@@ -22,7 +22,6 @@ from functools import cached_property
 from numbers import Real
 from typing import Any, TypeAlias
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from app import __version__
@@ -34,7 +33,7 @@ from app.document.settings import set_values
 from app.document.view import MOST_PROBES, PANES
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
-from app.model.infinity import homogeneous
+from app.model.infinity import homogeneous_rows
 from app.model.projection import (
     FINITE_NUMBER,
     ONE_OF,
@@ -248,8 +247,8 @@ def figure(
         if len(rows) > MOST_PROBES:
             raise Refusal.saying(MARKED, MOST_PROBES, len(rows))
         probes = tuple(
-            Probe.of(number, homogeneous(*row[:3], *(row[3:] or [1.0])))
-            for number, row in enumerate(rows, 1)
+            Probe.of(number, (x, y, z, w[0] if w else 1.0))
+            for number, (x, y, z, *w) in enumerate(rows, 1)
         )
         document = replace(document, view=replace(document.view, probes=probes))
     if not isinstance(panes, Sequence):
@@ -366,15 +365,8 @@ def _document(of: Source) -> Document:
 
 def _checked(points: ArrayLike) -> Array:
     """Points, (..., 3), or homogeneous ones with w = 0 or 1, (..., 4)."""
-    try:
-        shape = np.shape(points)
-    except ValueError:  # rows of different lengths
-        shape = ()
-    if shape[-1:] != (4,):
-        return checked_points(points)  # which refuses all the rest
-    given = np.array(points, dtype=object).reshape(-1, 4)  # each number as it was typed
-    rows = [homogeneous(*row) for row in given.tolist()]
-    return np.array(rows).reshape(shape)
+    given = checked_points(points, (3, 4))
+    return given if given.shape[-1] == 3 else homogeneous_rows(given)
 
 
 def _size(text: str) -> Size:

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -170,8 +170,11 @@ class Camera:
         pairs = zip(point_world, self.eye, strict=True)
         return self.exact_along([Fraction(part) - Fraction(eye) for part, eye in pairs])
 
-    def exact_along(self, offset: Sequence[Fraction]) -> tuple[Fraction, Fraction, Fraction]:
-        """The components of an offset or a direction along u, v and n, like `exact_view`."""
+    def exact_along(self, offset: Sequence[Any]) -> tuple[Any, Any, Any]:
+        """The components of an offset or a direction along u, v and n, like `exact_view`.
+
+        They are in the exact numbers of the offset.
+        """
         backward, right = self._exact_axes
         x, y, z = (
             sum((c * o for c, o in zip(axis, offset, strict=True)), Fraction(0)) / length

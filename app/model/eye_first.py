@@ -17,7 +17,7 @@ from app.arithmetic.double_double import DoubleDouble
 from app.model.lenses.lens import EyeLens
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
 from app.model.object_transform import Placed
-from app.model.pipeline import HalfSpaces, Pipeline, Trace
+from app.model.pipeline import HalfSpaces, Pipeline, Trace, empty_trace
 from app.model.refusal import Refusal
 
 _CHUNK = 16384  # larger blocks start a second OpenBLAS thread, which slows a software renderer
@@ -72,7 +72,9 @@ class EyeFirst:
         has 2^-25 of the size, and its rounding 2^-75.
         """
         if not self._of.stretch <= _LARGE_STRETCH:
-            parts = self.view_double_double(world, rest)
+            parts = self._view_double_double(
+                Placed(world, rest, np.zeros(0)).offset(self._of.camera.eye)
+            )
             return np.stack([part.hi for part in parts]), parts[2].lo
         large, small = self._of.camera.frame_parts
         offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._of.minus_eye)
@@ -90,14 +92,11 @@ class EyeFirst:
         view = whole + left_over
         return view, left_over[2] - (view[2] - whole[2])
 
-    def view_double_double(
-        self, world: Array, rest: Array | None = None
-    ) -> tuple[DoubleDouble, ...]:
-        """View coordinates x, y, z of points (n, 3) with twice the digits of float64.
+    def _view_double_double(self, offset: DoubleDouble) -> tuple[DoubleDouble, ...]:
+        """View coordinates x, y, z of offsets from the eye, (3, n), with twice float64's digits.
 
         Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
         """
-        offset = Placed(world, rest, np.zeros(0)).offset(self._of.camera.eye)
         offsets = [DoubleDouble(*parts) for parts in zip(*offset, strict=True)]
         rows = []
         for axis in self._of.camera.frame_double_double:
@@ -109,16 +108,8 @@ class EyeFirst:
         """See `Projection.trace`; `rest` is the points' error of rounding to float64."""
         flat = world.reshape(-1, 3)
         left_over = None if rest is None else rest.reshape(-1, 3)
-        count = len(flat)
-        # One large block: the system allocates it many times faster than several.
-        numbers = np.empty(13 * count)
-        view, clip, ndc, image = (
-            numbers[first * count : last * count].reshape(count, last - first)
-            for first, last in ((0, 3), (3, 7), (7, 10), (10, 12))
-        )
-        in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
-        traced = Trace(flat, view, clip, ndc, image, numbers[12 * count :], in_front, outside)
-        for start in range(0, count, _CHUNK):
+        traced = empty_trace(flat)
+        for start in range(0, len(flat), _CHUNK):
             block = slice(start, start + _CHUNK)
             self._trace_block(
                 Trace._make(part[block] for part in traced),
@@ -166,12 +157,12 @@ class EyeFirst:
         np.less(y_clip, minus_w, out=beyond[4])
 
     def view_of(self, offsets: Any) -> Any:
-        """View coordinates of offsets from the eye, (n, 3), in the offsets' precision."""
-        return offsets @ self._of.view_rotation.astype(offsets.dtype)[:3, :3].T
+        """View coordinates of offsets from the eye, (3, n), in the offsets' precision."""
+        return self._of.view_rotation.astype(offsets.dtype)[:3, :3] @ offsets
 
     def beyond(self, view: Any, clip: Any) -> tuple[Any, Any]:
-        """Whether points, (n, 3) and (n, 4), lie before the near plane and beyond the far plane."""
-        number, distance = view.dtype.type, -view[:, 2]
+        """Whether points, (3, n) and (4, n), lie before the near plane and beyond the far plane."""
+        number, distance = view.dtype.type, -view[2]
         return distance < number(self._lens.near), distance > number(self._lens.far)
 
     def world_from_image(self, points: Array) -> Array:
@@ -202,24 +193,31 @@ class EyeFirst:
 
     # -- points in other arithmetics
 
-    def coordinates(self, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
-        """The arguments of `clipped` for points (n, 3), with twice the digits, and their errors."""
-        size = np.abs(points.offset(self._of.camera.eye).hi).sum(axis=0)
-        view = self.view_double_double(points.world, points.rest)
-        return view, 3.0 * dd.RELATIVE_ERROR * size + points.lost + dd.UNDERFLOW
+    def coordinates(self, points: Placed, one: int) -> tuple[Sequence[DoubleDouble], Array]:
+        """The arguments of `clipped` for points (n, 3), with twice the digits, and their errors.
 
-    def exact_coordinates(self, point: Sequence[float | Fraction]) -> tuple[Fraction, ...]:
-        """The arguments of `clipped` for one point, without any error."""
-        return self._of.camera.exact_view((point[0], point[1], point[2]))
+        `one` is w: 0 for directions, from which the eye is not subtracted.
+        """
+        offset = points.offset(one * np.array(self._of.camera.eye))
+        size = np.abs(offset.hi).sum(axis=0)
+        error = 3.0 * dd.RELATIVE_ERROR * size + points.lost + dd.UNDERFLOW
+        return self._view_double_double(offset), error
 
-    def clipped(self, x: Any, y: Any, z: Any) -> list[Any]:
+    def exact_coordinates(self, point: Sequence[Any], one: int) -> tuple[Any, ...]:
+        """The arguments of `clipped` in exact numbers, for the same in the world."""
+        pairs = zip(point, self._of.camera.eye, strict=True)
+        return self._of.camera.exact_along([part - Fraction(eye) * one for part, eye in pairs])
+
+    def clipped(self, x: Any, y: Any, z: Any, weight: int = 1) -> list[Any]:
         """View and clip coordinates, and the signed distances inside `PLANES`, 3 + 4 + 6.
 
         The result is in the arithmetic of the arguments, `coordinates` or `exact_coordinates`.
+        `weight` is w: 0 for directions.
         """
         n, distance = self._of.exact_lens, -z
-        one = distance * 0 + 1
-        from_near, to_far = distance - n.near, one if n.far is None else -distance + n.far
+        one = distance * 0 + weight
+        from_near = distance - n.near * weight
+        to_far = one if n.far is None else -distance + n.far * weight
         if self._lens.central:
             w = distance
             x_clip, y_clip = (
@@ -229,7 +227,7 @@ class EyeFirst:
         else:
             w = one
             x_clip, y_clip = (
-                (value - from_near * cot) * scale + shift
+                (value - from_near * cot) * scale + shift * weight
                 for value, cot, scale, shift in zip((x, y), n.shear, n.scale, n.shift, strict=True)
             )
         if n.far is None:

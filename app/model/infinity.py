@@ -15,7 +15,8 @@ from fractions import Fraction
 import numpy as np
 
 from app.arithmetic.rationals import dot, nearest, rationals
-from app.model.limits import PLANES, Row, finite
+from app.model.limits import LARGEST, PLANES, Array, Row, finite
+from app.model.pipeline import named_point
 from app.model.projection import Projection, Trace
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -45,6 +46,23 @@ def homogeneous(x: object, y: object, z: object, w: object) -> Row:
         divided = [float(np.float64(part) / weight) for part in parts]
     point = [finite(f"{name}/w", part) for name, part in zip("xyz", divided, strict=True)]
     return point[0], point[1], point[2], 1.0
+
+
+def homogeneous_rows(rows: Array) -> Array:
+    """Return `homogeneous` of every row, (..., 4), of numbers up to `LARGEST`."""
+    parts, weights = rows[..., :3], rows[..., 3:]
+    if (weights == 1.0).all():
+        return rows
+    with np.errstate(over="ignore", under="ignore"):
+        divided = parts / np.where(weights == 0.0, 1.0, weights)
+    wrong = (np.abs(divided) > LARGEST).any(axis=-1) | ~rows.any(axis=-1)
+    for place in np.argwhere(wrong)[:1].tolist():
+        try:
+            homogeneous(*rows[tuple(place)].tolist())
+        except Refusal as error:
+            field = f"{named_point(place)}.{error.field}"
+            raise Refusal(field, error.value, error.bound, *error.limits) from None
+    return np.concatenate([divided, weights != 0.0], axis=-1)
 
 
 def trace_at_infinity(projection: Projection, direction: Sequence[float | Fraction]) -> Trace:

@@ -77,6 +77,15 @@ NOT_THE_TARGET = QT_TRANSLATE_NOOP(
 )
 NOT_ZERO = QT_TRANSLATE_NOOP("Refusal", "must not be the zero vector")
 NOT_PARALLEL = QT_TRANSLATE_NOOP("Refusal", "must not be parallel to the view direction")
+TWO_SIDES = QT_TRANSLATE_NOOP("Refusal", "must be two numbers of pixels, width and height")
+REAL_NUMBERS = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a type such as float64, to which numpy.asarray(points, float) converts"
+)
+ROWS_OF = QT_TRANSLATE_NOOP("Refusal", "must end in {0}, the numbers of a point")
+EQUAL_ROWS = QT_TRANSLATE_NOOP("Refusal", "must have equally many numbers in every row")
+NOTHING_MASKED = QT_TRANSLATE_NOOP("Refusal", "must have no masked number")
+FINITE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must have finite real numbers only")
+NUMBERS_UP_TO = QT_TRANSLATE_NOOP("Refusal", "must have numbers up to {0} in size only")
 WHOLE_PIXELS = QT_TRANSLATE_NOOP("Refusal", "must be a whole number of pixels from 1 to {0}")
 ONE_OF = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}")
 FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which is {0}")

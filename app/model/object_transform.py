@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, reduce
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -66,6 +66,13 @@ class Placed(NamedTuple):
         """Return some of the points."""
         rest = None if self.rest is None else self.rest[which]
         return Placed(self.world[which], rest, self.lost[which])
+
+    def nearest_offset(self, origin: Sequence[float] | Array) -> Array:
+        """`offset`, rounded to float64: less work."""
+        if self.rest is not None:
+            return self.offset(origin).hi
+        nearest: Array = np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1))
+        return nearest
 
     def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
         """The offset of the points from a world point, (3, n), without cancellation."""
@@ -205,8 +212,8 @@ class ObjectTransform:
         """Rank of the linear part: 3, or less if a scale of 0 flattens the object."""
         return sum(part != 0.0 for part in self.scale)
 
-    def placed(self, points_object: Array) -> Placed:
-        """Points (n, 3) of the object in the world.
+    def placed(self, points_object: Array, one: int = 1) -> Placed:
+        """Points (n, 3) of the object in the world, or directions, whose `one` is 0.
 
         Each coordinate is a sum of four double-double terms, so that the points of a distant object
         keep the digits in which they differ.
@@ -217,7 +224,7 @@ class ObjectTransform:
         high, low, lost = [], [], np.zeros(len(points_object))
         for row in self.exact[:3]:
             parts = [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
-            total = DoubleDouble(*(part + np.zeros(len(points_object)) for part in parts[3]))
+            total = DoubleDouble(*(one * part + np.zeros(len(points_object)) for part in parts[3]))
             sizes = np.abs(total.hi)
             for part, column in zip(parts, columns, strict=False):
                 term = dd.multiply(part, DoubleDouble(column, np.zeros_like(column)))
@@ -228,17 +235,16 @@ class ObjectTransform:
             lost += _ROUNDINGS * dd.RELATIVE_ERROR * sizes + dd.UNDERFLOW
         return Placed(np.stack(high, axis=1), np.stack(low, axis=1), lost)
 
-    def exactly(self, point_object: Sequence[float]) -> tuple[Fraction, ...]:
-        """A point of the object in the world, without rounding."""
-        return self._applied((*point_object, 1.0))
+    def exactly(self, point_object: Sequence[Any], one: int = 1) -> tuple[Any, ...]:
+        """A point of the object in the world, or a direction (`one` is 0), without rounding.
 
-    def along(self, direction_object: Sequence[float]) -> tuple[Fraction, ...]:
-        """A direction of the object in the world, without rounding."""
-        return self._applied((*direction_object, 0.0))
-
-    def _applied(self, homogeneous: Sequence[float]) -> tuple[Fraction, ...]:
-        numbers = [*map(Fraction, homogeneous)]
-        return tuple(dot(row, numbers) for row in self.exact[:3])
+        Its coordinates are floats, or any exact numbers.
+        """
+        numbers = [Fraction(part) if isinstance(part, float) else part for part in point_object]
+        return tuple(
+            sum((a * b for a, b in zip(row, numbers, strict=False)), row[3] * one)
+            for row in self.exact[:3]
+        )
 
     def object_from_world(self, homogeneous: Sequence[float]) -> Row:
         """A point or a direction of the world in object coordinates, each rounded once.

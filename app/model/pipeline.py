@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -22,12 +22,18 @@ from app.model.limits import (
     AT_LEAST,
     AT_MOST,
     DEPTH_RANGES,
+    EQUAL_ROWS,
+    FINITE_NUMBERS,
     LARGEST,
     LARGEST_IMAGE_PX,
     LARGEST_INVERSE,
+    NOTHING_MASKED,
+    NUMBERS_UP_TO,
     ONE_OF,
+    REAL_NUMBERS,
+    ROWS_OF,
     SMALL_INVERSE,
-    THREE_NUMBERS,
+    TWO_SIDES,
     WHOLE_PIXELS,
     Array,
     DepthRange,
@@ -35,7 +41,7 @@ from app.model.limits import (
     read_only,
 )
 from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Placed, Space
-from app.model.refusal import Refusal
+from app.model.refusal import Bound, Refusal
 from app.model.tables import VIEWPORT, Step, evaluated, inverse, rounded
 
 HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
@@ -71,6 +77,20 @@ class Trace(NamedTuple):
     depth: Array
     in_front: NDArray[np.bool_]
     outside: NDArray[np.bool_]
+
+
+def empty_trace(points: Array) -> Trace:
+    """The trace of points (n, 3) or (n, 4), whose other numbers are still to be computed."""
+    count, width = points.shape
+    # One large block: the system allocates it many times faster than several.
+    numbers = np.empty((width + 10) * count)
+    view, clip, ndc, image = (
+        numbers[first * count : last * count].reshape(count, last - first)
+        for first, last in zip((10, 0, 4, 7), (width + 10, 4, 7, 9), strict=True)
+    )
+    in_front, outside = np.empty(count, dtype=bool), np.empty((count, 6), dtype=bool)
+    depth = numbers[9 * count : 10 * count]
+    return Trace(points, view, clip, ndc, image, depth, in_front, outside)
 
 
 class Stage(NamedTuple):
@@ -148,13 +168,13 @@ class Pipeline:
     def __post_init__(self) -> None:
         try:
             size = tuple(self.image_size)
-            if len(size) != 2:
+            if len(size) != 2 or isinstance(self.image_size, str):
                 raise TypeError
         except TypeError:
-            raise Refusal("image", self.image_size, WHOLE_PIXELS, LARGEST_IMAGE_PX) from None
+            raise Refusal("image", self.image_size, TWO_SIDES) from None
         for name, side in zip(("width", "height"), size, strict=True):
-            whole = isinstance(side, numbers.Integral) and not isinstance(side, bool)
-            if not whole or not 1 <= side <= LARGEST_IMAGE_PX:
+            is_number = isinstance(side, numbers.Real) and not isinstance(side, bool)
+            if not is_number or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
                 raise Refusal(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
             raise Refusal("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
@@ -386,8 +406,10 @@ class Pipeline:
 
     # -- points
 
-    def placed(self, points: ArrayLike, space: Space = "world") -> Placed:
+    def placed(self, points: ArrayLike, space: Space = "world", one: int = 1) -> Placed:
         """World coordinates, (n, 3), of points (..., 3), with twice the digits of float64.
+
+        `one` is w: 0 for directions.
 
         Raises a `Refusal` for a coordinate that is not a finite number, and for another space.
         """
@@ -396,7 +418,7 @@ class Pipeline:
         given = checked_points(points).reshape(-1, 3)
         if space == "world" or self.placement.is_identity:
             return Placed.at(given)
-        return self.placement.placed(given)
+        return self.placement.placed(given, one)
 
 
 def translation(offset: ArrayLike) -> Array:
@@ -406,24 +428,51 @@ def translation(offset: ArrayLike) -> Array:
     return matrix
 
 
-def checked_points(points: ArrayLike) -> Array:
-    """Points as a new float64 array, (..., 3), or a `Refusal`.
+def checked_points(points: ArrayLike, widths: tuple[int, ...] = (3,)) -> Array:
+    """Points as a new float64 array, (..., 3), or (..., 4) if `widths` has 4, or a `Refusal`.
 
-    They must be rows of three finite numbers up to `LARGEST`.
+    They must be rows of finite numbers up to `LARGEST`.
     """
     try:
-        given = np.asarray(points)
+        given = np.asanyarray(points)
     except ValueError:  # rows of different lengths
-        raise Refusal("points", points, THREE_NUMBERS) from None
-    if given.dtype.kind not in "iuf" or given.shape[-1:] != (3,):
-        raise Refusal("points", points, THREE_NUMBERS)
-    checked = given.astype(np.float64)
+        raise Refusal("points", points, EQUAL_ROWS) from None
+    if isinstance(given, np.ma.MaskedArray) and given.mask.any():
+        _refuse_first(given, np.ma.getmaskarray(given), NOTHING_MASKED)
+    if given.dtype.kind not in "iuf" and given.size:
+        cells = np.array(points, dtype=object)
+        if not cells.ndim:
+            raise Refusal("points", points, FINITE_NUMBERS)
+        _refuse_first(cells, ~np.array(_is_real(cells), dtype=bool), FINITE_NUMBERS)
+        _refuse_first(cells, np.array(abs(cells) > LARGEST, dtype=bool), NUMBERS_UP_TO, LARGEST)
+        raise Refusal("points.dtype", str(given.dtype), REAL_NUMBERS)
+    if given.shape[-1:] not in [(width,) for width in widths]:
+        raise Refusal("points.shape", given.shape, ROWS_OF, " or ".join(map(str, widths)))
+    with np.errstate(over="ignore"):  # of longer floats
+        checked = np.array(given, dtype=np.float64)
     if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
         return checked
-    wrong = ~np.isfinite(checked).all(axis=-1) | (np.abs(checked) > LARGEST).any(axis=-1)
-    if wrong.any():
-        raise Refusal("points", tuple(checked[wrong][0].tolist()), THREE_NUMBERS)
+    _refuse_first(checked, ~np.isfinite(checked), FINITE_NUMBERS)
+    _refuse_first(checked, np.abs(checked) > LARGEST, NUMBERS_UP_TO, LARGEST)
     return checked
+
+
+_is_real: Any = np.frompyfunc(
+    lambda part: isinstance(part, numbers.Real) and not isinstance(part, bool), 1, 1
+)
+
+
+def _refuse_first(
+    points: NDArray[Any], wrong: NDArray[np.bool_], bound: Bound, *limits: float
+) -> None:
+    """Refuse the first point that has a wrong number, by its place."""
+    for place in np.argwhere(wrong.any(axis=-1))[:1].tolist():
+        raise Refusal(named_point(place), tuple(points[tuple(place)].tolist()), bound, *limits)
+
+
+def named_point(place: Sequence[int]) -> str:
+    """Return the name of one of several points in a refusal."""
+    return f"points[{', '.join(map(str, place))}]" if place else "points"
 
 
 def checked_pixels(points_image: ArrayLike) -> Array:

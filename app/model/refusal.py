@@ -32,6 +32,7 @@ SHOWN_DIGITS = 6
 """Displayed digits of a bound, and of a dragged value."""
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
+_DEEPEST = 4
 _LONGEST_FILE = 200
 
 
@@ -114,10 +115,12 @@ class Cancelled(Exception):
 # --------------------------------------------------------------------------- values in a sentence
 
 
-def format_value(value: object) -> str:
+def format_value(value: object, depth: int = 0) -> str:
     """Write a value as a person would type it: ``1``, ``0.1``, ``inf``, ``(0, 1, 0)``."""
     if isinstance(value, (tuple, list)):
-        return _cut("(" + ", ".join(format_value(part) for part in value[:_SHOWN]) + ")")
+        if depth > _DEEPEST:  # a list may contain itself
+            return "..."
+        return _cut("(" + ", ".join(format_value(part, depth + 1) for part in value[:_SHOWN]) + ")")
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         return _cut(" ".join(repr(value).split()))
     try:

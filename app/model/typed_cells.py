@@ -82,16 +82,16 @@ class TypedCells:
         for array in (ndc, image, depth):
             array[~in_front] = np.nan
         sides = [x < -w, x > w, y < -w, y > w]
-        outside = np.stack([*self.beyond(view, clip), *sides], axis=-1)
+        outside = np.stack([*self.beyond(view, np.moveaxis(clip, -1, 0)), *sides], axis=-1)
         return Trace(world, view, clip, ndc, image, depth, in_front, outside)
 
     def view_of(self, offsets: Any) -> Any:
-        matrix = np.array(self._of.exact_from_eye[0], dtype=np.float64).astype(offsets.dtype)
-        view = offsets @ matrix[:, :3].T + matrix[:, 3]
-        return view[:, :3] / view[:, 3:]
+        matrix = rounded(self._of.exact_from_eye[0]).astype(offsets.dtype)
+        view = matrix[:, :3] @ offsets + matrix[:, 3:]
+        return view[:3] / view[3]
 
     def beyond(self, view: Any, clip: Any) -> tuple[Any, Any]:
-        z, w = clip[..., 2], clip[..., 3]
+        _, _, z, w = clip
         z_near, z_far = self._of.depth_range
         sign = math.copysign(1.0, z_far - z_near)
         return sign * z < sign * z_near * w, sign * z > sign * z_far * w
@@ -117,27 +117,33 @@ class TypedCells:
             raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
         return np.asarray(world)
 
-    def coordinates(self, points: Placed) -> tuple[Sequence[DoubleDouble], Array]:
-        offset = points.offset(self._of.camera.eye)
+    def coordinates(self, points: Placed, one: int) -> tuple[Sequence[DoubleDouble], Array]:
+        offset = points.offset(one * np.array(self._of.camera.eye))
         return [DoubleDouble(*parts) for parts in zip(*offset, strict=True)], points.lost
 
-    def exact_coordinates(self, point: Sequence[float | Fraction]) -> tuple[Fraction, ...]:
+    def exact_coordinates(self, point: Sequence[Any], one: int) -> tuple[Any, ...]:
         pairs = zip(point, self._of.camera.eye, strict=True)
-        return tuple(Fraction(part) - Fraction(eye) for part, eye in pairs)
+        return tuple(part - Fraction(eye) * one for part, eye in pairs)
 
-    def clipped(self, x: Any, y: Any, z: Any) -> list[Any]:
+    def clipped(self, x: Any, y: Any, z: Any, weight: int = 1) -> list[Any]:
         view, clip = (
-            [x * row[0] + y * row[1] + z * row[2] + row[3] for row in matrix]
+            [x * row[0] + y * row[1] + z * row[2] + row[3] * weight for row in matrix]
             for matrix in self._of.exact_from_eye
         )
         if self._of.exact_from_eye[0][3] != [0, 0, 0, 1]:
-            nowhere = isinstance(view[3], Fraction) and view[3] == 0
-            view = [math.nan if nowhere else part / view[3] for part in view]
+            view = [part / view[3] for part in view]
         x_clip, y_clip, z_clip, w = clip
         z_near, z_far = map(int, self._of.depth_range)
         sign = 1 if z_far > z_near else -1
         from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
-        inside = from_near, to_far, x_clip + w, -x_clip + w, y_clip + w, -y_clip + w
+        inside = (
+            from_near,
+            to_far,
+            x_clip + w,
+            w - x_clip,
+            y_clip + w,
+            w - y_clip,
+        )
         return [*view[:3], *clip, *inside]
 
     @property

@@ -3,9 +3,9 @@
 ==========  =================================================================================
 float32     as on a GPU: the concatenated matrix and the points rounded to 24 bits
 float64     `Projection.trace`: eye first, closed form
-exact       double-double with a running error bound, rounded once; rationals where the bound does
-not decide the rounding. Every number is within 0.5001 ulp of the true value ==========
-=================================================================================
+exact       double-double with a running error bound, rounded once; rationals where the bound
+            does not decide the rounding. Every number is within 0.5001 ulp of the true value
+==========  =================================================================================
 
 The error of a precision is bounded before anything is computed, from the roundings of its
 operations (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of the
@@ -22,12 +22,13 @@ from fractions import Fraction
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.rationals import nearest
+from app.arithmetic.quotients import Quotients
 from app.model.infinity import trace_at_infinity
+from app.model.pipeline import empty_trace
 from app.model.projection import ONE_OF, Array, Placed, Projection, Space, Trace, Vector
 from app.model.refusal import Refusal
 
@@ -75,9 +76,11 @@ class Reference(NamedTuple):
     def of(cls, projection: Projection, points: ArrayLike, space: Space = "world") -> Reference:
         """Return the reference of points (n, 3) of a space."""
         with np.errstate(all="ignore"):
-            numbers, rests, _ = _exact_numbers(projection, points, space)
-        numbers[~(numbers[:, 6] > 0.0)] = np.nan
-        return cls(numbers[:, 10:], rests)
+            placed = projection.placed(points, space)
+            given = np.reshape(np.asarray(points, dtype=np.float64), (-1, 3))
+            numbers, rests, _ = _exact_numbers(projection, placed, given, space)
+        numbers[:, ~(numbers[6] > 0.0)] = np.nan
+        return cls(numbers[10:].T, rests.T)
 
     def errors(self, answers: Array) -> Array:
         """Upper bounds of the errors of x and y in pixels and depth, (n, 3).
@@ -167,7 +170,7 @@ class _Bounds:
         None if no point has a picture. `given` are the points as the GPU has them, (n, 3).
         """
         columns = np.ascontiguousarray(given.T)
-        offset = world.offset(self._projection.camera.eye).hi
+        offset = world.nearest_offset(self._projection.camera.eye)
         view = self._axes @ offset
         clip = self._rows[:, :3] @ view + self._rows[:, 3:]
         w = clip[3].copy()
@@ -388,13 +391,14 @@ def trace(
     if precision == "float64":
         return projection.trace(points, space)
     placed = projection.placed(points, space)
+    given = np.reshape(np.asarray(points, dtype=np.float64), (-1, 3))
     with np.errstate(all="ignore"):
         if precision == "float32":
-            parts = _trace_float32(projection, placed, points, origin, space)
+            traced = _trace_float32(projection, placed, given, origin, space)
         else:
-            parts = _trace_exact(projection, points, space)
+            traced = _trace_exact(projection, placed, given, space)
     shape = np.shape(points)[:-1]
-    return Trace._make(part.reshape(shape + part.shape[1:]) for part in (placed.world, *parts))
+    return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
 
 
 def trace_homogeneous(
@@ -408,58 +412,75 @@ def trace_homogeneous(
     Directions are always exact. `world` and `view` of the result have four numbers each.
     """
     given = np.asarray(points, dtype=np.float64)
+    found = empty_trace(given.copy())
     finite = given[:, 3] != 0.0
-    points = np.where(finite[:, None], given[:, :3], 0.0)
-    traced = trace(projection, points, precision, space=space)
-    ones = np.ones((len(given), 1))
-    world, view = (np.hstack([part, ones]) for part in (traced.world, traced.view))
-    found = traced._replace(world=world, view=view)
-    for i in np.flatnonzero(~finite).tolist():
-        direction: Sequence[float | Fraction] = given[i, :3].tolist()
-        if space == "object":
-            direction = projection.placement.along(given[i, :3].tolist())
-        for column, part in zip(found, trace_at_infinity(projection, direction), strict=True):
-            column[i] = part
+    if finite.any():
+        which: Any = slice(None) if finite.all() else finite
+        traced = trace(projection, given[which, :3], precision, space=space)
+        _fill(found, which, traced, 1.0)
+    if not projection.has_camera:  # a typed view matrix may give directions a w of their own
+        for i in np.flatnonzero(~finite).tolist():
+            direction = given[i, :3].tolist()
+            if space == "object":
+                direction = projection.placement.exactly(direction, 0)
+            for column, part in zip(found, trace_at_infinity(projection, direction), strict=True):
+                column[i] = part
+    elif not finite.all():
+        directions = given[~finite, :3]
+        placed = projection.placed(directions, space, 0)
+        with np.errstate(all="ignore"):
+            traced = _trace_exact(projection, placed, directions, space, 0)
+        _fill(found, ~finite, traced, 0.0)
     return found
 
 
+def _fill(found: Trace, which: Any, traced: Trace, w: float) -> None:
+    """Fill some points of a trace with those of another, whose w in world and view is missing."""
+    for part, full in zip(traced, found, strict=True):
+        if part.shape[1:] == full.shape[1:]:
+            full[which] = part
+        else:
+            full[which, :3], full[which, 3] = part, w
+
+
 def _trace_float32(
-    projection: Projection, placed: Placed, points: ArrayLike, origin: Vector, space: Space
-) -> tuple[Any, ...]:
+    projection: Projection, placed: Placed, given: Array, origin: Vector, space: Space
+) -> Trace:
     single = np.float32
+    passage, local_origin = projection.passage, np.reshape(origin, (3, 1))
     matrix = projection.clip_from_local(origin, space).astype(single)
-    local = (np.asarray(points, dtype=np.float64).reshape(-1, 3) - origin).astype(single)
-    offset = placed.offset(projection.camera.eye).hi.T.astype(single)
-    view = projection.passage.view_of(offset)
-
-    def row(i: int) -> Any:
-        total = matrix[i, 0] * local[:, 0]
-        for j in (1, 2):
-            total = total + matrix[i, j] * local[:, j]
-        return total + matrix[i, 3]
-
-    clip = np.stack([row(i) for i in range(4)], axis=1)
-    ndc = clip[:, :3] / clip[:, 3:]
     width, height = (single(side / 2.0) for side in projection.image_size)
-    one = single(1.0)
-    image = np.stack([(ndc[:, 0] + one) * width, (one - ndc[:, 1]) * height], axis=1)
-    depth = ndc[:, 2]
-    if projection.depth == "opengl":
-        depth = single(0.5) * depth + single(0.5)
-    x, y, _, w = clip.T
-    in_front = (w > 0.0) & np.isfinite(ndc).all(axis=1) & np.isfinite(image).all(axis=1)
-    before, beyond = projection.passage.beyond(view, clip)
-    outside = np.stack([before, beyond, x < -w, x > w, y < -w, y > w], axis=1)
-    return _finish(view, clip, ndc, image, depth, in_front, outside)
+    one, half = single(1.0), single(0.5)
+    traced = empty_trace(placed.world)
+    for start in range(0, len(given), _CHUNK):
+        block = slice(start, start + _CHUNK)
+        local = (np.ascontiguousarray(given[block].T) - local_origin).astype(single)
+        offset = placed.part(block).nearest_offset(projection.camera.eye).astype(single)
+        view = passage.view_of(offset)
+        clip = matrix[:, :1] * local[0]
+        for j in (1, 2):
+            clip += matrix[:, j : j + 1] * local[j]
+        clip += matrix[:, 3:]
+        x, y, _, w = clip
+        ndc = clip[:3] / w
+        right, down = (ndc[0] + one) * width, (one - ndc[1]) * height
+        depth = half * ndc[2] + half if projection.depth == "opengl" else ndc[2]
+        seen = (w > 0.0) & np.isfinite(ndc).all(axis=0) & np.isfinite(right) & np.isfinite(down)
+        outside = (*passage.beyond(view, clip), x < -w, x > w, y < -w, y > w)
+        rows = (*view, *clip, *ndc, right, down, depth, seen, *outside)
+        _keep(Trace._make(part[block] for part in traced), rows)
+    return traced
 
 
-def _finish(*parts: Any) -> tuple[Any, ...]:
-    """Return view, clip, NDC, image, depth as float64; NaN where there is no picture."""
-    *numbers, in_front, outside = parts
-    view, clip, ndc, image, depth = (np.array(part, dtype=np.float64) for part in numbers)
-    for array in (ndc, image, depth):
-        array[~in_front] = np.nan
-    return view, clip, ndc, image, depth, in_front, outside
+def _keep(traced: Trace, rows: Sequence[Array]) -> None:
+    """Store everything that follows from `world`, one row each; NaN where there is no picture."""
+    columns = iter(rows)
+    for part in traced[1:]:
+        for column in part.reshape(len(part), math.prod(part.shape[1:])).T:
+            column[:] = next(columns)
+    if not traced.in_front.all():
+        for array in (traced.ndc, traced.image, traced.depth):
+            array[~traced.in_front] = np.nan
 
 
 # --------------------------------------------------------------------------- exact
@@ -524,53 +545,63 @@ def _bounded(number: Any) -> _Bounded:
     return _Bounded(DoubleDouble(np.asarray(hi), np.asarray(lo)), np.asarray(error))
 
 
-def _trace_exact(projection: Projection, points: ArrayLike, space: Space) -> tuple[Any, ...]:
-    numbers, _, outside = _exact_numbers(projection, points, space)
-    view, clip, ndc, image, depth = np.split(numbers, (3, 7, 10, 12), axis=1)
-    in_front = (clip[:, 3] > 0.0) & np.isfinite(numbers[:, 7:]).all(axis=1)
-    return _finish(view, clip, ndc, image, depth[:, 0], in_front, outside)
+def _trace_exact(
+    projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
+) -> Trace:
+    numbers, _, outside = _exact_numbers(projection, placed, given, space, one)
+    traced = empty_trace(placed.world)
+    seen = (numbers[6] > 0.0) & np.isfinite(numbers[7:]).all(axis=0)
+    _keep(traced, (*(numbers + 0.0), seen, *outside))
+    return traced
 
 
 def _exact_numbers(
-    projection: Projection, points: ArrayLike, space: Space
-) -> tuple[Array, Array, Any]:
-    """Columns: view 3, clip 4, NDC 3, image 2, depth; rounding errors of the last 3; outside 6."""
-    placed = projection.placed(points, space)
-    given = np.asarray(points, dtype=np.float64).reshape(-1, 3)
-    numbers, rests = np.empty((len(given), 13)), np.empty((len(given), 3))
-    outside = np.empty((len(given), 6), dtype=bool)
-    for start in range(0, len(given), _CHUNK):
+    projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Rows: view 3, clip 4, NDC 3, image 2, depth; rounding errors of the last 3; outside 6.
+
+    `one` is w: 0 for directions.
+    """
+    passage, count = projection.passage, len(given)
+    numbers, rests = np.empty((13, count)), np.empty((3, count))
+    outside = np.empty((6, count), dtype=bool)
+    for start in range(0, count, _CHUNK):
         block = slice(start, start + _CHUNK)
-        parts, error = projection.passage.coordinates(placed.part(block))
-        first = projection.passage.clipped(*(_Bounded(part, error) for part in parts))
+        parts, error = passage.coordinates(placed.part(block), one)
+        x, y, z = (_Bounded(part, error) for part in parts)
+        first = passage.clipped(x, y, z, one)
         doubtful = np.zeros(len(error), dtype=bool)
-        for column, number in enumerate(first[:7] + _divide(projection, first[3:7])):
-            numbers[block, column] = number.value.hi
-            if column >= 10:
-                rests[block, column - 10] = number.value.lo
-            doubtful |= ~(number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi)))
+        w = first[6]
+        in_front = ~(w.value.hi + w.error <= 0.0)  # else there is no picture to round
+        for row, number in enumerate(first[:7] + _divide(projection, first[3:7])):
+            numbers[row, block] = number.value.hi
+            if row >= 10:
+                rests[row - 10, block] = number.value.lo
+            rounds = number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi))
+            doubtful |= ~rounds if row < 7 else in_front & ~rounds
         for plane, number in enumerate(first[7:]):
-            outside[block, plane] = number.value.hi < 0.0
+            outside[plane, block] = number.value.hi < 0.0
             doubtful |= ~((number.error < np.abs(number.value.hi)) | (number.error == 0.0))
-        for i in start + np.flatnonzero(doubtful):
-            point: Sequence[float | Fraction] = given[i].tolist()
-            if space == "object":
-                point = projection.placement.exactly(given[i].tolist())
-            numbers[i], rests[i], outside[i] = _trace_rational(projection, point)
+        which = start + np.flatnonzero(doubtful)
+        if len(which):
+            found = _rational_numbers(projection, given[which], space, one)
+            numbers[:, which], rests[:, which], outside[:, which] = found
     return numbers, rests, outside
 
 
-def _trace_rational(
-    projection: Projection, point: Sequence[float | Fraction]
-) -> tuple[list[float], list[float], list[bool]]:
-    """Compute one point of `_exact_numbers` in rationals, each number rounded once."""
-    passage = projection.passage
-    first = passage.clipped(*passage.exact_coordinates(point))
-    w = first[6]
-    quotients = _divide(projection, first[3:7]) if w != 0 else [math.nan] * 6
-    numbers = [nearest(number) for number in (*first[:7], *quotients)]
-    rests = [
-        float(true - Fraction(number)) if math.isfinite(number) else math.nan
-        for true, number in zip(quotients[3:], numbers[10:], strict=True)
-    ]
-    return numbers, rests, [number < 0 for number in first[7:]]
+def _rational_numbers(
+    projection: Projection, given: Array, space: Space, one: int
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Compute `_exact_numbers` in rationals, each number rounded once."""
+    passage, point = projection.passage, tuple(map(Quotients.of, given.T))
+    if space == "object":
+        point = projection.placement.exactly(point, one)
+    x, y, z = passage.exact_coordinates(point, one)
+    first = passage.clipped(x, y, z, one)
+    exact = first[:7] + _divide(projection, first[3:7])
+    numbers = np.array([number.floats() for number in exact])
+    rests = np.full((3, len(given)), np.nan)
+    for true, row, rest in zip(exact[10:], numbers[10:], rests, strict=True):
+        known = np.isfinite(row)
+        rest[known] = (true - Quotients.of(np.where(known, row, 0.0))).floats()[known]
+    return numbers, rests, np.array([number.is_negative() for number in first[7:]])

@@ -1354,6 +1354,8 @@ def orbit_with(**changes: float) -> Callable[[], object]:
 DISTANT = Camera((0, 0, 1e100), (0, 0, 0))
 BOUNDS = marked(limits)
 # What is refused, and the sentence: the field, the value and the bound.
+ITSELF: list[object] = [1, 2]
+ITSELF.append(ITSELF)
 REFUSED: list[tuple[Callable[[], object], str]] = [
     # lenses
     (partial(Perspective, near=0), "near = 0: must be greater than 0."),
@@ -1442,7 +1444,13 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (partial(Projection, image_size=(800, True)),
      "height = True: must be a whole number of pixels from 1 to 16384."),
     (partial(Projection, image_size=800),
-     "image = 800: must be a whole number of pixels from 1 to 16384."),
+     "image = 800: must be two numbers of pixels, width and height."),
+    (partial(Projection, image_size="20"),
+     "image = '20': must be two numbers of pixels, width and height."),
+    (partial(Projection, image_size=(200.5, 200)),
+     "width = 200.5: must be a whole number of pixels from 1 to 16384."),
+    (partial(Projection, image_size=(200, INF)),
+     "height = inf: must be a whole number of pixels from 1 to 16384."),
     (partial(Projection, depth="vulkan"),
      "depth = 'vulkan': must be one of opengl, direct3d, reversed."),
     (lambda: Projection().with_lens("fisheye"),
@@ -1450,13 +1458,31 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: Projection(DISTANT, Perspective(45, 1, INF)).with_lens("orthographic"),
      "far = 4e+100: must be at most 1e+100."),
     # points
-    (tracing((NAN, 0, 0)), "points = (nan, 0, 0): must be three finite numbers x, y, z."),
-    (tracing([1, 2]), "points = (1, 2): must be three finite numbers x, y, z."),
+    (tracing((NAN, 0, 0)), "points = (nan, 0, 0): must have finite real numbers only."),
+    (tracing([(1, 2, 3), (1, INF, 3)]),
+     "points[1] = (1, inf, 3): must have finite real numbers only."),
+    (tracing([[(1, 2, 3), (1, "b", 3)]]),
+     "points[0, 1] = (1, 'b', 3): must have finite real numbers only."),
+    (tracing([(1j, 2, 3)]), "points[0] = (1j, 2, 3): must have finite real numbers only."),
+    (tracing([(True, 2, None)]),
+     "points[0] = (True, 2, None): must have finite real numbers only."),
+    (tracing(None), "points = None: must have finite real numbers only."),
+    (tracing("abc"), "points = 'abc': must have finite real numbers only."),
+    (tracing([]), "points.shape = (0): must end in 3, the numbers of a point."),
+    (tracing([1, 2]), "points.shape = (2): must end in 3, the numbers of a point."),
+    (tracing([(1, 2), (3, 4)]), "points.shape = (2, 2): must end in 3, the numbers of a point."),
     (tracing([(1, 2, 3), (4, 5)]),
-     "points = ((1, 2, 3), (4, 5)): must be three finite numbers x, y, z."),
-    (tracing("abc"), "points = 'abc': must be three finite numbers x, y, z."),
-    (tracing([HUGE, 0, 0]), "points = (1e400, 0, 0): must be three finite numbers x, y, z."),
-    (tracing([1e101, 0, 0]), "points = (1e+101, 0, 0): must be three finite numbers x, y, z."),
+     "points = ((1, 2, 3), (4, 5)): must have equally many numbers in every row."),
+    (tracing(ITSELF), "points = (1, 2, (1, 2, (1, 2, (1, 2, (1, 2, ...))))):"
+     " must have equally many numbers in every row."),
+    (tracing(np.array([(1, 2, 3)], dtype=object)), "points.dtype = 'object': must be a type such"
+     " as float64, to which numpy.asarray(points, float) converts."),
+    (tracing(np.ma.masked_array([(1, 2, 3), (4, 5, 6)], [(0, 0, 0), (0, 1, 0)])),
+     "points[1] = (4, None, 6): must have no masked number."),
+    (tracing([HUGE, 0, 0]),
+     "points = (1e400, 0, 0): must have numbers up to 1e+100 in size only."),
+    (tracing([1e101, 0, 0]),
+     "points = (1e+101, 0, 0): must have numbers up to 1e+100 in size only."),
     # pixels
     (unprojecting((1, 2, 1.5)), "depth = 1.5: must be at most 1."),
     (unprojecting((1, 2, -0.5)), "depth = -0.5: must be at least 0."),
@@ -1485,6 +1511,12 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: fov_y_from_focal_length_e(-2, 1), "e = -2: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm = 0: must be greater than 0."),
 ]  # fmt: skip
+
+
+def test_a_whole_number_of_pixels_is_one_in_any_type() -> None:
+    for size in ((200.0, 100), np.array([200.0, 100.0]), (Fraction(200), np.int16(100))):
+        found = Projection(image_size=size).image_size  # type: ignore[arg-type]
+        assert found == (200, 100) and {*map(type, found)} == {int}
 
 
 @pytest.mark.parametrize(("make", "sentence"), REFUSED, ids=[sentence for _, sentence in REFUSED])

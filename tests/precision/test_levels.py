@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
 from app.model.eye_first import EyeFirst
+from app.model.infinity import trace_at_infinity
 from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
 from app.model.projection import (
     DEPTH_RANGES,
@@ -28,6 +29,7 @@ from app.model.projection import (
     FreeMatrix,
     Frustum,
     Lens,
+    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -48,11 +50,13 @@ from app.precision.levels import (
     precision_for_reading,
     predict,
     trace,
+    trace_homogeneous,
 )
 from app.scenes.scene import BUILT_IN, load
 from tests.oracles import exact
+from tests.support import lenses as samples
 from tests.support.bounds import drawing_bound_px
-from tests.support.lenses import ONE_OF_EACH, SLANTED, made
+from tests.support.lenses import ONE_OF_EACH, SLANTED, free_matrix, made
 from tests.support.samples import pairwise
 
 HD = (1920, 1080)
@@ -286,12 +290,48 @@ def count_rationals(monkeypatch: pytest.MonkeyPatch) -> Callable[[], int]:
     for passage in (EyeFirst, TypedCells):
         exactly = passage.exact_coordinates
 
-        def counted(*arguments: Any, exactly: Any = exactly) -> Any:
-            calls.append(arguments)
-            return exactly(*arguments)
+        def counted(of: Any, point: Any, one: int, exactly: Any = exactly) -> Any:
+            calls.extend(point[0].above)
+            return exactly(of, point, one)
 
         monkeypatch.setattr(passage, "exact_coordinates", counted)
     return lambda: len(calls)
+
+
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_exact_is_rounded_once_at_the_eye_plane(
+    depth: DepthRange, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """w is what is left when all digits of the distance cancel, of either sign."""
+    needed, rng = count_rationals(monkeypatch), np.random.default_rng(5)
+    for lens in (ONE_OF_EACH["perspective"], ONE_OF_EACH["frustum"], samples.LENSES["infinite"]):
+        projection = Projection(SLANTED, lens, HD, depth)
+        across = np.column_stack([rng.uniform(-3.0, 3.0, (12, 2)), np.zeros(12)])
+        points = in_world(SLANTED, across)
+        found = trace(projection, points, "exact").clip[:, 3]
+        assert (np.abs(found) < 1e-14).all() and (found > 0.0).any() and (found < 0.0).any()
+        assert worst_ulp(projection, points) <= 0.5001
+        check_outside(projection, points)
+    assert needed() >= 36
+
+
+@pytest.mark.parametrize("space", ["world", "object"])
+@pytest.mark.parametrize("depth", DEPTH_RANGES)
+def test_many_directions_are_as_one_by_one(depth: DepthRange, space: Any) -> None:
+    """All of one's numbers are rationals, rounded once; those of many are double-doubles."""
+    rng = np.random.default_rng(6)
+    rows = rng.normal(size=(40, 3)).tolist() + np.eye(3).tolist() + (-np.eye(3)).tolist()
+    turned = ObjectTransform((7.0, -3.0, 1e9), (10.0, 90.0, 0.0), (2.0, 1.0, 0.5))
+    view = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, -5), (0, 0.1, 0, 1))
+    typed = FreeMatrix(free_matrix().clip_from_view, view)
+    for lens in (*samples.LENSES.values(), free_matrix(), typed):
+        projection = Projection(SLANTED, lens, HD, depth, turned)
+        found = trace_homogeneous(projection, [[*row, 0.0] for row in rows], space=space)
+        for i, row in enumerate(rows):
+            world = turned.exactly(row, 0) if space == "object" else row
+            alone = trace_at_infinity(projection, world)
+            for part, true in zip(found[1:], alone[1:], strict=True):
+                np.testing.assert_array_equal(part[i], true)
 
 
 @pytest.mark.parametrize("lens", ONE_OF_EACH.values(), ids=ONE_OF_EACH)
@@ -449,7 +489,7 @@ def test_an_unknown_level_and_invalid_points_are_refused() -> None:
     with pytest.raises(Refusal, match="precision = 'float16': must be one of float32, float64"):
         trace(Projection(), [(0.0, 0.0, 0.0)], "float16")  # type: ignore[arg-type]
     for level in PRECISIONS:
-        with pytest.raises(Refusal, match=r"points = .*: must be three finite numbers"):
+        with pytest.raises(Refusal, match=r"points\[0\] = .*: must have finite real numbers only"):
             trace(Projection(), [(0.0, math.nan, 0.0)], level)
 
 
