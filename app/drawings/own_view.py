@@ -332,6 +332,7 @@ class OwnView(PaneCamera):
             for _ in range(2):
                 half = max((most[1] - low[1]) / (2.0 * high), 1e-12 * float(np.abs(offsets).max()))
                 half = max(half, (most[0] - low[0]) / (2.0 * wide) * high_px / wide_px)
+                half = half or 1.0  # of one point
                 around = self.around * AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
                 if around:
                     low, most = np.minimum(low, -around), np.maximum(most, around)

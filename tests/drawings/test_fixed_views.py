@@ -208,6 +208,20 @@ def test_a_turn_makes_the_free_view_of_it_and_a_shift_does_not(off_screen: MakeS
         assert (screen.pixels() == free).all()
 
 
+@pytest.mark.parametrize("fixed", ["side", "top"])
+def test_a_fixed_view_of_one_point_has_a_size(off_screen: Any, fixed: str) -> None:
+    """P is too far away to be in view, and the other marks are all in the eye."""
+    scene = load("similar-triangles")
+    assert scene.phenomenon is not None
+    settings = scene.phenomenon.checked({"distance": 1e-300, "point": (1e99, 0.5, 0.5)})
+    shown = scene.phenomenon.illustration(scene.start, settings, scene.subject)
+    drawing = WorldDrawing(off_screen(*SIZE_PX), scene, WORDS, LIGHT, live=True)
+    drawing.show_projection(scene.start, shown)
+    drawing.show_fixed(fixed)
+    drawing.reset_view()
+    assert np.isfinite(pixel_of(drawing, [scene.start.camera.eye])).all()
+
+
 # --------------------------------------------------------------------------- what is written
 
 

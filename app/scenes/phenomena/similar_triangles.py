@@ -145,7 +145,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         )
     note = WORDS.phrase("behind") if x_p is None else None
     matrix = lecture_matrix(distance)
-    product = tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist())
+    with np.errstate(over="ignore"):
+        product = tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist())
     scale = None if x_p is None else distance / w
     readings = (
         Reading(
