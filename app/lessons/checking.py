@@ -50,7 +50,7 @@ NO_LINKS = QT_TRANSLATE_NOOP(
 )
 _MARK = re.compile(r"(`+|\\[$\[\]<])")
 _LINK = re.compile(
-    r"!?\[[^\[\]\n]*\]\([^()\n]*\(?[^()\n]*\)"
+    r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
     r"|<(?:https?:|mailto:)[^<>\n]*>|<(?:img|a)\s[^<>\n]*>"
 )
 _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>")

@@ -4,6 +4,7 @@
 |---|---|
 | `golden record FOLDER`, `golden compare FOLDER` | compares all outputs before and after a change |
 | `hostile` | opens damaged files with the command line, and with ``--window`` in a window |
+| `regexes` | measures every regular expression on long texts of its own characters |
 | `documents` | looks for silent NaNs in random documents |
 | `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
 | `variants` | draws the variants of all exercises, and types right and wrong answers |

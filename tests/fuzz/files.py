@@ -218,7 +218,7 @@ def _places(tree: Any, path: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...]]:
         yield from _places(tree[key], (*path, key))
 
 
-def _structure(rng: random.Random, content: Any) -> Any:
+def structure(rng: random.Random, content: Any) -> Any:
     """Replace, remove, repeat or nest values at any depth."""
     for _ in range(rng.choice([1, 1, 1, 2, 3])):
         path = rng.choice(list(_places(content)))
@@ -270,7 +270,7 @@ DAMAGE: dict[str, Callable[[random.Random, bytes], bytes]] = {
     "bytes": _flip, "word": _word, "cut": _cut, "chunk": _chunk, "token": _token, "line": _line,
 }  # fmt: skip
 CONTENT: dict[str, Callable[[random.Random, Any], Any]] = {
-    "structure": _structure, "place": _place, "bomb": _bomb,
+    "structure": structure, "place": _place, "bomb": _bomb,
 }  # fmt: skip
 
 
@@ -295,10 +295,20 @@ def _lesson(rng: random.Random) -> bytes:
     return "\n".join(lines).encode(errors="surrogatepass")
 
 
-def write_hostile(folder: Path, seed: int, number: int) -> tuple[Path, str]:
-    """Write a file; its path, and the kind of damage."""
+ENDINGS = (
+    ".obj", ".ply", ".stl", ".gltf", ".glb", ".json", ".md",
+    "lesson", "talk", "results", "record", "strokes", "list",
+)  # fmt: skip
+"""The kinds of files: by their endings, or as `tests.fuzz.lessons` names them."""
+
+
+def write_hostile(folder: Path, seed: int, number: int, ending: str) -> tuple[Path, str]:
+    """Write a file of a kind of `ENDINGS`; its path, and the kind of damage."""
     rng = random.Random(f"{seed} {number}")
-    ending = (".obj", ".ply", ".stl", ".gltf", ".glb", ".json", ".md")[number % 7]
+    if not ending.startswith("."):
+        from tests.fuzz import lessons
+
+        return lessons.write(folder, rng, number, ending), ""
     path, kind = folder / f"{number}{ending}", ""
     if ending == ".md":
         path.write_bytes(_lesson(rng))
@@ -308,9 +318,9 @@ def write_hostile(folder: Path, seed: int, number: int) -> tuple[Path, str]:
         tree = a_viewed_tree(rng, Document(scene, load(scene).start))
         kind = rng.choice(["view", "view", "structure", ""])
         if kind == "view":  # other damage is mostly refused before the view is read
-            tree["view"] = _structure(rng, {"view": tree.get("view")}).get("view")
+            tree["view"] = structure(rng, {"view": tree.get("view")}).get("view")
         elif kind:
-            tree = _structure(rng, tree)
+            tree = structure(rng, tree)
         path.write_text(json.dumps(tree))
     elif ending in (".gltf", ".glb"):
         content, body = _gltf(rng)

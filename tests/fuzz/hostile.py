@@ -5,6 +5,10 @@ meshes and documents with ``matrices FILE``, lessons and talks with ``lesson che
 must open, or be refused in one sentence that begins with its name. Anything else is a finding: a
 signal, a traceback, a second line, 10 s of work, 60 s of waiting, or 2 GiB.
 
+`tests.fuzz.lessons` makes lessons, talks, results, records, strokes and lists as people write them,
+with impossible numbers. Each is opened by its command, and then read, drawn, answered and summed up
+in the same process, all within 1 s. ``--only lesson,talk,results,record,strokes,list`` takes these.
+
 ``--window`` also opens each file in a real window, draws all three panes, and reads and answers
 every step of a lesson. There a finding is an exception, a drawing that is taken back, more than
 `LONGEST_STALL_S` of work without handling events, or opening a file that does not belong to the
@@ -35,10 +39,12 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app.commands import cli
-from tests.fuzz.files import write_hostile
+from tests.fuzz import lessons
+from tests.fuzz.files import ENDINGS, write_hostile
 
 CONFIRMED = 50
 LONGEST_S = 10.0
+LONGEST_OF_LESSON_S = 1.0
 LONGEST_WAIT_S = 60.0
 LONGEST_STALL_S = 0.2
 """Processor time of the window's thread."""
@@ -58,17 +64,22 @@ class Outcome(NamedTuple):
     seconds: float
     largest: int  # bytes of the process, and of one that it started
 
-    def finding(self, path: Path) -> str:
+    def finding(self, path: Path, kind: str) -> str:
         """What is wrong with it; empty if nothing is."""
         lines = self.err.decode(errors="replace").splitlines()
         if self.status < 0:
             return f"signal {-self.status}"
         if b"Traceback" in self.err or b"Error\n" in self.err:
             return "traceback"
-        if self.seconds > LONGEST_S:
-            return f"{self.seconds:.0f} s"
+        if self.seconds > (LONGEST_OF_LESSON_S if kind in lessons.DONE else LONGEST_S):
+            return f"{self.seconds:.1f} s"
         if self.largest > LARGEST_BYTES:
             return f"{self.largest >> 20} MiB"
+        if kind in lessons.DONE:
+            said = [*lines, *self.out.decode(errors="replace").splitlines()]
+            right = all(line.startswith(str(path)) for line in lines) and self.status in (0, 1, 2)
+            right = right and all(line.isprintable() for line in said)
+            return "" if right else f"status {self.status}, or not a sentence about the file"
         if path.suffix == ".md":
             said = self.out.decode(errors="replace").splitlines()
             wrong, sums = said[:-2], said[-2:]  # the last two lines sum up
@@ -102,11 +113,13 @@ def _waited(started: float, pid: int, folder: Path) -> Outcome:
     )  # fmt: skip
 
 
-def _arguments(path: Path) -> list[str]:
+def _arguments(path: Path, kind: str) -> list[str]:
+    if kind in lessons.DONE:
+        return lessons.command(path, kind)
     return [*(["lesson", "check"] if path.suffix == ".md" else ["matrices"]), str(path)]
 
 
-def _forked(path: Path, folder: Path) -> Outcome:
+def _forked(path: Path, kind: str, folder: Path) -> Outcome:
     started = time.perf_counter()
     pid = os.fork()
     if pid == 0:
@@ -115,8 +128,11 @@ def _forked(path: Path, folder: Path) -> Outcome:
             for descriptor, name in ((1, "out"), (2, "err")):
                 file = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_TRUNC)
                 os.dup2(file, descriptor)
-            status = cli.main(_arguments(path))
+            words = _arguments(path, kind)
+            status = cli.main(words) if words else 0
             sys.stdout.flush()
+            if kind in lessons.DONE:
+                lessons.DONE[kind](path)
         except BaseException:
             traceback.print_exc()
             sys.stderr.flush()
@@ -125,9 +141,9 @@ def _forked(path: Path, folder: Path) -> Outcome:
     return _waited(started, pid, folder)
 
 
-def _commanded(path: Path) -> Outcome:
+def _commanded(path: Path, kind: str) -> Outcome:
     started = time.perf_counter()
-    command = [sys.executable, "-m", "app", *_arguments(path)]
+    command = [sys.executable, "-m", "app", *_arguments(path, kind)]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, check=False)
     return Outcome(done.returncode, done.stdout, done.stderr, time.perf_counter() - started, 0)
 
@@ -286,10 +302,14 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument("--first", type=int, default=0, help="number of the first, to go on from")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--window", action="store_true", help="draw each in a window, too")
-    parser.add_argument("--only", default="", help="endings, such as .obj,.md")
+    parser.add_argument("--only", default="", help="kinds, such as .obj,.md,talk,results")
     parser.add_argument("--keep", type=Path, help="a folder for the files of findings")
     options = parser.parse_args(words)
     forks = hasattr(os, "fork")
+    only = [kind for kind in options.only.split(",") if kind]
+    for kind in set(only).difference(ENDINGS):
+        parser.error(f"--only {kind}: must be of {', '.join(ENDINGS)}")
+    lessons.prepare()
     findings, outcomes = 0, collections.Counter[str]()
     slowest, largest, confirmed = 0.0, 0, 0
     with contextlib.ExitStack() as stack:
@@ -299,21 +319,21 @@ def main(words: Sequence[str]) -> int:
         if window is not None:
             stack.callback(window.close)
         for number in range(options.first, options.first + options.count):
-            path, kind = write_hostile(folder, options.seed, number)
-            if options.only and path.suffix not in options.only.split(","):
-                continue
-            outcome = _forked(path, outer) if forks else _commanded(path)
-            what = outcome.finding(path)
-            if forks and (what or number % CONFIRMED == 0):
-                again = _commanded(path)
+            ending = (only or ENDINGS)[number % len(only or ENDINGS)]
+            path, kind = write_hostile(folder, options.seed, number, ending)
+            outcome = _forked(path, ending, outer) if forks else _commanded(path, ending)
+            what = outcome.finding(path, ending)
+            if forks and ending not in lessons.DONE and (what or number % CONFIRMED == 0):
+                again = _commanded(path, ending)
                 confirmed += 1
                 if again[:3] != outcome[:3]:
                     what = what or f"the whole command says something else: {again.err!r}"
-            if window is not None and (shown := window.finding(path)):
+            is_opened = window is not None and ending not in ("results", "record", "list")
+            if is_opened and (shown := window.finding(path)):
                 what = f"{what}; in the window: {shown}".removeprefix("; ")
             if what:
                 findings += 1
-                name = f"{options.seed} {number} {path.suffix} {kind}"
+                name = f"{options.seed} {number} {ending} {kind}"
                 print(f"{name}: {what}: {outcome.err[-400:]!r}", flush=True)
                 if options.keep:
                     options.keep.mkdir(parents=True, exist_ok=True)

@@ -12,6 +12,7 @@ import pytest
 from app.lessons import marking
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.exercise import MOST_VALUES
+from app.lessons.blocks.working import working
 from app.lessons.checking import Report
 from app.lessons.course import Course
 from app.lessons.lesson import Lesson, parse_lesson
@@ -109,6 +110,11 @@ def test_a_state_in_which_a_value_is_infinite_is_found() -> None:
     assert isinstance(part, Answer)
     with pytest.raises(Refusal, match="too large"):  # and no OverflowError
         part.mark(Course(lesson).at(0), "5")
+
+
+def test_a_number_that_is_infinite_has_no_worked_solution() -> None:
+    assert working(parse("near + 1/far"), known("lens.far=inf")) is None
+    assert working(parse("near + 1/far"), known()) is not None
 
 
 def test_a_condition_may_speak_of_infinity() -> None:

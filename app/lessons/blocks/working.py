@@ -61,7 +61,7 @@ class Working(NamedTuple):
 
 
 def working(formula: Formula, known: Quantities) -> Working | None:
-    """Return the way to a formula's value; None if it has names that no reader knows."""
+    """Return the way to a formula's value; None if no reader knows a name, or its number."""
     cells = dict[str, Formula]()
     numbers, is_exact = dict[str, Formula](), True
     for part in formula:
@@ -78,7 +78,9 @@ def working(formula: Formula, known: Quantities) -> Working | None:
             cells[part.text] = cell
         else:
             continue
-        value = known.value(part)
+        value = known.value(part, infinite=True)
+        if math.isinf(value):
+            return None
         digits = 10 if value.is_integer() else 4  # a count is no rounded number
         number = Fraction(f"{value:.{digits}g}")
         is_exact = is_exact and math.isclose(number, value, rel_tol=1e-9)
