@@ -180,7 +180,8 @@ class Hands:
         """Forget the closed window, and see that nothing holds its panes."""
         canvases = [weakref.ref(pane.canvas) for pane in self.window.panes.values()]
         self.window.deleteLater()
-        self.window = sys.last_exc = sys.last_value = sys.last_traceback = None  # they hold frames
+        self.window = self._on_top = None
+        sys.last_exc = sys.last_value = sys.last_traceback = None  # they hold frames
         settle()
         delete_what_is_due()
         gc.collect()
