@@ -15,7 +15,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
-from functools import cache
+from functools import cache, lru_cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -163,6 +163,7 @@ def _cosine_and_ratio(x: Fraction) -> tuple[Fraction, Fraction]:
     return Fraction(cos, one), Fraction(over_x, one)
 
 
+@lru_cache(maxsize=64)
 def cotangent_deg(angle_deg: Fraction) -> Fraction:
     """The cotangent of an angle strictly between 0 and 180 degrees, to about `BITS` bits.
 

@@ -19,7 +19,7 @@ from app.lecture.dependence import FIELDS as LETTERS
 from app.lecture.notation import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.readout import digits_apart, figure
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -79,8 +79,8 @@ def write(
 def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
     if found.orbit is not None:
-        turns_deg = (found.orbit * k / (len(states) - 1) for k in range(len(states)))
-        return [f"angle = {turn_deg:.4g}°" for turn_deg in turns_deg]
+        turns_deg = [found.orbit * k / (len(states) - 1) for k in range(len(states))]
+        return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
     if found.transition:
         return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
     path, letters = (found.sweep or "").partition("=")[0].strip(), states[0].view.letters
@@ -90,10 +90,11 @@ def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
         return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
 
-    written = Written(named, lambda text: in_letters(text, letters), lambda value: figure(value, 4))
+    written = Written(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
     values = names_in([""] * len(states), [each.state for each in states], settings, written)
     if len(states) > 1 and not all(values):  # nothing that a picture compares, such as a stage
-        numbers = [reduce(getattr, path.split("."), each) for each in states]
-        values = [f"{path.rpartition('.')[2]} = {number:.4g}" for number in numbers]
+        numbers: list[Any] = [reduce(getattr, path.split("."), each) for each in states]
+        digits = digits_apart(*numbers)
+        values = [f"{path.rpartition('.')[2]} = {number:.{digits}g}" for number in numbers]
     return values

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.commands import points
 from app.commands.aligned import lengths, lens_line, plain, widths
@@ -42,12 +43,6 @@ def run(arguments: Sequence[str]) -> int:
         traced = trace_homogeneous(projection, rows, precision, found.space)
     else:
         traced = trace(projection, rows[:, :3], precision, space=found.space)
-    beyond = ~np.isfinite(np.column_stack([traced.view, traced.clip])).all(axis=1)
-    if beyond.any():  # coordinates may exceed float32's 3e38
-        number = int(beyond.argmax()) + 1
-        raise CliError(
-            f"--rung = {precision!r}: point {number} leads to numbers that it cannot hold."
-        )
     answer = _Answer(projection, traced, precision, predictions, found.space, read.columns)
     if found.format == "table":
         write_out([f"{lens_line(projection)}\n\n"])
@@ -71,10 +66,28 @@ class _Answer(NamedTuple):
         return _HOMOGENEOUS if self.trace.world.shape[1] == 4 else _STAGES
 
     @property
+    def lost(self) -> NDArray[np.bool_]:
+        """Return which points have coordinates that the precision cannot hold, (n,)."""
+        reached = np.column_stack([self.trace.view, self.trace.clip])
+        return np.logical_not(np.isfinite(reached).all(axis=1))
+
+    @property
+    def why_lost(self) -> str:
+        """Say why: only float32 overflows, and only a typed view matrix divides."""
+        if self.precision == "float32":
+            return "float32 cannot hold its numbers"
+        return "its view coordinates are at infinity"
+
+    @property
     def counts(self) -> tuple[int, int]:
         """The number of columns of a point, and of one without a picture (up to clip space)."""
         columns = [len(names) for _, names in self.stages]
         return sum(columns), sum(columns[:3])
+
+    @property
+    def in_world(self) -> int:
+        """The number of columns of a point of which only the world coordinates are known."""
+        return len(self.stages[0][1])
 
 
 class _Block(NamedTuple):
@@ -84,12 +97,13 @@ class _Block(NamedTuple):
     ----------
     numbers : (n, k) float64 array
         The columns of `_Answer.stages`; NaN where there is no picture, and no minus zero.
-    in_front : list of bool
+    in_front, lost : list of bool
     outside_of : list of tuple of str
     """
 
     numbers: Array
     in_front: list[bool]
+    lost: list[bool]
     outside_of: list[tuple[str, ...]]
 
     @property
@@ -114,7 +128,8 @@ _HOMOGENEOUS = tuple(
 _BLOCK = 4096
 
 
-def _blocks(trace: Trace) -> Iterator[_Block]:
+def _blocks(answer: _Answer) -> Iterator[_Block]:
+    trace, lost = answer.trace, answer.lost
     named = [
         tuple(plane for i, plane in enumerate(PLANES) if code >> i & 1)
         for code in range(1 << len(PLANES))
@@ -126,6 +141,7 @@ def _blocks(trace: Trace) -> Iterator[_Block]:
         yield _Block(
             np.column_stack(stages) + 0.0,
             part.in_front.tolist(),
+            lost[start : start + _BLOCK].tolist(),
             [named[code] for code in codes.tolist()],
         )
 
@@ -137,18 +153,24 @@ def _project_json(answer: _Answer) -> Iterator[str]:
     ]
     seen = "{" + ", ".join(parts)
     unseen = "{" + ", ".join([*parts[:3], *(f'"{stage}": null' for stage, _ in _STAGES[3:])])
+    nothing = ", ".join([parts[0], *(f'"{stage}": null' for stage, _ in _STAGES[1:])])
+    nothing = f'{{{nothing}, "inside": null, "outside_of": null, "reason": "{answer.why_lost}"'
     count, before_ndc = answer.counts
     names = answer.columns.names
     others = answer.columns.written(
         lambda row: f', "columns": {json.dumps(dict(zip(names, row, strict=True)))}'
     )
     separator = '{"points": [\n'
-    for block in _blocks(answer.trace):
+    for block in _blocks(answer):
         texts, lines = block.texts, []
-        for i, (in_front, outside_of) in enumerate(
-            zip(block.in_front, block.outside_of, strict=True)
+        for i, (in_front, lost, outside_of) in enumerate(
+            zip(block.in_front, block.lost, block.outside_of, strict=True)
         ):
             first = count * i
+            if lost:
+                known = nothing % tuple(texts[first : first + answer.in_world])
+                lines.append(f"{known}{next(others)}}}")
+                continue
             if in_front:
                 line = seen % tuple(texts[first : first + count])
             else:
@@ -186,18 +208,23 @@ def _project_csv(answer: _Answer) -> Iterator[str]:
     columns = [name for _, names in answer.stages for name in names]
     others = answer.columns.written(lambda row: f",{_csv_row(row)}")
     names = f",{_csv_row(answer.columns.names)}" if answer.columns.names else ""
-    yield ",".join([*columns, "inside", "outside_of"]) + names + "\n"
+    reason = [answer.why_lost] if answer.lost.any() else []
+    head = [*columns, "inside", "outside_of", *("reason" for _ in reason)]
+    yield ",".join(head) + names + "\n"
     count, before_ndc = answer.counts
     none = [""] * (count - before_ndc)
-    for block in _blocks(answer.trace):
+    for block in _blocks(answer):
         texts, lines = block.texts, []
-        for i, (in_front, outside_of) in enumerate(
-            zip(block.in_front, block.outside_of, strict=True)
+        for i, (in_front, lost, outside_of) in enumerate(
+            zip(block.in_front, block.lost, block.outside_of, strict=True)
         ):
             cells = texts[count * i : count * (i + 1)]
             if not in_front:
                 cells[before_ndc:] = none
             cells += ["true" if in_front and not outside_of else "false", " ".join(outside_of)]
+            cells += ["" for _ in reason]
+            if lost:
+                cells[answer.in_world :] = [""] * (len(head) - answer.in_world - 1) + reason
             lines.append(",".join(cells) + next(others) + "\n")
         yield "".join(lines)
 
@@ -213,6 +240,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
     seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
     unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
+    nothing = "%-10s  " + line + f"{labels[0]:>10}  {line}"
     # The position of each number in a table of four columns with a header row.
     places = [
         4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
@@ -226,7 +254,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
             for name, text in zip(names, row, strict=True)
         )
     )
-    for block in _blocks(answer.trace):
+    for block in _blocks(answer):
         count, texts = len(block.numbers), block.texts
         whole = (block.numbers == np.rint(block.numbers)) & (np.abs(block.numbers) < 1e15)
         for i in np.flatnonzero(whole).tolist():
@@ -235,6 +263,7 @@ def _project_table(answer: _Answer) -> Iterator[str]:
         counted[0, :, :4] = counted[1, :, :4] = 1
         counted[:, :, places] = np.reshape(lengths(texts), (2, count, numbers))
         counted[:, ~np.array(block.in_front), places[before_ndc] :] = 0
+        counted[:, np.array(block.lost), places[answer.in_world] :] = 0
         cells = np.full((count, 4 * rows), "", dtype=object)
         cells[:, :4] = "x", "y", "z", "w"
         cells[:, places] = np.array(texts, dtype=object).reshape(count, numbers)
@@ -242,18 +271,22 @@ def _project_table(answer: _Answer) -> Iterator[str]:
         filled[::2] = widths(*counted.reshape(2, count, rows, 4))
         filled[1::2] = cells.ravel().tolist()
         lines = []
-        for i, (in_front, outside_of) in enumerate(
-            zip(block.in_front, block.outside_of, strict=True)
+        for i, (in_front, lost, outside_of) in enumerate(
+            zip(block.in_front, block.lost, block.outside_of, strict=True)
         ):
             number += 1
-            shown = seen if in_front else unseen
+            shown, known = (nothing, 1) if lost else (seen, rows - 1) if in_front else (unseen, 3)
             first = 8 * rows * i
-            values = filled[first : first + 8 * (rows if in_front else 4)]
+            values = filled[first : first + 8 * (known + 1)]
             lines.append("\n" if number > 1 else "")
             lines.append(shown % (f"point {number}", *values))
-            if not in_front:
-                why = _why_none(block.numbers[i, :before_ndc].tolist())
-                lines += [f"{label:>10}  none: {why}\n" for label in labels[3:]]
+            if known < len(labels):
+                numbers_of = block.numbers[i, :before_ndc].tolist()
+                why = answer.why_lost if lost else _why_none(numbers_of)
+                lines += [f"{label:>10}  none: {why}\n" for label in labels[known:]]
+            if lost:
+                lines.append(next(others))
+                continue
             beyond = ", ".join(outside_of)
             lines.append(
                 f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"

@@ -14,6 +14,7 @@ from typing import Any
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.readout import FEW, digits_apart
 from app.scenes.phenomena.settings import Setting, Settings
 
 MOST_PICTURES = 4
@@ -148,12 +149,13 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
 @dataclass(frozen=True)
 class Written:
     """How to write a difference in a language: functions for the name of a model field, for a text
-    of the phenomena (a setting's name, unit or choice; ``on`` and ``off``), and for a number.
+    of the phenomena (a setting's name, unit or choice; ``on`` and ``off``), and for a number with
+    so many digits.
     """
 
     field: Callable[[str], str]
     text: Callable[[str], str]
-    number: Callable[[float], str]
+    number: Callable[[float, int], str]
 
 
 def in_words(
@@ -209,7 +211,12 @@ def _written(
     """What a value is called, and the text of each, with its unit; no text for a matrix."""
     _, _, name = path.rpartition(".")
     label, unit = written.field(name), "\u00b0" if name.endswith("_deg") else ""
-    texts = [_value(value, written) for value in values]
+    numbers = [value if isinstance(value, tuple) else (value,) for value in values]
+    digits = max(
+        (digits_apart(*column) for column in zip(*numbers, strict=False)
+         if all(isinstance(part, (int, float)) for part in column)), default=FEW,
+    )  # fmt: skip
+    texts = [_value(value, written, digits) for value in values]
     if setting is not None:
         label, unit = written.text(setting.label), written.text(setting.unit)
         words = {key: written.text(text) for key, text in setting.choices}
@@ -223,14 +230,14 @@ def _written(
     return label, [f"{text}{unit}" for text in texts]
 
 
-def _value(value: Any, written: Written) -> str:
+def _value(value: Any, written: Written, digits: int) -> str:
     """Write a number, a point or a word; return an empty text for anything larger."""
     if isinstance(value, bool):
         return written.text(ON if value else OFF)
     if isinstance(value, (int, float)):
-        return written.number(float(value))
+        return written.number(float(value), digits)
     if isinstance(value, tuple) and all(isinstance(part, float) for part in value):
-        return f"({', '.join(map(written.number, value))})"
+        return f"({', '.join(written.number(part, digits) for part in value)})"
     return value if isinstance(value, str) else ""
 
 

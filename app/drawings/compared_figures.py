@@ -58,7 +58,7 @@ def compared_in(
     written = Written(
         lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
         lambda text: words.get(text, text),
-        lambda value: figure(value, 4),
+        figure,
     )
     given = [name_of(document, picture) for picture in pictures]
     states = [pictured(document, picture).state for picture in pictures]

@@ -15,12 +15,12 @@ from app.lecture.notation import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
 from app.model.limits import PLANES
-from app.model.projection import Projection
+from app.model.projection import Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene
 
 Translate = Callable[[str, str], str]
@@ -160,31 +160,36 @@ def describe(
 def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
     camera, lens = projection.camera, projection.lens
     if projection.has_camera:
-        yield translate(CAMERA, "Description").format(_row(camera.eye), _row(camera.target))
+        yield translate(CAMERA, "Description").format(*_rows(camera.eye, camera.target))
     title = translate(lens.title, "Lens")
     if lens.planes is None:
         yield translate(NO_PLANES, "Description").format(title)
         return
-    far = "∞" if lens.far == np.inf else _number(lens.far)
-    yield translate(LENS, "Description").format(title, _number(lens.near), far)
+    digits = digits_apart(lens.near, lens.far)
+    far = "∞" if lens.far == np.inf else figure(lens.far, digits)
+    yield translate(LENS, "Description").format(title, figure(lens.near, digits), far)
     if lens.fov_y_deg is not None:
-        yield translate(ANGLE, "Description").format(_number(lens.fov_y_deg))
+        angle = figure(lens.fov_y_deg, digits_apart(lens.fov_y_deg, 180.0))
+        yield translate(ANGLE, "Description").format(angle)
 
 
 def _points(document: Document, translate: Translate) -> Iterator[str]:
     """Where the marked points are; not the rays of pixels."""
-    for probe in document.view.probes:
+    probes = [probe for probe in document.view.probes if probe.row is not None]
+    places, pixels = list[Vector](), list[list[float]]()
+    for probe in probes:
         if probe.direction is not None:
-            place, template = probe.direction, DIRECTION
-            found = trace_at_infinity(document.projection, place)
-        elif probe.point is not None:
-            place, template = probe.point, POINT
-            found = document.projection.trace(place)
+            places.append(probe.direction)
+            found = trace_at_infinity(document.projection, probe.direction)
         else:
-            continue
-        template = template if found.in_front else NOWHERE
-        pixel = _row(found.image.tolist())
-        yield translate(template, "Description").format(probe.number, _row(place), pixel)
+            assert probe.point is not None
+            places.append(probe.point)
+            found = document.projection.trace(probe.point)
+        pixels.append(found.image.tolist())
+    for probe, place, pixel in zip(probes, _rows(*places), _rows(*pixels), strict=True):
+        template = POINT if probe.direction is None else DIRECTION
+        template = NOWHERE if "nan" in pixel else template
+        yield translate(template, "Description").format(probe.number, place, pixel)
 
 
 def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> str:
@@ -234,9 +239,7 @@ def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]
         yield ALL_INSIDE, []
 
 
-def _number(value: float) -> str:
-    return figure(value, 4)
-
-
-def _row(numbers: Sequence[float]) -> str:
-    return ", ".join(map(_number, numbers))
+def _rows(*points: Sequence[float]) -> list[str]:
+    """Write points with as many digits as tell different ones apart."""
+    digits = [digits_apart(*column) for column in zip(*points, strict=True)]
+    return [", ".join(map(figure, point, digits)) for point in points]

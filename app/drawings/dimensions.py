@@ -33,6 +33,7 @@ from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.projection import Array, Projection
+from app.scenes.phenomena.readout import digits_apart
 
 _SEGMENTS = 64  # capacity
 _AWAY_PX = -1e4
@@ -318,7 +319,8 @@ class Dimensions:
         for letter, value, x, one in ends:
             self._thin.add((x, foot), (x, lower))
             word = self._words.get(f"{{{letter}}}", letter)
-            self._on_line(letter, f"{word} = {written_distance(value)}", (x, upper), limits, one)
+            text = f"{word} = {written_distance(value, digits_apart(low, high))}"
+            self._on_line(letter, text, (x, upper), limits, one)
             self._on_line((_KEY, one), written_distance(one), (x, lower), limits, one)
         for number, place in enumerate(measured.across):
             if -1.0 <= place <= 1.0:

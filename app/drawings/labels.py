@@ -36,6 +36,7 @@ from app.drawings.style import rgb
 from app.lecture.highlight import AXES, OBJECT_AXES, SIDES, WINDOW
 from app.model.formula import ARROW
 from app.model.projection import Array
+from app.scenes.phenomena.readout import FEW, digits_apart
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
@@ -322,7 +323,8 @@ class Labels:
             text = self._words[name]
             if distance is not None:
                 letter = self._words.get(f"{{{name}_distance}}", name)
-                text = f"{text} {letter} = {written_distance(distance)}"
+                digits = digits_apart(*(each for each in distances if each is not None))
+                text = f"{text} {letter} = {written_distance(distance, digits)}"
             self.named[name].set_text(text)
             want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
 
@@ -332,10 +334,12 @@ class Labels:
         corners = np.roll(near, -1, axis=0)
         sides = near[:, None] + _ON_SIDE[:, None] * (corners - near)[:, None]
         middle, *spots = pane.seen(np.vstack([near.mean(axis=0), sides.reshape(-1, 3)]))
-        for (letter, side), value in zip(WINDOW.items(), named.window, strict=True):
+        pairs = named.window[:2], named.window[2:]
+        digits = [digits_apart(*pair) for pair in pairs for _ in pair]
+        for (letter, side), value, many in zip(WINDOW.items(), named.window, digits, strict=True):
             if letter in named.without:
                 continue
-            self.named[side].set_text(self.side(letter, value))
+            self.named[side].set_text(self.side(letter, value, many))
             first = SIDES.index(side) * len(_ON_SIDE)
             beside = spots[first : first + len(_ON_SIDE)]
             marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
@@ -344,9 +348,9 @@ class Labels:
             places = partial(flanking, marks, out, size, em, rim)
             board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
 
-    def side(self, letter: str, value: float) -> str:
+    def side(self, letter: str, value: float, digits: int = FEW) -> str:
         """The text at a side of the window."""
-        return f"{self._words.get(f'{{{letter}}}', letter)} = {written_distance(value)}"
+        return f"{self._words.get(f'{{{letter}}}', letter)} = {written_distance(value, digits)}"
 
 
 def want_plane(
@@ -401,9 +405,10 @@ def vector(word: str) -> str:
     return f"{word}{ARROW}" if len(word) == 1 else word
 
 
-def written_distance(value: float) -> str:
+def written_distance(value: float, digits: int = FEW) -> str:
     """Write a distance as a label does: 1, 0.025, −10, 1e+06, the sign for infinity."""
     if math.isinf(value):
         return "\N{INFINITY}"
-    text = f"{value:.0f}" if 1e4 <= abs(value) < 1e6 else f"{value:.4g}"
+    is_whole = digits == FEW and 1e4 <= abs(value) < 1e6
+    text = f"{value:.0f}" if is_whole else f"{value:.{digits}g}"
     return text.replace("-", "\N{MINUS SIGN}")

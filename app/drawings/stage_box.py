@@ -46,7 +46,7 @@ from app.lecture.stages import (
     Morph,
 )
 from app.model.projection import Array
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.readout import digits_apart, figure
 
 _PALER = 0.6  # of the near plane's tint in the world, where it is smaller
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
@@ -246,7 +246,7 @@ class StageBox:
             end = 1.0 if infinite else 0.0
             z = ("", "−∞" if infinite else "−1")
             at = -1.0 if infinite else -lens.near / lens.far
-            near_text = f"{near_text} {figure(at, 3)}"
+            near_text = f"{near_text} {figure(at, digits_apart(at, -1.0, least=3))}"
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
         elif stop == NDC:
             z_near, z_far = (_signed(z) for z in morph.projection.depth_range)

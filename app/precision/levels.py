@@ -9,7 +9,7 @@ exact       double-double with a running error bound, rounded once; rationals wh
 
 The error of a precision is bounded before anything is computed, from the roundings of its
 operations (Higham, Accuracy and Stability of Numerical Algorithms, 3.1) and the sizes of the
-rounded numbers. Every point has its own bound, in half the time that it takes to project it. The
+rounded numbers. Every point has its own bound, in the time of projecting it once or twice. The
 bound is some ten times the largest error found, and infinite where a rounding can bring w to 0.
 """
 

@@ -273,14 +273,53 @@ def test_points_without_a_picture_have_no_error_and_an_infinite_one_is_written_i
     assert (answer["rung"], answer["points"][0]["view"]) == ("float64", [0.0, 1e39, -1e40])
 
 
-@pytest.mark.parametrize("form", ["table", "csv", "json"])
-def test_a_point_beyond_the_numbers_of_a_forced_precision_is_refused(
-    by_hand: Path, form: str
-) -> None:
-    arguments = ("project", by_hand, "-", "--rung=float32", f"--format={form}")
-    assert refused(*arguments, text="x,y,z\n0,0,0\n0,1e39,-1e40\n") == (
-        "--rung = 'float32': point 2 leads to numbers that it cannot hold.\n"
-    )
+@pytest.mark.parametrize("w", ["", ",1"])
+def test_only_a_point_beyond_the_numbers_of_float32_has_none(by_hand: Path, w: str) -> None:
+    """The others are the same as without it."""
+    rows = [f"{row}{w}" for row in ("0,0,0", "0,1e39,-1e40", "2,1,1")]
+    head = f"x,y,z{w and ',w'},name"
+    text = "\n".join([head, *(f"{row},p{i}" for i, row in enumerate(rows))])
+    fewer = "\n".join([head, f"{rows[0]},p0", f"{rows[2]},p2"])
+    arguments = ("project", by_hand, "-", "--rung=float32")
+    why = "float32 cannot hold its numbers"
+
+    first, lost, last = json.loads(run_here(*arguments, "--format=json", text=text).stdout)[
+        "points"
+    ]
+    others = json.loads(run_here(*arguments, "--format=json", text=fewer).stdout)["points"]
+    assert [first, last] == others and last["columns"] == {"name": "p2"}
+    assert lost["world"][:3] == [0.0, 1e39, -1e40] and lost["columns"] == {"name": "p1"}
+    unknown = ("view", "clip", "ndc", "image", "depth", "inside", "outside_of")
+    assert lost["reason"] == why and all(lost[key] is None for key in unknown)
+
+    told = run_here(*arguments, "--format=csv", text=text).stdout
+    table = [*csv.DictReader(told.splitlines())]
+    assert [row["reason"] for row in table] == ["", why, ""]
+    assert {key: value for key, value in table[1].items() if value} == {
+        "world_x": "0.0", "world_y": "1e+39", "world_z": "-1e+40", "name": "p1", "reason": why,
+        **({"world_w": "1.0"} if w else {}),
+    }  # fmt: skip
+    plain = run_here(*arguments, "--format=csv", text=fewer).stdout
+    assert [{**row, "reason": ""} for row in csv.DictReader(plain.splitlines())] == table[::2]
+
+    blocks = run_here(*arguments, text=text).stdout.split("\npoint ")[1:]
+    assert blocks[1].count(f"none: {why}\n") == 5 and "1e+39" in blocks[1] and "p1" in blocks[1]
+    assert "none" not in blocks[2] and "inside" in blocks[2] and "inside" not in blocks[1]
+
+
+def test_only_a_point_at_the_infinity_of_a_typed_view_has_no_numbers(tmp_path: Path) -> None:
+    """w of view space is 1 - z/2, which is 0 for z = 2."""
+    view = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,-0.5,1"
+    clip = "1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,1"
+    typed = (f"--set=lens.clip_from_view={clip}", f"--set=lens.view_from_world={view}")
+    for rung in ("float64", "exact"):
+        done = run_here(
+            "project", "-", "--set=lens.kind=matrix", *typed, "--format=json", f"--rung={rung}",
+            text="0,0,2\n1,0,1\n",
+        )  # fmt: skip
+        lost, other = json.loads(done.stdout)["points"]
+        assert lost["view"] is None and lost["reason"] == "its view coordinates are at infinity"
+        assert other["view"] == [2.0, 0.0, 2.0]
 
 
 def test_l13_a_fourth_column_is_w_and_0_is_a_direction(by_hand: Path) -> None:

@@ -60,6 +60,18 @@ def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_pat
     assert (slider["max"], slider["value"], slider["aria-label"]) == ("2", "1", "near n")
 
 
+def test_the_sliders_values_are_told_apart(tmp_path: Path) -> None:
+    out = tmp_path / "a.html"
+    for sweep, expected in (
+        ("lens.near=4:4.00002", ["near n = 4", "near n = 4.00001", "near n = 4.00002"]),
+        ("view.stage=1:1.00002", ["stage = 1", "stage = 1.00001", "stage = 1.00002"]),
+    ):
+        options = ("--sweep", sweep, "--frames=3", *SIZE, "--panes=ndc")
+        assert run_here("export", out, *options).stderr == ""
+        states = slots_of(out.read_text("utf-8"))
+        assert [next(text for text in slots if " = " in text) for slots in states] == expected
+
+
 def test_only_the_pages_own_script_runs_and_one_state_has_none(tmp_path: Path) -> None:
     strange = tmp_path / '<b id="x">&amp;\u202e.obj'
     obj_file(strange, PYRAMID)

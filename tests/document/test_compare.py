@@ -19,6 +19,7 @@ from app.model.projection import FreeMatrix
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.readout import figure
 from app.scenes.scene import load
 
 LIVE = Picture(live=True)
@@ -166,7 +167,7 @@ def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
     assert [name_of(other, picture) for picture in document.view.compare] == ["", "correct"]
 
 
-PLAIN = Written(lambda name: FIELDS[name], str, "{:g}".format)
+PLAIN = Written(lambda name: FIELDS[name], str, figure)
 
 
 def names(document: Document) -> list[str]:
@@ -192,6 +193,7 @@ def names(document: Document) -> list[str]:
         ("letter-f", "lens.kind=orthographic", ["orthographic", "perspective"]),
         ("letter-f", "image.width=720", ["720 × 720", "1280 × 720"]),
         ("letter-f", "lens.near=4", ["", ""]),
+        ("letter-f", "lens.near=4.0000001", ["near 4.0000001", "near 4"]),
         ("field-of-view", "settings.preset=eye|settings.preset=monitor",
          ["Human eye: 120° across", "Monitor: 30° across", "Photograph: 29 mm at 30 cm"]),
         ("field-of-view", "eye 120°: settings.preset=eye|settings.preset=monitor",

@@ -20,6 +20,7 @@ from app.drawings.figures import Pixels, render
 from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
 from app.model.refusal import Refusal
+from app.scenes.phenomena.readout import figure as written_figure
 from app.scenes.scene import load
 
 SIZE = 320, 180
@@ -133,7 +134,7 @@ def test_in_what_pictures_differ_in_words() -> None:
         Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
     )
     states = [pictured(document, picture).state for picture in document.view.compare]
-    plain = Written(lambda name: FIELDS[name], str, "{:g}".format)
+    plain = Written(lambda name: FIELDS[name], str, written_figure)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [
         "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
+
 from app import api
 from app.drawings.describing import describe
 from app.precision.risks import NO_GAP
@@ -31,6 +33,25 @@ def test_the_letter_f_in_words() -> None:
     }
     assert found.cut == ("All of the scene's objects lie inside the view volume.",)
     assert found.risky == ()
+
+
+@pytest.mark.parametrize(
+    ("values", "expected"),
+    [
+        (["lens.near=17.9999999"], "near 17.9999999, far 18."),
+        (["lens.far=4.00001"], "near 4, far 4.00001."),
+        (["lens.near=3.9999", "lens.far=18.00001"], "near 4, far 18."),
+        (["lens.fov_y_deg=179.99999"], "field of view is 179.99999°."),
+        (["lens.fov_y_deg=1e-9"], "field of view is 1e−09°."),
+        (["camera.eye=1e9,0,5", "camera.target=1000000001,0,5"],
+         "The eye is at (1000000000, 0, 5) and looks at (1000000001, 0, 5)."),
+        (["view.probes=1,2,3,1,2,3.00001"], "Point 2 at (1, 2, 3.00001) has its picture at"),
+    ],
+)  # fmt: skip
+def test_nearly_equal_numbers_have_the_digits_that_tell_them_apart(
+    values: list[str], expected: str
+) -> None:
+    assert expected in " ".join(told(*values).general)
 
 
 def test_what_is_cut_is_named() -> None:

@@ -29,6 +29,7 @@ from app.model.projection import (
     Projection,
 )
 from app.model.tables import Table, evaluated, matrix
+from tests.oracles.exact import Exact, mp
 
 TABLES = {
     "perspective": perspective.TABLE,
@@ -155,3 +156,19 @@ def test_in_rationals_too_and_float64_is_close(
         sizes[2, 3] += 1.0
     off = np.abs(projection.clip_from_view - projection.direct_stages[0].matrix)
     assert (off <= 4.0 * 2.0**-52 * sizes).all()
+
+
+@pytest.mark.parametrize("fov_y_deg", [1e-90, 1e-9, 45.0, 90.00000001, 120.0, 180.0 - 2.0**-45])
+@pytest.mark.parametrize("size", [(1280, 720), (1, 16384), (16384, 1)])
+def test_the_window_of_a_field_of_view_has_75_digits(
+    fov_y_deg: float, size: tuple[int, int]
+) -> None:
+    """top = near tan(fov/2), right = top times width over height (lecture 003), by mpmath."""
+    for near in (1e-205, 0.3, 1e99):
+        projection = Projection(lens=Perspective(fov_y_deg, near, 2.0 * near), image_size=size)
+        with mp.workdps(100):
+            true = Exact(projection).window()
+            found = projection.lens.exact_window(Fraction(*size))
+            for side, expected in zip(found, true, strict=True):
+                assert abs(mp.mpf(side.numerator) / side.denominator / expected - 1) < 1e-75
+        assert projection.window == tuple(map(float, true))

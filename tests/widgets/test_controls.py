@@ -1136,6 +1136,26 @@ def test_an_angle_never_shows_as_the_bound_that_it_cannot_reach(value: float, te
     assert short_text(value, below=180.0) == text and len(text) <= 9
 
 
+def test_near_and_far_never_look_alike(controls: Column) -> None:
+    """Whichever of them moves, and back again."""
+    near, far = number(controls, "near"), number(controls, "far")
+    shown = []
+    for row, text in (
+        (near, "17.9999"),
+        (near, "18-1e-9"),
+        (near, "4"),
+        (far, "4.00001"),
+        (far, "9"),
+    ):
+        value = 18.0 - 1e-9 if text == "18-1e-9" else float(text)
+        enter(row, repr(value))
+        assert not row.error
+        shown.append((near.field.text(), far.field.text()))
+    assert shown == [
+        ("17.9999", "18"), ("18-1e-09", "18"), ("4", "18"), ("4", "4.00001"), ("4", "9"),
+    ]  # fmt: skip
+
+
 @pytest.mark.parametrize("key", ["fov_y_deg", "fov_x_deg"])
 def test_a_fov_of_almost_180_is_shown_as_less(controls: Column, key: str) -> None:
     controls.sections["more_lens"].set_open(True)

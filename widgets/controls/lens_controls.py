@@ -308,6 +308,10 @@ class LensControls(QObject):
     def follow(self, projection: Projection) -> None:
         """Keep the sliders in proportion to a projection with the same kind of lens."""
         self._projection = projection
+        if projection.lens.planes is not None:
+            near, far = projection.lens.planes
+            self._row("near").field.keep_between(None, far)
+            self._row("far").field.keep_between(near, None)
         self._fit_window()
         if projection.lens.symmetric:
             near = 10.0 ** round(math.log10(projection.lens.near))

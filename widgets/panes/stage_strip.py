@@ -23,6 +23,7 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import Projection
+from app.scenes.phenomena.readout import digits_apart
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
@@ -239,7 +240,8 @@ class StageStrip(QWidget, Playing, Gestures):
         elif lens.far == math.inf:
             text = self.tr("near z -1, far -∞ (scaled by 1/{n})")
         else:
-            value = f"{-lens.near / lens.far:.3g}"
+            place = -lens.near / lens.far
+            value = f"{place:.{digits_apart(place, -1.0, least=3)}g}"
             text = self.tr("x, y ±1, z -{n}/{f} = {0} … -1").replace("{0}", value)
         return in_letters(text, lettering.now).replace("-", "−")
 

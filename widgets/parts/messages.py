@@ -119,9 +119,9 @@ def figure_text(value: float, digits: int = 6) -> str:
     return f"−{text}" if value < 0.0 else text
 
 
-def read_text(value: float) -> str:
+def read_text(value: float, digits: int = FEW) -> str:
     """Write a number for display: with four digits, or with all of them."""
-    return number_text(value) if all_digits.now else figure_text(value, FEW)
+    return number_text(value) if all_digits.now else figure_text(value, digits)
 
 
 def of_phenomena(text: str, letters: Letters | None = None) -> str:

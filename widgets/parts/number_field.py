@@ -131,7 +131,8 @@ class ShortField(NumberField):
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__(name, unit)
         self.below: float | None = None
-        """A bound that the number never reaches, even rounded for display; set by the owner."""
+        self.above: float | None = None
+        """Bounds that the number never reaches, even rounded for display; set by the owner."""
         self.characters = FIELD_CHARACTERS
         """Longest number that fits, without its sign; set by the owner."""
         self._whole = False
@@ -141,6 +142,12 @@ class ShortField(NumberField):
         self._whole = self._whole and number == self._number
         super().show_number(number)
 
+    def keep_between(self, above: float | None, below: float | None) -> None:
+        """Set the bounds, which may change what is shown."""
+        if (above, below) != (self.above, self.below):
+            self.above, self.below = above, below
+            self._write()
+
     def take_back(self) -> None:
         self._whole = False
         super().take_back()
@@ -148,7 +155,7 @@ class ShortField(NumberField):
     def _text_of(self, number: float) -> str:
         if self._whole or all_digits.now:
             return number_text(number)
-        return short_text(number, self.below, FEW)
+        return short_text(number, self.below, FEW, self.above)
 
     def _resize(self) -> None:
         self._write()

@@ -386,7 +386,8 @@ class NumberRow(_TypedRow):
 
     def _say_value(self) -> None:
         """Give the value to screen readers, which would read only the slider's position."""
-        value = f"{short_text(self._value, self.field.below)} {self._unit_said}".rstrip()
+        shown = short_text(self._value, self.field.below, above=self.field.above)
+        value = f"{shown} {self._unit_said}".rstrip()
         self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
 

@@ -60,19 +60,28 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     return number
 
 
-def short_text(value: float, below: float | None = None, most: int = _MOST) -> str:
+def short_text(
+    value: float, below: float | None = None, most: int = _MOST, above: float | None = None
+) -> str:
     """Return the number unchanged if it is short, otherwise rounded to about `most` digits.
 
     All digits before the point are shown if they fit: coordinates far from the origin differ
-    in the last of them. An exponent is never cut off. A number that stays under a bound `below` is
-    not rounded up to it: its distance is shown instead, as ``180-3e-12``.
+    in the last of them. An exponent is never cut off. A number that stays under a bound `below` or
+    over one `above` is not rounded to it: its distance is shown instead, as ``180-3e-12``.
     """
     text = _short_text(value, most)
-    if below is None or not value < below <= float(text):
+    if math.isinf(value):
         return text
-    if most < _MOST:
-        return short_text(value, below, most + 1)
-    return f"{below:g}-{below - value:.0e}"
+    shown = float(text)
+    for bound, sign, is_crossed in (
+        (below, "-", below is not None and value < below <= shown),
+        (above, "+", above is not None and value > above >= shown),
+    ):
+        if bound is not None and is_crossed:
+            if most < _MOST:
+                return short_text(value, below, most + 1, above)
+            return f"{bound:g}{sign}{abs(bound - value):.0e}"
+    return text
 
 
 def _short_text(value: float, most: int) -> str:

@@ -183,8 +183,9 @@ class Perspective(Central):
         return 1.0 / math.tan(math.radians(self.fov_y_deg) / 2.0)
 
     def exact_window(self, aspect: Fraction) -> ExactWindow:
-        top = Fraction(self.near / self.cot_half_fov_y)
-        right = Fraction(float(aspect) * float(top))
+        """The sides before they are rounded; the tangent has `double_double.BITS` bits."""
+        top = Fraction(self.near) / cotangent_deg(Fraction(self.fov_y_deg) / 2)
+        right = aspect * top
         return -right, right, -top, top
 
     @classmethod

@@ -16,7 +16,7 @@ class Phrase:
     def sentence(
         self,
         translate: Callable[[str], str] = str,
-        write: Callable[[float], str] = lambda value: figure(value, 4),
+        write: Callable[[float], str] = lambda value: figure(value),
     ) -> str:
         """Translate the template, then fill in the values; `write` formats the numbers."""
         values = (value if isinstance(value, str) else write(value) for value in self.values)
@@ -64,6 +64,18 @@ class Reading:
         return cls(label, value, unit, why if value is None else None)
 
 
-def figure(value: float, digits: int) -> str:
+FEW, EVERY_DIGIT = 4, 17
+
+
+def digits_apart(*numbers: float, least: int = FEW) -> int:
+    """The fewest digits, at least so many, with which different numbers look different."""
+    different = {number + 0.0 for number in numbers if number == number}
+    for digits in range(least, EVERY_DIGIT):
+        if len({f"{number:.{digits}g}" for number in different}) == len(different):
+            return digits
+    return EVERY_DIGIT
+
+
+def figure(value: float, digits: int = FEW) -> str:
     """A number for a mark or a sentence, with the minus sign of the readouts."""
     return f"{value + 0.0:.{digits}g}".replace("-", "−")
