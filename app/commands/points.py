@@ -185,6 +185,8 @@ class _Layout(NamedTuple):
                 )
             places = (*places, after)
         cells = [*cells, *[""] * (max(places) + 1 - len(cells))]
+        if len(places) == 4 and not cells[places[3]]:  # a point
+            cells[places[3]] = "1"
         others = [cell for place, cell in enumerate(cells) if place not in places]
         return [cells[place] for place in places], others
 

@@ -337,8 +337,7 @@ def test_all_letters_of_a_figure_have_one_size(
 
     monkeypatch.setattr(one_pane, "pixels_of", noted)
     shown = load(scene)
-    size = (int(1500 / scale), int(500 / scale))  # as many pixels at any scale: these are slow
-    render(shown, shown.start, PANES, size, scale, text_pt=8.0)
+    render(shown, shown.start, PANES, (1500, 500), scale, text_pt=8.0)
     assert len(sizes) > 4
     (found,) = set().union(*sizes.values())
     # Several pixels are drawn for one of the figure's, along each side.

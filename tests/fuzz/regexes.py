@@ -20,9 +20,9 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from importlib import import_module
 from pathlib import Path
-from re import _parser  # type: ignore[attr-defined]
 from typing import Any, NamedTuple
 
+parser = import_module("re._parser")  # the tree of an expression is not public
 ROOT = Path(__file__).parents[2]
 SIZE = 1_000_000
 LONGEST_S = 5.0
@@ -192,7 +192,7 @@ def _nodes(parts: Any) -> Iterator[Any]:
 def texts(pattern: re.Pattern[Any]) -> Sequence[Callable[[int], str]]:
     """Return what makes texts of any length of which an expression matches a part."""
     source = pattern.pattern
-    tree = _parser.parse(source if isinstance(source, str) else source.decode("latin-1"))
+    tree = parser.parse(source if isinstance(source, str) else source.decode("latin-1"))
     units = dict[str, None]()
     heads = {"": None}
     for sequence in _nodes(tree):

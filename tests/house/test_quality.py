@@ -144,7 +144,7 @@ def outcomes(node: ast.expr) -> list[ast.expr]:
 
 #: Methods of every named tuple, what Python itself hides, and the text of a shader: one that OpenGL
 #: refuses is not to be had otherwise.
-ALLOWED = {"_asdict", "_fields", "_make", "_replace", "_exit", "_DEPTH"}
+ALLOWED = {"_asdict", "_fields", "_make", "_replace", "_exit", "_parser", "_DEPTH"}
 
 
 def private_names(node: ast.AST) -> list[str]:

@@ -351,7 +351,7 @@ def test_a_warning_is_said_and_nothing_is_wrong(tmp_path: Path) -> None:
     done = run_here("lesson", "check", path)
     warning, summary, drawn = done.stdout.splitlines()
     assert warning.startswith(f"{path}: line ") and "no sample “answer: ... -> right”" in warning
-    assert summary.endswith("0 wrong, 1 warning") and drawn.endswith("of 1 steps")
+    assert summary.endswith("0 wrong, 1 warning") and drawn.endswith("of 1 step")
     assert done.returncode == 0
 
 

@@ -15,7 +15,7 @@ from app.document.settings import set_values
 from app.lessons import transition
 from app.lessons.course import Course, file_of, idea_named, ideas
 from app.lessons.lesson import parse_lesson
-from app.lessons.practice import find, practised, to_review, topics
+from app.lessons.practice import existing, practised, topics
 from app.lessons.record import Attempt, Record, due, standings
 from app.lessons.strokes import read_strokes
 from app.model.refusal import Refusal
@@ -262,6 +262,6 @@ def test_a_lesson_that_cannot_be_looked_for_is_not_there(
         record = Record(tmp_path / "record.jsonl")
         record.add(Attempt(1, name, "one/wide", 1, "60", "wrong"))
         known = standings(record.read())
-        assert find((name, "one/wide")) is None and to_review(due(known), known) == []
+        assert not existing(due(known)) and due(known)
         assert practised(lesson for lesson, _ in known) == dict(topics())
         assert Record(Path(name)).read() == [] and read_strokes(Path(name)) == {}

@@ -144,8 +144,7 @@ def test_a_count_is_exact_and_whole() -> None:
         assert asked.verdict(here, f"1 {typed}", 1) == word, typed
     with pytest.raises(Refusal, match="must be a whole number: the question asks for a count"):
         variant.question.mark(variant.here, f"{right}.5")  # type: ignore[union-attr]
-    for value in ("2^10/7", "infinity"):
-        assert "counts something, but its value is" in faults(COUNT.replace("2^10 - 1", value))
+    assert "counts something, but its value is" in faults(COUNT.replace("2^10 - 1", "2^10/7"))
     far = COUNT.replace("2^10", "2^40")
     asked, here = exercise(far)
     assert (

@@ -128,9 +128,7 @@ def test_samples_have_cells_and_rows() -> None:
     assert faults(FRUSTUM, samples) == ""
     assert "gets “wrong”" in faults(VECTOR, "mine: 1; 2; 3 -> right")
     assert "gets “no number”" in faults(VECTOR, "mine: 1; ; 3 -> right")
-    assert "must have 3 × 1 cells: “;” separates rows" in faults(
-        VECTOR, "mine: 1; 2 -> wrong"
-    )
+    assert "must have 3 × 1 cells: “;” separates rows" in faults(VECTOR, "mine: 1; 2 -> wrong")
 
 
 @pytest.mark.parametrize(

@@ -818,11 +818,11 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
         "the idea is named once"
     )
     assert said[:3] == [
-        (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1),
-        (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1),
-        (str(path), "widths/wide", 77, "", "shown", "", 1),
+        (str(path), "widths/wide", 1, f"{right / 2:.4g}", "wrong", "", 1, False),
+        (str(path), "widths/wide", 1, f"{right:.4g}", "right", "", 1, False),
+        (str(path), "widths/wide", 77, "", "shown", "", 1, False),
     ]
-    assert said[-1] == (str(path), "widths/set", 1, done.typed, "right", "", 0)
+    assert said[-1] == (str(path), "widths/set", 1, done.typed, "right", "", 0, False)
     own = task.variant
     assert own.question.verdict(own.here, done.typed, 1) == "done", "it can be marked again"
 

@@ -667,7 +667,7 @@ window.close()
     program[2] = "from PySide6.QtWidgets import QApplication, QLabel" + BROKEN + program[2]
     done = subprocess.run(program, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)
     told = "An error in the program: LookupError: no drawing. Your work is still there."
-    assert done.stdout == f"1 {told} This or other errors occurred 2 more times.\n", done.stderr
+    assert done.stdout == f"1 {told} 2 more errors followed it.\n", done.stderr
     assert done.returncode == 1
     assert done.stderr.count("Traceback") == 3
     assert log_path().read_text(encoding="utf-8").count("no drawing") >= 3

@@ -1112,7 +1112,7 @@ def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> No
     question = Question(slide, list)
     slide.show()
     for times, fits in ((1, True), (40, False)):
-        text = TALK.replace("How wide is it?", "How wide is it? " * 12 * times)
+        text = TALK.replace("How wide is it?", ("How wide is it? " * 12 + "\n") * times)
         question.show_text(asked_of(parse_lesson(text, talk).steps[1], told=True), 768.0)
         assert has_room(question) == fits
         assert letters_px(question, "91.5°") >= math.floor(LINES[-1] * 768)
