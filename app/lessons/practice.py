@@ -296,16 +296,22 @@ def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[Mark]:
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
         kept = answers.get(f"{step.name}/{item.found.exercise.name}", "")
         (seed, _, typed), variant = kept.partition(" "), item.variant
-        if seed != str(item.seed):  # the lessons have changed since
+        word = None if seed != str(item.seed) else _verdict(variant.question, variant.here, typed)
+        if word is None:  # the lessons have changed since, or the file is damaged
             typed = ""
-        found.append(Mark(item, typed, verdict_on(variant.question, variant.here, typed)))
+        found.append(Mark(item, typed, word or WRONG))
     return found
 
 
 def verdict_on(question: Asked, here: Here, typed: str) -> str:
     """Mark an answer, as in a sample; return `RIGHT`, the name of its idea, or `WRONG`."""
+    return _verdict(question, here, typed) or WRONG
+
+
+def _verdict(question: Asked, here: Here, typed: str) -> str | None:
+    """Mark an answer; return None for a text that cannot be an answer to this question."""
     try:
         word = question.verdict(here, typed, question.line)
     except Refusal:
-        return WRONG
+        return None
     return {"done": RIGHT, "open": WRONG, "no number": WRONG}.get(word, word)

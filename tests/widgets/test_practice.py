@@ -20,12 +20,13 @@ from PySide6.QtWidgets import (
     QRadioButton,
     QToolButton,
 )
+from pytestqt.qtbot import QtBot
 
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
-from app.lessons.practice import drawn, exercises_of, find_waiting, to_review
-from app.lessons.record import Attempt, standings
+from app.lessons.practice import Mark, Sheet, drawn, exercises_of, find_waiting, to_review
+from app.lessons.record import RIGHT, WRONG, Attempt, standings
 from app.lessons.results import read
 from tests.support.exercises import WIDE
 from tests.support.layout import cut
@@ -37,6 +38,7 @@ from widgets.window.main_window import RECORD, MainWindow
 from widgets.window.overview import Overview
 from widgets.window.practice import review_text
 from widgets.window.self_test import SelfTestDialog
+from widgets.window.self_test_marks import SelfTestMarks
 from widgets.window.settings import data_folder
 
 pytestmark = pytest.mark.undrawn
@@ -80,6 +82,18 @@ def own_topics(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None
     monkeypatch.setattr(practice, "topics", lambda: found)
     monkeypatch.setattr("widgets.window.practice.topics", lambda: found)
     yield
+
+
+def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
+    """The file that keeps a test until it is handed in may be damaged."""
+    sheet = Sheet("", "", drawn(["L5"], 7), is_test=True)
+    (item,), (step,) = sheet.items, sheet.lesson.steps
+    key = f"{step.name}/choose"
+    for typed in ("abc", "3", "-1", "2" * 5000, "1" + "\N{SUPERSCRIPT TWO}"):
+        marks = practice.marked(sheet, {key: f"{item.seed} {typed}"})
+        assert marks == [Mark(item, "", WRONG)]
+        qtbot.addWidget(SelfTestMarks(marks))
+    assert practice.marked(sheet, {key: f"{item.seed} 2"}) == [Mark(item, "2", RIGHT)]
 
 
 def test_a_number_gives_everyone_the_same_test() -> None:
