@@ -179,7 +179,7 @@ def test_the_hints_that_older_programs_counted_in_tests_are_left_out() -> None:
     assert standing.outcome == "alone"
     for said in (
         [attempt(5000, hints=1)],  # not all
-        [attempt(5000, hints=2, lesson="/home/a/own.md")],  # tests do not ask it
+        [attempt(5000, hints=2, lesson="own/own.md")],  # tests do not ask it
         [attempt(1, hints=2), attempt(3, hints=2)],
         [attempt(5000, "wrong"), attempt(5000, hints=2), attempt(5001, hints=2)],
         [attempt(5000, hints=2, is_test=False)],  # this program says so
