@@ -28,7 +28,7 @@ from app.lessons.blocks.question import Marked, Question
 from app.lessons.blocks.task import Task
 from app.lessons.course import CONTENT, Course, ideas
 from app.lessons.lesson import read
-from app.lessons.practice import to_review, topics
+from app.lessons.practice import find_waiting, to_review, topics
 from app.lessons.quantities import FUNCTIONS
 from app.lessons.strokes import COLOURS, path_beside, read_strokes
 from app.lessons.text import html_of, outline, said_of
@@ -360,7 +360,7 @@ def _try_record(path: Path) -> None:
     record = records.Record(path)
     attempts = record.read()
     known = records.standings(attempts)
-    to_review(records.due(known), known)
+    to_review(find_waiting(attempts).due, known)
     records.met(attempts, known)
     str(record.problem)
     with contextlib.suppress(Refusal):

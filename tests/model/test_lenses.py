@@ -171,4 +171,5 @@ def test_the_window_of_a_field_of_view_has_75_digits(
             found = projection.lens.exact_window(Fraction(*size))
             for side, expected in zip(found, true, strict=True):
                 assert abs(mp.mpf(side.numerator) / side.denominator / expected - 1) < 1e-75
-        assert projection.window == tuple(map(float, true))
+        right, top = float(Fraction(*size) * Fraction(float(true[3]))), float(true[3])
+        assert projection.window == (-right, right, -top, top), "as a frustum that keeps its height"

@@ -1141,18 +1141,18 @@ def test_near_and_far_never_look_alike(controls: Column) -> None:
     near, far = number(controls, "near"), number(controls, "far")
     shown = []
     for row, text in (
-        (near, "17.9999"),
-        (near, "18-1e-9"),
+        (near, "29.9999"),
+        (near, "30-1e-9"),
         (near, "4"),
         (far, "4.00001"),
         (far, "9"),
     ):
-        value = 18.0 - 1e-9 if text == "18-1e-9" else float(text)
+        value = 30.0 - 1e-9 if text == "30-1e-9" else float(text)
         enter(row, repr(value))
         assert not row.error
         shown.append((near.field.text(), far.field.text()))
     assert shown == [
-        ("17.9999", "18"), ("18-1e-09", "18"), ("4", "18"), ("4", "4.00001"), ("4", "9"),
+        ("29.9999", "30"), ("30-1e-09", "30"), ("4", "30"), ("4", "4.00001"), ("4", "9"),
     ]  # fmt: skip
 
 

@@ -188,6 +188,12 @@ class Perspective(Central):
         right = aspect * top
         return -right, right, -top, top
 
+    def window(self, aspect: Fraction) -> Window:
+        """The sides in float64; the width follows from the rounded height, as where `keep` is y."""
+        top = float(self.exact_window(aspect)[3])
+        right = float(aspect * Fraction(top))
+        return -right, right, -top, top
+
     @classmethod
     def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Perspective:
         _, _, bottom, top = window
