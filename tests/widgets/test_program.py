@@ -987,3 +987,11 @@ def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
     assert (answer["version"], answer["renderer"]) == (found.version, found.renderer)
     assert answer["platform"] == display.platformName()
     assert len(answer["screens"]) == len(display.screens())
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the tool needs Xvfb")
+def test_the_tool_that_uses_the_window_starts_and_finds_nothing_at_once() -> None:
+    """A sample: ``python3 -m tests.fuzz hands`` goes on for hours."""
+    command = [sys.executable, "-m", "tests.fuzz", "hands", "--minutes", "0.01", "--seed", "1"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and " 0 findings" in done.stdout, done.stdout + done.stderr
