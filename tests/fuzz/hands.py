@@ -198,7 +198,7 @@ class Hands:
             return
         steps, minutes = self.options.steps, (time.monotonic() - self.began) / 60.0
         if self.findings.step >= steps if steps else minutes > self.options.minutes:
-            QApplication.quit()
+            QApplication.exit()  # not `quit`, which asks whether to save
             return
         QTimer.singleShot(self.rng.choice(PAUSES_MS), self.beat)  # first: the step may be long
         self._take_time()
