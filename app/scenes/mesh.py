@@ -58,7 +58,7 @@ NOT_FINITE = QT_TRANSLATE_NOOP(
 )
 TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: it would grow to {1} triangles and {2} MiB, but a file of its size may have at most "
+    "{0}: it would grow to {1} triangles and {2} MiB, but a mesh may have at most "
     "{3} triangles and {4} MiB; make it smaller.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
@@ -168,12 +168,9 @@ class Source:
     def report(self, fraction: float) -> None:
         report(self.progress, fraction)
 
-    def check_size(
-        self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
-    ) -> None:
+    def check_size(self, vertices: int, faces: int, corners: int) -> None:
         """Refuse a mesh with too many of these, before memory is allocated for them."""
         most, most_bytes = self.largest
-        most = most if most_triangles is None else min(most, most_triangles)
         triangles = max(faces, corners - 2 * faces)
         # The factor 2: parts of a mesh are joined in a second copy.
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces
