@@ -42,7 +42,7 @@ _READ = re.compile(
 _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
-_OVERHEAD = 200
+_OVERHEAD = 400
 """Vertices that take as long to read as one primitive without any."""
 _INFLUENCES = 1 << 18
 """Joints of vertices that are applied at a time."""
@@ -221,8 +221,10 @@ class _Gltf:
 
     def _copies(self, node: int) -> tuple[dict[str, int], int]:
         """Return the accessors that place the copies of a node's mesh, and the number of copies."""
-        extensions = self._nodes[node].get("extensions", {})
-        accessors = extensions.get("EXT_mesh_gpu_instancing", {}).get("attributes", {})
+        extension = self._nodes[node].get("extensions", {}).get("EXT_mesh_gpu_instancing")
+        if extension is None:
+            return {}, 1
+        accessors = extension.get("attributes", {})
         accessors = {name: accessors[name.upper()] for name in _STILL if name.upper() in accessors}
         counts = {self._data.count(accessor) for accessor in accessors.values()} or {1}
         if len(counts) > 1:

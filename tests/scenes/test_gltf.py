@@ -14,84 +14,21 @@ import pytest
 
 from app.model.refusal import Refusal
 from app.scenes import mesh, mesh_files, reading
-from tests.support.meshes import glb, write_gltf
-
-SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
-TYPES = {"i1": 5120, "u1": 5121, "<i2": 5122, "<u2": 5123, "<u4": 5125, "<f4": 5126}
-WIDTHS = {1: "SCALAR", 3: "VEC3", 4: "VEC4", 16: "MAT4"}
+from tests.support.gltf import SQUARE, GltfSquare
+from tests.support.meshes import glb
 
 
-class Square:
-    """A glTF file of two triangles at z = 0, to be changed by a test."""
-
-    def __init__(self) -> None:
-        self.body = b""
-        self.content: dict[str, Any] = {
-            "asset": {"version": "2.0"}, "buffers": [{}], "bufferViews": [], "accessors": [],
-            "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
-        }  # fmt: skip
-        positions, indices = self.add(SQUARE), self.add([0, 1, 2, 0, 2, 3], "<u2")
-        self.primitive = {"attributes": {"POSITION": positions}, "indices": indices}
-        self.mesh: dict[str, Any] = {"primitives": [self.primitive]}
-        self.content["meshes"] = [self.mesh]
-
-    def view(self, values: Any, kind: str) -> dict[str, int]:
-        data = np.array(values, dtype=kind).tobytes()
-        views = self.content["bufferViews"]
-        views.append({"buffer": 0, "byteOffset": len(self.body), "byteLength": len(data)})
-        self.body += data + b"\0" * (-len(data) % 4)
-        self.content["buffers"][0]["byteLength"] = len(self.body)
-        return {"bufferView": len(views) - 1}
-
-    def add(self, values: Any, kind: str = "<f4", **more: Any) -> int:
-        """Add an accessor; return its index."""
-        rows = np.array(values).reshape(len(values), -1)
-        accessor = {"componentType": TYPES[kind], "count": len(rows), "type": WIDTHS[rows.shape[1]]}
-        self.content["accessors"].append(accessor | self.view(rows, kind) | more)
-        return len(self.content["accessors"]) - 1
-
-    def sparse(self, places: list[int], values: Any, kind: str = "<u2") -> dict[str, Any]:
-        indices = self.view(places, kind) | {"componentType": TYPES[kind]}
-        return {"count": len(places), "indices": indices, "values": self.view(values, "<f4")}
-
-    def add_skin(
-        self,
-        joints: Any,
-        weights: Any,
-        nodes: list[dict[str, Any]],
-        kind: str = "<f4",
-        bind: Any = None,
-    ) -> None:
-        """Add a skin whose joints are new nodes, and sets of four joints a vertex."""
-        first = len(self.content["nodes"])
-        skin = {"joints": list(range(first, first + len(nodes)))}
-        self.content["nodes"] += nodes
-        self.content["nodes"][0]["skin"] = 0
-        self.content["skins"] = [skin]
-        if bind is not None:
-            skin["inverseBindMatrices"] = self.add(bind)
-        attributes = self.primitive["attributes"]
-        joints, weights = (np.array(each).reshape(4, -1, 4) for each in (joints, weights))
-        for i in range(joints.shape[1]):
-            attributes[f"JOINTS_{i}"] = self.add(joints[:, i], "u1")
-            attributes[f"WEIGHTS_{i}"] = self.add(weights[:, i], kind, normalized=kind != "<f4")
-
-    def write(self, path: Path) -> Path:
-        write_gltf(path, self.content, self.body)
-        return path
-
-
-def read(square: Square, folder: Path, name: str = "m.glb") -> mesh.Mesh:
+def read(square: GltfSquare, folder: Path, name: str = "m.glb") -> mesh.Mesh:
     return mesh_files.read(square.write(folder / name))
 
 
-def bounds(square: Square, folder: Path) -> list[list[float]]:
+def bounds(square: GltfSquare, folder: Path) -> list[list[float]]:
     points = read(square, folder).points
     found: list[list[float]] = np.round([points.min(axis=0), points.max(axis=0)], 12).tolist()
     return found
 
 
-def refusal(square: Square, folder: Path, name: str = "m.glb") -> tuple[Any, ...]:
+def refusal(square: GltfSquare, folder: Path, name: str = "m.glb") -> tuple[Any, ...]:
     """What the refusal says beside the file's name."""
     with pytest.raises(Refusal) as caught:
         mesh_files.read(square.write(folder / name))
@@ -119,7 +56,7 @@ def test_normalised_integers_are_fractions(
     kind: str, numbers: list[float], expected: list[float], tmp_path: Path
 ) -> None:
     for normalized, right in ((True, expected), (False, numbers)):
-        square = Square()
+        square = GltfSquare()
         corners = [[numbers[0], 0, 0], [numbers[1], 1, 0], [numbers[2], 1, 0], [0, 0, 1]]
         square.primitive["attributes"] = {
             "POSITION": square.add(corners, kind, normalized=normalized)
@@ -129,14 +66,14 @@ def test_normalised_integers_are_fractions(
 
 
 def test_normalised_integers_of_four_bytes_are_refused(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["attributes"] = {"POSITION": square.add(SQUARE, "<u4", normalized=True)}
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "accessors[2].normalized")
 
 
 @pytest.mark.parametrize("kind", ["u1", "<u2", "<u4"])
 def test_sparse_values_replace_those_of_the_buffer_or_zeros(kind: str, tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     accessor = square.content["accessors"][0]
     accessor["sparse"] = square.sparse([2], [[3, 4, 0]], kind)
     assert bounds(square, tmp_path) == [[0, 0, 0], [3, 4, 0]]
@@ -146,7 +83,7 @@ def test_sparse_values_replace_those_of_the_buffer_or_zeros(kind: str, tmp_path:
 
 
 def test_sparse_indices_of_faces_are_read(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     sparse = square.sparse([5], [0])
     sparse["values"] = square.view([1], "<u2")
     square.content["accessors"][1]["sparse"] = sparse
@@ -159,14 +96,14 @@ def test_sparse_indices_of_faces_are_read(tmp_path: Path) -> None:
 def test_sparse_indices_are_checked(
     places: list[int], kind: str, count: int, tmp_path: Path
 ) -> None:
-    square = Square()
+    square = GltfSquare()
     sparse = square.sparse(places, [[3, 4, 0]], kind) | {"count": count}
     square.content["accessors"][0]["sparse"] = sparse
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "accessors[0].sparse")
 
 
 def test_zeros_that_no_byte_stands_for_are_counted_before_memory_is_used(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     accessor = square.content["accessors"][0]
     del accessor["bufferView"]
     accessor["count"] = 10**12
@@ -181,7 +118,7 @@ def test_zeros_that_no_byte_stands_for_are_counted_before_memory_is_used(tmp_pat
 def test_morph_targets_have_the_weights_of_the_mesh_unless_the_node_has_some(
     tmp_path: Path,
 ) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["targets"] = [{"POSITION": square.add([[0, 0, 8]] * 4)}]
     assert bounds(square, tmp_path)[1] == [1, 1, 0]
     square.mesh["weights"] = [0.5]
@@ -194,7 +131,7 @@ def test_morph_targets_have_the_weights_of_the_mesh_unless_the_node_has_some(
 
 
 def test_morph_targets_add_up_and_may_be_sparse_or_normalised(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     sparse = square.add(SQUARE, sparse=square.sparse([1], [[0, 0, 6]]))
     del square.content["accessors"][sparse]["bufferView"]
     fractions = square.add(
@@ -206,7 +143,7 @@ def test_morph_targets_add_up_and_may_be_sparse_or_normalised(tmp_path: Path) ->
 
 
 def test_morph_targets_change_only_the_vertices_that_a_primitive_uses(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["indices"] = square.add([1, 2, 3], "u1")
     square.primitive["targets"] = [{"POSITION": square.add([[0, 0, i] for i in range(4)])}]
     square.mesh["weights"] = [1]
@@ -214,7 +151,7 @@ def test_morph_targets_change_only_the_vertices_that_a_primitive_uses(tmp_path: 
 
 
 def test_a_morph_target_of_another_length_is_refused(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["targets"] = [{"POSITION": square.add([[0, 0, 8]] * 5)}]
     square.mesh["weights"] = [1]
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "accessors[2].count")
@@ -227,7 +164,7 @@ FIRST = [[1.0, 0, 0, 0]] * 4
 
 
 def test_a_skin_is_placed_by_its_joints_and_not_by_its_node(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["nodes"][0]["translation"] = [100, 0, 0]
     square.add_skin(np.zeros((4, 4)), FIRST, [{"translation": [0, 0, 7]}])
     assert bounds(square, tmp_path) == [[0, 0, 7], [1, 1, 7]]  # the joint is outside the scene
@@ -236,7 +173,7 @@ def test_a_skin_is_placed_by_its_joints_and_not_by_its_node(tmp_path: Path) -> N
 
 
 def test_the_inverse_bind_matrix_comes_before_the_joint(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     turn = {"rotation": [0, 0, math.sqrt(0.5), math.sqrt(0.5)], "translation": [10, 0, 0]}
     square.add_skin(np.zeros((4, 4)), FIRST, [turn], bind=column_by_column([5, 0, 0]))
     # (x + 5, y) is turned by 90° to (-y, x + 5), then moved by 10
@@ -249,7 +186,7 @@ def test_the_inverse_bind_matrix_comes_before_the_joint(tmp_path: Path) -> None:
 def test_weights_of_joints_are_fractions_of_their_sum(
     kind: str, full: float, tmp_path: Path
 ) -> None:
-    square = Square()
+    square = GltfSquare()
     joints = [[0, 0, 0, 0], [1, 0, 0, 0], [0, 1, 9, 9], [0, 0, 0, 0]]  # 9 has no weight
     weights = np.array([[1, 0, 0, 0], [1, 0, 0, 0], [0.8, 0.2, 0, 0], [0, 0, 0, 0]]) * full
     nodes = [{"translation": [0, 0, 10]}, {"translation": [0, 0, 20]}]
@@ -259,7 +196,7 @@ def test_weights_of_joints_are_fractions_of_their_sum(
 
 
 def test_eight_joints_move_a_vertex(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     weights = [[0.125] * 8, [0, 0, 0, 0, 0, 0, 0, 1], *([[1] + [0] * 7] * 2)]
     nodes = [{"translation": [0, 0, i]} for i in range(8)]
     square.add_skin([range(8)] * 4, weights, nodes)
@@ -267,7 +204,7 @@ def test_eight_joints_move_a_vertex(tmp_path: Path) -> None:
 
 
 def test_a_skin_moves_what_the_morph_targets_made(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["targets"] = [{"POSITION": square.add([[0, 0, 8]] * 4)}]
     square.mesh["weights"] = [1]
     square.add_skin(np.zeros((4, 4)), FIRST, [{"scale": [1, 1, 3]}])
@@ -275,7 +212,7 @@ def test_a_skin_moves_what_the_morph_targets_made(tmp_path: Path) -> None:
 
 
 def test_joints_that_mirror_turn_the_faces_over(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.add_skin(np.zeros((4, 4)), FIRST, [{"scale": [-1, 1, 1]}])
     found = read(square, tmp_path)
     for a, b, c in found.points[found.corners.reshape(-1, 3)]:
@@ -294,9 +231,9 @@ def test_joints_that_mirror_turn_the_faces_over(tmp_path: Path) -> None:
     ],
 )
 def test_a_faulty_skin_is_refused(
-    change: Callable[[Square], Any], what: str, tmp_path: Path
+    change: Callable[[GltfSquare], Any], what: str, tmp_path: Path
 ) -> None:
-    square = Square()
+    square = GltfSquare()
     square.add_skin(np.zeros((4, 4)), FIRST, [{}])
     change(square)
     assert refusal(square, tmp_path) == (mesh.DAMAGED, what)
@@ -304,7 +241,7 @@ def test_a_faulty_skin_is_refused(
 
 @pytest.mark.parametrize(("joint", "weight"), [(1, 1.0), (0, -1.0)])
 def test_joints_and_weights_are_checked(joint: int, weight: float, tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.add_skin([[joint] * 4] * 4, [[weight] * 4] * 4, [{}])
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "JOINTS_0, WEIGHTS_0")
 
@@ -313,7 +250,7 @@ def test_joints_and_weights_are_checked(joint: int, weight: float, tmp_path: Pat
 
 
 def test_instances_are_drawn(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     places = {"TRANSLATION": square.add([[0, 0, 0], [4, 0, 0], [8, 0, 0]])}
     node = square.content["nodes"][0]
     node["extensions"] = {"EXT_mesh_gpu_instancing": {"attributes": places}}
@@ -328,7 +265,7 @@ def test_instances_are_drawn(tmp_path: Path) -> None:
 
 
 def test_the_default_scene_is_drawn(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["nodes"].append({"mesh": 0, "translation": [5, 0, 0]})
     square.content["scenes"].append({"nodes": [1]})
     assert bounds(square, tmp_path)[0] == [0, 0, 0]
@@ -339,7 +276,7 @@ def test_the_default_scene_is_drawn(tmp_path: Path) -> None:
 
 
 def test_what_a_hidden_node_holds_is_not_drawn(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     hidden = {"KHR_node_visibility": {"visible": False}}
     square.content["nodes"] += [
         {"children": [2], "extensions": hidden}, {"mesh": 0, "translation": [5, 0, 0]}
@@ -349,7 +286,7 @@ def test_what_a_hidden_node_holds_is_not_drawn(tmp_path: Path) -> None:
 
 
 def test_children_are_placed_by_all_nodes_above_them(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     nodes = square.content["nodes"]
     nodes += [{"children": [i], "translation": [1, 0, 0], "scale": [1, 2, 1]} for i in range(20)]
     square.content["scenes"][0]["nodes"] = [20]
@@ -362,20 +299,20 @@ def test_children_are_placed_by_all_nodes_above_them(tmp_path: Path) -> None:
 def test_a_node_has_one_parent_and_is_not_its_own_descendant(
     children: list[list[int]], tmp_path: Path
 ) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["nodes"] = [{"mesh": 0, "children": each} for each in children]
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "children")
 
 
 def test_a_mesh_of_many_nodes_is_as_large_as_they_make_it(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     nodes = [{"mesh": 0, "translation": [2 * i, 0, 0]} for i in range(30_000)]
     square.content["nodes"], square.content["scenes"][0]["nodes"] = nodes, list(range(30_000))
     found = reading.read(square.write(tmp_path / "m.glb"))
     assert len(found.corners) == 30_000 * 6 and found.bounds[1] == (59_999.0, 1.0, 0.0)
 
 
-def hostile_weights(square: Square) -> None:
+def hostile_weights(square: GltfSquare) -> None:
     """Each node has a shape of its own."""
     square.primitive["targets"] = [{"POSITION": 0}]
     count = 15_000
@@ -383,17 +320,17 @@ def hostile_weights(square: Square) -> None:
     square.content["scenes"][0]["nodes"] = list(range(count))
 
 
-def hostile_primitives(square: Square) -> None:
+def hostile_primitives(square: GltfSquare) -> None:
     square.mesh["primitives"] *= 10_000
 
 
-def hostile_targets(square: Square) -> None:
+def hostile_targets(square: GltfSquare) -> None:
     square.primitive["targets"] = [{"POSITION": 0}] * 20_000
     square.content["nodes"] = [{"mesh": 0, "weights": [1] * 1000 + [i]} for i in range(100)]
     square.content["scenes"][0]["nodes"] = list(range(100))
 
 
-def hostile_sets(square: Square) -> None:
+def hostile_sets(square: GltfSquare) -> None:
     square.add_skin(np.zeros((4, 4)), FIRST, [{}])
     attributes = square.primitive["attributes"]
     for i in range(8_000):
@@ -407,10 +344,10 @@ def hostile_sets(square: Square) -> None:
     "change", [hostile_weights, hostile_primitives, hostile_targets, hostile_sets]
 )
 def test_work_that_a_short_file_multiplies_is_refused_at_once(
-    change: Callable[[Square], None], tmp_path: Path
+    change: Callable[[GltfSquare], None], tmp_path: Path
 ) -> None:
     """The window's own process reads it only if that is quick."""
-    square = Square()
+    square = GltfSquare()
     change(square)
     path = square.write(tmp_path / "m.glb")
     began = time.process_time()
@@ -423,7 +360,7 @@ def test_work_that_a_short_file_multiplies_is_refused_at_once(
 
 
 def test_a_required_extension_that_is_not_read_is_named(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["extensionsRequired"] = [
         "KHR_mesh_quantization", "KHR_texture_transform", "KHR_materials_variants",
         "EXT_texture_webp", "KHR_lights_punctual", "EXT_mesh_gpu_instancing",
@@ -435,7 +372,7 @@ def test_a_required_extension_that_is_not_read_is_named(tmp_path: Path) -> None:
 
 
 def test_a_packed_mesh_is_read_if_it_is_there_unpacked_too(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["extensionsUsed"] = ["KHR_draco_mesh_compression", "EXT_meshopt_compression"]
     square.primitive["extensions"] = {"KHR_draco_mesh_compression": {}}
     assert bounds(square, tmp_path)[1] == [1, 1, 0]
@@ -449,7 +386,7 @@ def test_a_packed_mesh_is_read_if_it_is_there_unpacked_too(tmp_path: Path) -> No
 
 
 def test_another_version_of_gltf_is_named(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.content["asset"]["version"] = "2.1"  # readers of 2.0 can read it
     assert bounds(square, tmp_path)[1] == [1, 1, 0]
     square.content["asset"]["minVersion"] = "2.1"
@@ -462,14 +399,14 @@ def test_another_version_of_gltf_is_named(tmp_path: Path) -> None:
 
 
 def test_a_primitive_without_positions_is_not_drawn(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.mesh["primitives"].append({"attributes": {"NORMAL": 0}})
     assert bounds(square, tmp_path)[1] == [1, 1, 0]
 
 
 @pytest.mark.parametrize("mode", [7, -1, "4", None])
 def test_an_unknown_mode_is_refused(mode: Any, tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     square.primitive["mode"] = mode
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "mode")
 
@@ -478,13 +415,13 @@ def test_an_unknown_mode_is_refused(mode: Any, tmp_path: Path) -> None:
 
 
 def test_the_first_bytes_of_a_file_tell_a_glb(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     (tmp_path / "m.gltf").write_bytes(glb(square.content, square.body))
     assert len(mesh_files.read(tmp_path / "m.gltf").points) == 4
 
 
 def test_a_chunk_that_is_no_buffer_is_ignored(tmp_path: Path) -> None:
-    square = Square()
+    square = GltfSquare()
     whole = glb(square.content, square.body)
     (tmp_path / "m.glb").write_bytes(whole.replace(b"BIN\0", b"MORE"))
     with pytest.raises(Refusal) as caught:
