@@ -26,8 +26,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes of its triangles and vertices."""
-MOST_CORNERS = 1000
-"""Most corners of a face: the time to divide a face into triangles grows with their square."""
+MOST_CORNERS = 100_000
+"""Most corners of a face: such a face takes some seconds to divide into triangles."""
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface whose file has no colours."""
 
