@@ -76,6 +76,8 @@ _IN_PLANE = """
     + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
 PAPER = 0.7
 """Share of the paper's colour in a pale silhouette."""
+_DOT_SIZES = (1_000, 3.0), (10_000, 2.0), (100_000, 1.5), (math.inf, 1.0)
+"""Up to how many dots each diameter is for, in widths of a line."""
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -334,10 +336,10 @@ def axes_of(camera: vtkCamera) -> Array:
 
 
 class SceneActors:
-    """The scene's faces and lines, in scene-local coordinates (origin taken off).
+    """The scene's faces, dots and lines, in scene-local coordinates (origin taken off).
 
     The ground's lines belong to the lines until the objects move (`is_moved`). Then they are an
-    actor of their own, which stays. Each of the three actors, None if it has nothing, has its own
+    actor of their own, which stays. Each of the four actors, None if it has nothing, has its own
     4x4 in `spaces`. `clip` are planes in the pane's own world, behind which nothing is drawn.
     Objects' edges cover the ground's lines in the same place. If all lies almost in one plane
     (`in_plane`), they cannot; instead call `show_slope`.
@@ -348,9 +350,10 @@ class SceneActors:
     ) -> None:
         self._scene, self._has_grid, self._is_pale, self.is_moved = scene, True, False, False
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
+        self.dots = None if scene.dots is None else _dots_actor(scene.dots, style)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
         self.ground = None if scene.lines is None else unlit_actor(scene.lines)
-        self.spaces = Space(), Space(), Space()
+        self.spaces = Space(), Space(), Space(), Space()
         for actor, space in self.placed:
             space.add(actor)
         planes = list(clip)
@@ -375,8 +378,13 @@ class SceneActors:
     @property
     def placed(self) -> list[tuple[vtkActor, Space]]:
         """The existing actors, each with its `Space`."""
-        pairs = zip((self.surface, self.lines, self.ground), self.spaces, strict=True)
+        pairs = zip(self.all, self.spaces, strict=True)
         return [(actor, space) for actor, space in pairs if actor is not None]
+
+    @property
+    def all(self) -> tuple[vtkActor | None, ...]:
+        """The actors of surface, dots, lines and ground."""
+        return self.surface, self.dots, self.lines, self.ground
 
     def show_grid(self, shown: bool, pale: bool = False) -> None:
         """Show the ground's lines, `pale` where arrows on it matter more, or hide them."""
@@ -436,6 +444,16 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
         varying = "vec4 vertexColorVSOutput;"
         shader.AddVertexShaderReplacement(f"out {varying}", False, f"flat out {varying}", True)
         shader.AddFragmentShaderReplacement(f"in {varying}", False, f"flat in {varying}", True)
+    return actor
+
+
+def _dots_actor(dots: pv.PolyData, style: Style) -> vtkActor:
+    """Round dots, smaller the more there are, so that a cloud shows its shape."""
+    actor = unlit_actor(dots)
+    colour_by_points(actor, "rgb")
+    size = next(size for most, size in _DOT_SIZES if dots.n_points <= most)
+    actor.GetProperty().SetPointSize(size * style.line_width)
+    actor.GetProperty().RenderPointsAsSpheresOn()
     return actor
 
 
