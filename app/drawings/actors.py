@@ -76,8 +76,8 @@ _IN_PLANE = """
     + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
 PAPER = 0.7
 """Share of the paper's colour in a pale silhouette."""
-_DOT_SIZES = (1_000, 3.0), (10_000, 2.0), (100_000, 1.5), (math.inf, 1.0)
-"""Up to how many dots each diameter is for, in widths of a line."""
+_DOTS_PER = 100.0  # the diameter of a dot in widths of a line, times the root of their number
+_ROUND_PX = 1.5  # a smaller dot is a square, which takes half the time
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -427,7 +427,7 @@ def _uniforms(actor: vtkActor) -> Any:
     return actor.GetShaderProperty().GetVertexCustomUniforms()
 
 
-def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
+def _faces_actor(scene: Scene, surface: Any) -> vtkActor:
     """Faces with one colour each, without VTK's cell colours.
 
     VTK looks cell colours up in a buffer for every fragment, which makes a repaint of 1e6 vertices
@@ -449,16 +449,22 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
 
 def _dots_actor(dots: pv.PolyData, style: Style) -> vtkActor:
     """Round dots, smaller the more there are, so that a cloud shows its shape."""
+    actor = _coloured_dots(dots)
+    size = min(max(_DOTS_PER / math.sqrt(dots.n_points), 0.5), 3.0) * style.line_width
+    actor.GetProperty().SetPointSize(size)
+    if size > _ROUND_PX:
+        actor.GetProperty().RenderPointsAsSpheresOn()
+    return actor
+
+
+def _coloured_dots(dots: Any) -> vtkActor:
     actor = unlit_actor(dots)
     colour_by_points(actor, "rgb")
-    size = next(size for most, size in _DOT_SIZES if dots.n_points <= most)
-    actor.GetProperty().SetPointSize(size * style.line_width)
-    actor.GetProperty().RenderPointsAsSpheresOn()
     return actor
 
 
 class Detail:
-    """Replaces the faces of one scene's actors by those of a scene with fewer triangles."""
+    """Replaces the faces and dots of one scene's actors by those of a scene with fewer."""
 
     def __init__(self, *actors: vtkActor | None) -> None:
         self._actors = [actor for actor in actors if actor is not None]
@@ -466,16 +472,19 @@ class Detail:
         self._fewer: WeakKeyDictionary[Scene, list[Any]] = WeakKeyDictionary()
 
     def show(self, fewer: Scene | None) -> None:
-        """Show the faces of a scene, or the actors' own for None.
+        """Show the faces and dots of a scene, or the actors' own for None.
 
         The graphics card keeps what was shown once, so that only the first time takes long.
         """
         mappers = self._whole if fewer is None else self._fewer.get(fewer)
         if mappers is None:
-            assert fewer is not None and fewer.surface is not None
+            assert fewer is not None
             mappers = []
             for whole in self._whole:
-                mapper = _faces_actor(fewer, fewer.surface).GetMapper()
+                if whole.GetInput().GetNumberOfVerts():
+                    mapper = _coloured_dots(fewer.dots).GetMapper()
+                else:
+                    mapper = _faces_actor(fewer, fewer.surface).GetMapper()
                 if whole.GetClippingPlanes() is not None:
                     mapper.SetClippingPlanes(whole.GetClippingPlanes())
                 mappers.append(mapper)

@@ -76,7 +76,7 @@ class ModelActors:
         self._tolerance_px = tolerance_px
         self.actors = SceneActors(scene, style, clip)
         self.surface = self.actors.surface
-        self._detail = Detail(self.surface)
+        self._detail = Detail(self.surface, self.actors.dots)
         self._made: tuple[_Made | None, ...] = ()
         self.show_detail(None)
 

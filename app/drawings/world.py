@@ -98,7 +98,8 @@ class WorldDrawing(Drawing):
         if self.pane in scene.pale:
             actors.make_pale(drawn, style)
         self.picture = NearPicture(canvas, scene)
-        self._detail = actors.Detail(drawn.surface, self.picture.faces)
+        shown = drawn.surface, self.picture.faces, drawn.dots, self.picture.actors.dots
+        self._detail = actors.Detail(*shown)
         self._rasterisers = textured(
             scene,
             canvas,

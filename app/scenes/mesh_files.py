@@ -135,17 +135,17 @@ def _read_obj(source: Source) -> Mesh:
         colours.append(rows[:, 3:])
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
-    named, sizes = ({k: np.concatenate(v) for k, v in each.items()} for each in (corners, counts))
-    line_ends = np.cumsum(sizes["l"])
-    goes_on = np.ones(len(named["l"]), dtype=bool)
-    goes_on[line_ends[sizes["l"] > 0] - 1] = False
+    on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
+    lasts = np.cumsum(lengths) - 1
+    goes_on = np.ones(len(on_line), dtype=bool)
+    goes_on[lasts[lengths > 0]] = False
     starts = np.flatnonzero(goes_on)
-    dots = np.concatenate([named["p"], named["l"][line_ends[sizes["l"] == 1] - 1]])
+    dots = np.concatenate([*corners["p"], on_line[lasts[lengths == 1]]])
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
-        np.concatenate([[0], np.cumsum(sizes["f"])]),
-        named["f"],
-        lines=named["l"][np.stack([starts, starts + 1], axis=1)],
+        np.concatenate([[0], np.cumsum(np.concatenate(counts["f"]))]),
+        np.concatenate(corners["f"]),
+        lines=on_line[np.stack([starts, starts + 1], axis=1)],
         dots=dots if elements else np.arange(vertices),
     )
     rgb = [block for block in colours if len(block)]

@@ -290,6 +290,11 @@ class Scene:
         return 0 if surface is None else int(surface.n_cells)
 
     @property
+    def cells(self) -> int:
+        """The number of faces and dots, on which the time of a frame depends."""
+        return self.faces + (0 if self.dots is None else int(self.dots.n_points))
+
+    @property
     def triangles(self) -> int:
         """The number of triangles in the faces."""
         surface = self.__dict__["surface"]
@@ -544,13 +549,14 @@ def _line_set(lines: Coloured) -> _Later:
     return _Later(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
 
 
-def _dot_set(mesh: Finished) -> pv.PolyData | None:
+def dot_set(points: NDArray[np.floating], rgb: Colours) -> pv.PolyData | None:
+    """Make dots for VTK; None without any."""
     import pyvista as pv
 
-    if not len(mesh.dots):
+    if not len(points):
         return None
-    dots: pv.PolyData = pv.PolyData(mesh.dots)
-    dots.point_data["rgb"] = mesh.dot_rgb
+    dots: pv.PolyData = pv.PolyData(points)
+    dots.point_data["rgb"] = rgb
     return dots
 
 
@@ -632,7 +638,7 @@ def _scene_of_phenomenon(
         lower=vector(mesh.points.min(axis=0)),
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
-        dots=_dot_set(mesh),
+        dots=dot_set(mesh.dots, mesh.dot_rgb),
     )
     _ = scene.subject  # do it now: the first drawing would wait for it
     report(progress, 1.0)
@@ -654,7 +660,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
         name=name,
         origin=origin,
         surface=surface,
-        dots=_dot_set(mesh),
+        dots=dot_set(mesh.dots, mesh.dot_rgb),
         lines=_line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
         lower=lower,
         upper=upper,
