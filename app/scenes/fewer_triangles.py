@@ -40,7 +40,7 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 def can_be_reduced(scene: Scene) -> bool:
     """Whether the scene has enough triangles or dots to be reduced."""
-    return scene.triangles >= LEAST_TRIANGLES or scene.cells - scene.faces >= LEAST_TRIANGLES
+    return scene.triangles >= LEAST_TRIANGLES or scene.dot_count >= LEAST_TRIANGLES
 
 
 def reduced(scene: Scene, share: float) -> Scene:

@@ -265,15 +265,19 @@ class Scene:
     def own_points(self) -> NDArray[Any]:
         """Vertices of faces, then dots, then ends of a file's lines, scene-local, (n, 3)."""
         parts = [np.asarray(each.points) for each in (self.surface, self.dots) if each is not None]
-        is_drawn = (self._line_rgb == DRAWN_RGB).all(axis=1)
-        if is_drawn.any():
+        if self.own_lines.any():
             assert self.lines is not None
-            ends = np.asarray(self.lines.points).reshape(-1, 2, 3)[is_drawn]
+            ends = np.asarray(self.lines.points).reshape(-1, 2, 3)[self.own_lines]
             parts.append(distinct_rows(ends.reshape(-1, 3))[0])
         if len(parts) == 1:
             return parts[0]
         found: NDArray[Any] = np.concatenate([np.empty((0, 3), dtype=np.float32), *parts])
         return found
+
+    @cached_property
+    def own_lines(self) -> NDArray[np.bool_]:
+        """Which of `lines` are a file's own."""
+        return np.asarray((self._line_rgb == DRAWN_RGB).all(axis=1))
 
     @property
     def _line_rgb(self) -> Colours:
@@ -290,9 +294,13 @@ class Scene:
         return 0 if surface is None else int(surface.n_cells)
 
     @property
+    def dot_count(self) -> int:
+        return 0 if self.dots is None else int(self.dots.n_points)
+
+    @property
     def cells(self) -> int:
         """The number of faces and dots, on which the time of a frame depends."""
-        return self.faces + (0 if self.dots is None else int(self.dots.n_points))
+        return self.faces + self.dot_count
 
     @property
     def triangles(self) -> int:
