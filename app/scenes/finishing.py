@@ -25,7 +25,7 @@ from app.scenes.mesh import (
     report,
 )
 from app.scenes.polygons import are_convex, area_vectors, divided, following
-from app.scenes.shapes import brightness, distinct_rows
+from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
 ONE_POINT = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -67,7 +67,11 @@ class Finished(NamedTuple):
     rgb : (m, 3) uint8
         Shaded colour of each face.
     edges : (k, 2, 3) float64
-        Ends of the lines to draw.
+        Ends of the faces' edges to draw.
+    lines : (l, 2, 3) float64
+        Ends of the file's own lines.
+    dots : (d, 3) float64
+    dot_rgb : (d, 3) uint8
     """
 
     points: Floats
@@ -75,6 +79,9 @@ class Finished(NamedTuple):
     corners: Ints
     rgb: Colours
     edges: Floats
+    lines: Floats
+    dots: Floats
+    dot_rgb: Colours
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -88,15 +95,18 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     Raises
     ------
     Refusal
-        For a mesh of no size, too large, too far away, or on one line.
+        For a mesh of no size, too large, too far away, or of faces on one line.
     """
     report(progress, 0.5)
-    _check(path, mesh.points)
+    faces = len(mesh.offsets) - 1
+    _check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
     report(progress, 0.6)
-    rgb = _face_colours(mesh, progress)
-    few = max(len(mesh.offsets) - 1, len(mesh.corners) // 8) <= FACES_WITH_EDGES
-    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
-    return Finished(mesh.points, *_divided(mesh, rgb, progress), edges)
+    rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
+    has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
+    dot_rgb = flat(DRAWN_RGB, len(mesh.dots)) if mesh.dot_rgb is None else mesh.dot_rgb
+    lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
+    return Finished(mesh.points, *_divided(mesh, rgb, progress), edges, lines, dots, dot_rgb)
 
 
 def vector(values: ArrayLike) -> Vector:
@@ -104,7 +114,7 @@ def vector(values: ArrayLike) -> Vector:
     return x, y, z
 
 
-def _check(path: Path, points: Floats) -> None:
+def _check(path: Path, points: Floats, *, has_area: bool) -> None:
     lower, upper = points.min(axis=0), points.max(axis=0)
     size = math.dist(lower, upper)
     if size == 0.0:
@@ -115,7 +125,7 @@ def _check(path: Path, points: Floats) -> None:
     farthest = max((*lower, *upper), key=abs)
     if abs(farthest) > most:
         raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
-    if _is_on_a_line((points - lower) / size):
+    if has_area and _is_on_a_line((points - lower) / size):
         raise Refusal.saying(ONE_LINE, path)
 
 

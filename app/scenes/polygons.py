@@ -168,7 +168,7 @@ class _Edge:
         self.touch = _TOUCHES * (self.along + abs(self.up))
 
     def side(self, point: tuple[int, int]) -> int:
-        """Above 0 if a point is above the edge, below 0 if it is below, 0 if it touches the edge."""
+        """Above 0 for a point above the edge, below 0 for one below, 0 if it touches the edge."""
         turn = self.along * (point[1] - self.y) - self.up * (point[0] - self.x)
         return turn if abs(turn) > self.touch else 0
 

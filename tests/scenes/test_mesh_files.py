@@ -501,12 +501,15 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX, (3,)),
     "nanindex.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX, (3,)),
     "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 100_000)),
-    "points.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", mesh.NO_FACES, (1,)),
+    "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", finishing.ONE_POINT, ()),
+    "none.ply": (ply_header("ascii", 0, 0), mesh.NO_FACES, (0,)),
     "nan.ply": (
         ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", mesh.NOT_FINITE, (1, 3)
     ),
     "prose.obj": ("Dear all\n", mesh.NO_FACES, (0,)),
-    "lines.obj": ("v 0 0 0\nv 1 1 1\nl 1 2\n", mesh.NO_FACES, (2,)),
+    "line9.obj": (THREE + "l 1 2 9\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "point9.obj": (THREE + "p -4\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "lineword.obj": (THREE + "l 1 2 a\n", mesh.DAMAGED_LINE, (4, "OBJ")),
     "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", finishing.ONE_POINT, ()),
     "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", finishing.ONE_POINT, ()),
     "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", finishing.ONE_LINE, ()),
@@ -652,7 +655,7 @@ def test_every_refusal_is_one_sentence_with_what_to_do(
         assert template.startswith("{0}: ") and ";" in template and template.endswith(".")
     (tmp_path / "m.obj").write_text("f 1 2 3\n")
     sentence = str(refused(tmp_path / "m.obj"))
-    assert sentence.startswith(f"{tmp_path / 'm.obj'}: a face names a vertex")
+    assert sentence.startswith(f"{tmp_path / 'm.obj'}: a face, line or point names a vertex")
     assert capfd.readouterr() == ("", "")
 
 
@@ -848,7 +851,7 @@ def test_an_error_that_no_reader_foresaw_is_a_refusal(
 ) -> None:
     obj_file(tmp_path / "m.obj", PYRAMID)
 
-    def broken(*_: object) -> None:
+    def broken(*_: object, **_named: object) -> None:
         raise ZeroDivisionError
 
     monkeypatch.setattr(mesh_files, "Mesh", broken)

@@ -35,7 +35,9 @@ def triangles(ring: Floats) -> Floats:
 
 def areas(found: Floats) -> Floats:
     """Areas of triangles (k, 3, 3)."""
-    return np.linalg.norm(np.cross(found[:, 1] - found[:, 0], found[:, 2] - found[:, 0]), axis=1) / 2
+    return (
+        np.linalg.norm(np.cross(found[:, 1] - found[:, 0], found[:, 2] - found[:, 0]), axis=1) / 2
+    )
 
 
 def ragged(random: np.random.Generator, count: int, centre: Floats, radius: float) -> Floats:
@@ -128,7 +130,7 @@ def test_a_touch_may_be_rounded_as_float32_rounds_it() -> None:
 
 def test_a_polygon_that_is_not_quite_flat_stays_whole() -> None:
     random = np.random.default_rng(3)
-    outline, rings = keyholed(random)
+    outline, _ = keyholed(random)
     height = 1e-3 * np.sin(3.0 * outline[:, 0])
     found = areas(triangles(np.column_stack([outline, height]))).sum()
     assert found == pytest.approx(shoelace(outline), rel=1e-4)
