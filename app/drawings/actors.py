@@ -638,8 +638,11 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
 
     Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the eye
     (for a parallel lens, or an eye far away: of the scene's size). In proportion to the distance,
-    it neither drowns in a depth buffer of extreme far/near nor shows what is hidden.
+    it neither drowns in a depth buffer of extreme far/near nor shows what is hidden. Without faces
+    nothing is lifted, so that near and far cut lines and dots exactly.
     """
+    if scene.surface is None:
+        return clip_from_local
     distance = math.dist(projection.camera.eye, scene.centre)
     share = _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
     constant, per_w = projection.passage.nearer(share, _LIFT * scene.size, _LIFT_FREE)

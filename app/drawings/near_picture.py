@@ -83,9 +83,10 @@ class NearPicture:
             view = standing.view_from_local, standing.local_from_view
             film = flatten(projection, view, depths, reach.high, toward)
         self.space.set(film.surface @ local_from_object)
+        lines = film.surface if self.faces is None else film.lines  # which far would cut later
         for space in self._line_spaces:
-            space.set(film.lines @ local_from_object)
-        self._ground_space.set(film.lines)
+            space.set(lines @ local_from_object)
+        self._ground_space.set(lines)
         for plane, (*normal, offset) in zip(self._planes, film.planes.tolist(), strict=True):
             plane.SetNormal(normal)
             plane.SetOrigin([-offset * part for part in normal])
