@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, BinaryIO, NoReturn, TypeAlias
 
@@ -26,8 +26,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes of its triangles and vertices."""
-MOST_CORNERS = 1000
-"""Most corners of a face: the time to divide a face into triangles grows with their square."""
+MOST_CORNERS = 100_000
+"""Most corners of a face: such a face takes some seconds to divide into triangles."""
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface whose file has no colours."""
 
@@ -48,7 +48,7 @@ FACE_SIZE = QT_TRANSLATE_NOOP(
 )
 NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: a face names a vertex that does not exist (there are {1}); "
+    "{0}: a face, line or point names a vertex that does not exist (there are {1}); "
     "export or download the file again.",
 )
 NOT_FINITE = QT_TRANSLATE_NOOP(
@@ -58,8 +58,8 @@ NOT_FINITE = QT_TRANSLATE_NOOP(
 )
 TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: it would grow to {1} triangles and {2} MiB, but a mesh may have at most "
-    "{3} triangles and {4} MiB; make it smaller.",
+    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} "
+    "and {4} MiB; make it smaller.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -89,7 +89,7 @@ PART = QT_TRANSLATE_NOOP(
 
 @dataclass(eq=False)
 class Mesh:
-    """Points and polygons of a file.
+    """Points of a file, and the polygons, lines and dots that it draws with them.
 
     Attributes
     ----------
@@ -104,6 +104,12 @@ class Mesh:
     painted : bool
         Whether `rgb` was scanned or painted, and is shown unchanged. A material's colour is shaded
         first: without shading it shows no shape.
+    lines : (k, 2) int64
+        Ends of line segments: indices into `points`.
+    dots : (d,) int64
+        Points that are drawn by themselves: indices into `points`.
+    dot_rgb : (d, 3) uint8 or None
+        Colour of each dot, if the file has colours.
     """
 
     points: Floats
@@ -111,31 +117,41 @@ class Mesh:
     corners: Ints
     rgb: Colours | None = None
     painted: bool = False
+    lines: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
+    dots: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+    dot_rgb: Colours | None = None
 
     def check(self, path: Path) -> None:
-        """Refuse a mesh without faces, or one whose faces or vertices cannot be drawn."""
+        """Refuse a mesh with nothing to draw, or with something that cannot be drawn."""
         vertices, sizes = len(self.points), np.diff(self.offsets)
-        if not len(sizes):
+        if not (len(sizes) or self.lines.size or self.dots.size):
             raise Refusal.saying(NO_FACES, path, vertices)
-        for size in (int(sizes.min()), int(sizes.max())):
+        for size in (int(sizes.min()), int(sizes.max())) if len(sizes) else ():
             if not 3 <= size <= MOST_CORNERS:
                 raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
-        if self.corners.min() < 0 or self.corners.max() >= vertices:
-            raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
+        for named in filter(np.size, (self.corners, self.lines, self.dots)):
+            if named.min() < 0 or named.max() >= vertices:
+                raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
         not_finite = int(np.count_nonzero(~np.isfinite(self.points).all(axis=1)))
         if not_finite:
             raise Refusal.saying(NOT_FINITE, path, not_finite, vertices)
 
     def drop_unused_points(self) -> None:
-        """Drop the vertices that no face uses: they would move the first camera away."""
+        """Drop the vertices that are not drawn: they would move the first camera away."""
         used = np.zeros(len(self.points), dtype=bool)
-        used[self.corners] = True
+        for named in (self.corners, self.lines, self.dots):
+            used[named] = True
         if not used.all():
-            self.corners = (np.cumsum(used) - 1)[self.corners]
+            number = np.cumsum(used) - 1
+            self.corners, self.lines, self.dots = (
+                number[named] for named in (self.corners, self.lines, self.dots)
+            )
             self.points = self.points[used]
 
     def paint(self, colours: NDArray[np.floating]) -> None:
-        """Give each face the mean of its corners' colours (n, 3), from 0 to 255."""
+        """Colour dots, and faces with the mean of their corners' colours (n, 3), 0 to 255."""
+        if self.dots.size and self.dots.min() >= 0 and self.dots.max() < len(colours):
+            self.dot_rgb = rgb_bytes(colours[self.dots])
         sizes = np.diff(self.offsets)
         is_sound = len(sizes) and sizes.min() > 0 and self.corners.min() >= 0
         if not is_sound or self.corners.max() >= len(colours):

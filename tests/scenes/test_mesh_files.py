@@ -423,7 +423,6 @@ def test_shading_is_that_of_world_space_at_any_scale_and_place(tmp_path: Path) -
 
 @pytest.mark.parametrize("other", ["", "f 1 2 4\n"])
 def test_a_polygon_that_repeats_itself_is_drawn_as_a_fan(other: str, tmp_path: Path) -> None:
-    """VTK finds no triangles in it, and would omit it."""
     scene = scene_of_obj(tmp_path, f"{THREE}v 2 2 2\nf 1 2 3 1 2 3\n{other}")
     assert scene.surface is not None
     # The triangle twice, and the other one.
@@ -501,13 +500,16 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "shortface.ply": (ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF, ()),
     "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX, (3,)),
     "nanindex.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 1000)),
-    "points.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", mesh.NO_FACES, (1,)),
+    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 100_000)),
+    "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", finishing.ONE_POINT, ()),
+    "none.ply": (ply_header("ascii", 0, 0), mesh.NO_FACES, (0,)),
     "nan.ply": (
         ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", mesh.NOT_FINITE, (1, 3)
     ),
     "prose.obj": ("Dear all\n", mesh.NO_FACES, (0,)),
-    "lines.obj": ("v 0 0 0\nv 1 1 1\nl 1 2\n", mesh.NO_FACES, (2,)),
+    "line9.obj": (THREE + "l 1 2 9\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "point9.obj": (THREE + "p -4\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "lineword.obj": (THREE + "l 1 2 a\n", mesh.DAMAGED_LINE, (4, "OBJ")),
     "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", finishing.ONE_POINT, ()),
     "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", finishing.ONE_POINT, ()),
     "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", finishing.ONE_LINE, ()),
@@ -535,9 +537,7 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
         ("-1e+308", "1e+12"),
     ),
     "face.obj": (
-        "".join(f"v {n} {n % 7} 0\n" for n in range(1001))
-        + f"f {' '.join(map(str, range(1, 1002)))}\n",
-        mesh.FACE_SIZE, (1001, 1000),
+        THREE + "f" + " 1 2 3" * 33_333 + " 1 2\n", mesh.FACE_SIZE, (100_001, 100_000),
     ),
     "prose.gltf": ("Dear all\n", mesh.DAMAGED_LINE, (1, "JSON")),
     "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', mesh.DAMAGED_LINE, (3, "JSON")),
@@ -655,7 +655,7 @@ def test_every_refusal_is_one_sentence_with_what_to_do(
         assert template.startswith("{0}: ") and ";" in template and template.endswith(".")
     (tmp_path / "m.obj").write_text("f 1 2 3\n")
     sentence = str(refused(tmp_path / "m.obj"))
-    assert sentence.startswith(f"{tmp_path / 'm.obj'}: a face names a vertex")
+    assert sentence.startswith(f"{tmp_path / 'm.obj'}: a face, line or point names a vertex")
     assert capfd.readouterr() == ("", "")
 
 
@@ -845,7 +845,7 @@ def test_an_error_that_no_reader_foresaw_is_a_refusal(
 ) -> None:
     obj_file(tmp_path / "m.obj", PYRAMID)
 
-    def broken(*_: object) -> None:
+    def broken(*_: object, **_named: object) -> None:
         raise ZeroDivisionError
 
     monkeypatch.setattr(mesh_files, "Mesh", broken)
