@@ -1,4 +1,4 @@
-"""Read the triangles of a glTF 2.0 scene: a .gltf file with its parts beside it, or a .glb file.
+"""Read a glTF 2.0 scene: a .gltf file with its parts beside it, or a .glb file.
 
 The shape is that of the file at rest: default morph weights, joints where their nodes are, and no
 animation. Section numbers are those of the glTF 2.0 specification.
@@ -31,6 +31,7 @@ from app.scenes.mesh import (
     Source,
     rgb_bytes,
 )
+from app.scenes.shapes import DRAWN_RGB, flat
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
 """The turn, scale and move of a node that says nothing of them."""
@@ -52,7 +53,7 @@ _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 
 
 def read_gltf(source: Source) -> Mesh:
-    """Join all triangles of the scene. Each shape is read once, however many nodes use it."""
+    """Join all shapes of the scene. Each is read once, however many nodes use it."""
     path, data, body = source.path, source.file.read(), b""
     if data[:4] == b"glTF":
         data, body = _chunks(source, data)
@@ -91,6 +92,8 @@ class _Size(NamedTuple):
 
     Attributes
     ----------
+    elements : int
+        Most triangles, lines and points.
     targets, sets : int
         Most morph targets and most sets of four joints of a primitive.
     weights : int
@@ -100,7 +103,7 @@ class _Size(NamedTuple):
     """
 
     vertices: int
-    triangles: int
+    elements: int
     targets: int
     sets: int
     weights: int
@@ -261,18 +264,18 @@ class _Gltf:
     def _check_size(self, uses: dict[_Use, list[int]]) -> None:
         """Refuse a scene that grows too large, before any data is read."""
         sizes = {mesh: self._size(mesh) for mesh in {mesh for mesh, _, _ in uses}}
-        vertices = triangles = 0
+        vertices = elements = 0
         for (mesh, skin, weights), users in uses.items():
             size, copies = sizes[mesh], sum(self._copies(user)[1] for user in users)
             applied = size.weights if weights is None else sum(map(bool, weights))
             work = min(applied, size.targets) + (2 * size.sets if skin is not None else 0)
             vertices += size.vertices * (copies + work) + size.overhead
-            triangles += size.triangles * copies
-        self._source.check_size(vertices, triangles, 3 * triangles)
+            elements += size.elements * copies
+        self._source.check_size(vertices, elements, 3 * elements)
 
     def _size(self, index: int) -> _Size:
         mesh = self._data.item("meshes", index)
-        vertices = triangles = targets = sets = overhead = 0
+        vertices = elements = targets = sets = overhead = 0
         for primitive in _drawn(mesh):
             attributes, position = primitive["attributes"], primitive["attributes"]["POSITION"]
             is_packed = "bufferView" not in self._data.item("accessors", position)
@@ -285,19 +288,19 @@ class _Gltf:
             mode = primitive.get("mode", 4)
             if mode not in range(7):
                 self._source.fail("mode")
-            triangles += corners // 3 if mode == 4 else corners if mode in (5, 6) else 0
+            elements += corners // {1: 2, 4: 3}.get(mode, 1)
             targets = max(targets, len(primitive.get("targets", ())))
             sets = max(sets, sum(name.startswith("JOINTS_") for name in attributes))
             overhead += _OVERHEAD + targets + sets
         weights = sum(map(bool, mesh.get("weights", ())))
-        return _Size(vertices, triangles, targets, sets, weights, overhead)
+        return _Size(vertices, elements, targets, sets, weights, overhead)
 
     # ----------------------------------------------------------------------- shapes
 
     def _primitive(
         self, primitive: dict[str, Any], weights: Iterable[float], joints: Floats | None
     ) -> Mesh:
-        """Return the triangles of a primitive; none if it consists of points or lines."""
+        """Return the triangles, lines or points of a primitive."""
         position = primitive["attributes"]["POSITION"]
         count = self._data.count(position)
         used: Any = slice(None)
@@ -311,19 +314,21 @@ class _Gltf:
         else:
             order = np.arange(count)
         points = self._attribute("POSITION", primitive, used, weights, "VEC3")
-        triangles = _triangles(order, primitive.get("mode", 4))
-        if len(triangles) and triangles.max() >= len(points):  # not a vertex of the next mesh
+        mode = primitive.get("mode", 4)
+        triangles = _triangles(order, mode)
+        if order.max() >= len(points):  # not a vertex of the next mesh
             raise Refusal.saying(NO_SUCH_VERTEX, self._source.path, len(points))
         if joints is not None:
             mirrored = self._move_by_joints(points, primitive, used, joints)
             triangles = _turned_over(triangles, mirrored[triangles[:, :1]])
         mesh = Mesh(points, np.arange(0, triangles.size + 1, 3), triangles.ravel())
+        mesh.lines, mesh.dots = _lines(order, mode), order[: len(order) if mode == 0 else 0]
+        paint = self._paint(primitive)
+        mesh.rgb = flat(PAINT_RGB if paint is None else paint, len(triangles))
+        mesh.dot_rgb = flat(DRAWN_RGB if paint is None else paint, len(mesh.dots))
         if "COLOR_0" in primitive["attributes"]:
             linear = self._attribute("COLOR_0", primitive, used, weights, "VEC3", "VEC4")
             mesh.paint(_srgb(linear[:, :3]))
-        if mesh.rgb is None:
-            rgb = np.array(self._paint(primitive), dtype=np.uint8)
-            mesh.rgb = np.tile(rgb, (len(triangles), 1))
         return mesh
 
     def _attribute(
@@ -375,14 +380,14 @@ class _Gltf:
         return mirrored
 
     def _paint(self, primitive: dict[str, Any]) -> Any:
-        """Return the colour of a primitive's material."""
+        """Return the colour of a primitive's material, if it has one."""
         if "material" not in primitive:
-            return PAINT_RGB
+            return None
         material = self._data.item("materials", primitive["material"])
         factors = material.get("pbrMetallicRoughness", {}).get("baseColorFactor", (1, 1, 1))
         factor = np.array(factors[:3], dtype=np.float64)
         # A mesh without colours is white, as is one with a texture.
-        return PAINT_RGB if (factor.reshape(3) == 1.0).all() else rgb_bytes(_srgb(factor))
+        return None if (factor.reshape(3) == 1.0).all() else tuple(rgb_bytes(_srgb(factor)))
 
 
 def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
@@ -391,18 +396,21 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _joined(parts: list[Mesh]) -> Mesh:
-    """Join meshes of triangles, with colours."""
-    first_point = np.cumsum([0] + [len(part.points) for part in parts])
-    corners = [part.corners + at for part, at in zip(parts, first_point[:-1], strict=True)]
-    joined = np.concatenate([np.empty(0, dtype=np.int64), *corners])
-    return Mesh(
-        np.concatenate([np.empty((0, 3)), *(part.points for part in parts)]),
-        np.arange(0, len(joined) + 1, 3),
-        joined,
-        np.concatenate([np.empty((0, 3), dtype=np.uint8),
-                        *(part.rgb for part in parts if part.rgb is not None)]),
-        painted=all(part.painted for part in parts if len(part.corners)),
-    )  # fmt: skip
+    """Join meshes of triangles, lines and points, with colours."""
+    parts = [Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64),
+                  flat(PAINT_RGB, 0), dot_rgb=flat(PAINT_RGB, 0)), *parts]  # fmt: skip
+    first = np.cumsum([0] + [len(part.points) for part in parts])
+    corners, lines, dots = (
+        np.concatenate([getattr(part, name) + at for part, at in zip(parts, first, strict=False)])
+        for name in ("corners", "lines", "dots")
+    )
+    points, rgb, dot_rgb = (
+        np.concatenate([getattr(part, name) for part in parts])
+        for name in ("points", "rgb", "dot_rgb")
+    )
+    painted = all(part.painted for part in parts if len(part.corners))
+    offsets = np.arange(0, len(corners) + 1, 3)
+    return Mesh(points, offsets, corners, rgb, painted, lines, dots, dot_rgb)
 
 
 def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
@@ -411,11 +419,14 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     turns = world_from_mesh[:, :3, :3]
     points = mesh.points @ turns.swapaxes(1, 2) + world_from_mesh[:, None, :3, 3]
     mirrored = np.linalg.det(turns)[:, None, None] < 0.0
+    first = len(mesh.points) * np.arange(copies)[:, None, None]
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
-    corners += len(mesh.points) * np.arange(copies)[:, None, None]
-    rgb = None if mesh.rgb is None else np.tile(mesh.rgb, (copies, 1))
-    offsets = np.arange(0, corners.size + 1, 3)
-    return Mesh(points.reshape(-1, 3), offsets, corners.ravel(), rgb, mesh.painted)
+    corners += first
+    rgb, dot_rgb = (np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb))
+    return Mesh(
+        points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,
+        mesh.painted, (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel(), dot_rgb,
+    )  # fmt: skip
 
 
 def _turned_over(triangles: Ints, mirrored: NDArray[np.bool_]) -> Ints:
@@ -433,6 +444,14 @@ def _triangles(order: Ints, mode: int) -> Ints:
     if mode == 6:  # a fan about the first vertex
         return np.stack([order[i * 0], order[i + 1], order[i + 2]], axis=1)
     return np.empty((0, 3), dtype=np.int64)
+
+
+def _lines(order: Ints, mode: int) -> Ints:
+    """Return the ends (n, 2) of separate lines, of a closed path or of an open one."""
+    if mode == 1:
+        return order[: len(order) // 2 * 2].reshape(-1, 2)
+    lines = np.stack([order, np.roll(order, -1)], axis=1)
+    return lines[: {2: len(order), 3: len(order) - 1}.get(mode, 0)]
 
 
 def _srgb(linear: Floats) -> Floats:

@@ -14,6 +14,7 @@ import pytest
 
 from app.model.refusal import Refusal
 from app.scenes import mesh, mesh_files, reading
+from app.scenes.shapes import DRAWN_RGB
 from tests.support.gltf import SQUARE, GltfSquare
 from tests.support.meshes import glb
 
@@ -330,6 +331,27 @@ def hostile_targets(square: GltfSquare) -> None:
     square.content["scenes"][0]["nodes"] = list(range(100))
 
 
+def hostile_roots(square: GltfSquare) -> None:
+    """A long chain that the scene names again and again, above a mesh that is too large."""
+    hostile_primitives(square)
+    count = 20_000
+    nodes: list[dict[str, Any]] = [{"children": [i + 1]} for i in range(count)]
+    square.content["nodes"] = [*nodes, {"mesh": 0}]
+    square.content["scenes"][0]["nodes"] = [0] * count
+
+
+def hostile_joints(square: GltfSquare) -> None:
+    """Each of many vertices has hundreds of joints."""
+    count = 10_000
+    zeros, ones = square.add(np.zeros((count, 4)), "u1"), square.add(np.ones((count, 4)), "u1")
+    square.content["skins"] = [{"joints": [0]}]
+    square.content["nodes"][0]["skin"] = 0
+    square.primitive.pop("indices")
+    attributes = square.primitive["attributes"] = {"POSITION": square.add(np.eye(count, 3))}
+    for i in range(300):
+        attributes |= {f"JOINTS_{i}": zeros, f"WEIGHTS_{i}": ones}
+
+
 def hostile_sets(square: GltfSquare) -> None:
     square.add_skin(np.zeros((4, 4)), FIRST, [{}])
     attributes = square.primitive["attributes"]
@@ -341,8 +363,12 @@ def hostile_sets(square: GltfSquare) -> None:
 
 
 @pytest.mark.parametrize(
-    "change", [hostile_weights, hostile_primitives, hostile_targets, hostile_sets]
-)
+    "change",
+    [
+        hostile_weights, hostile_primitives, hostile_targets, hostile_roots, hostile_joints,
+        hostile_sets,
+    ],
+)  # fmt: skip
 def test_work_that_a_short_file_multiplies_is_refused_at_once(
     change: Callable[[GltfSquare], None], tmp_path: Path
 ) -> None:
@@ -409,6 +435,57 @@ def test_an_unknown_mode_is_refused(mode: Any, tmp_path: Path) -> None:
     square = GltfSquare()
     square.primitive["mode"] = mode
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "mode")
+
+
+# --------------------------------------------------------------------------- points and lines
+
+
+@pytest.mark.parametrize(
+    ("mode", "lines", "dots"),
+    [
+        (0, [], [0, 1, 2, 3, 1]),
+        (1, [[0, 1], [2, 3]], []),
+        (2, [[0, 1], [1, 2], [2, 3], [3, 1], [1, 0]], []),
+        (3, [[0, 1], [1, 2], [2, 3], [3, 1]], []),
+    ],
+)
+def test_points_and_lines_are_drawn(mode: int, lines: Any, dots: Any, tmp_path: Path) -> None:
+    square = GltfSquare()
+    square.primitive |= {"mode": mode, "indices": square.add([0, 1, 2, 3, 1], "u1")}
+    found = read(square, tmp_path)
+    assert (found.lines.tolist(), found.dots.tolist(), len(found.corners)) == (lines, dots, 0)
+
+
+def test_points_lines_and_faces_of_several_nodes_are_joined(tmp_path: Path) -> None:
+    square = GltfSquare()
+    rgb = square.add([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    attributes = square.primitive["attributes"]
+    square.mesh["primitives"] += [
+        {"attributes": attributes, "mode": 3},
+        {"attributes": attributes | {"COLOR_0": rgb}, "mode": 0},
+    ]
+    square.content["nodes"].append({"mesh": 0, "translation": [5, 0, 0]})
+    square.content["scenes"][0]["nodes"].append(1)
+    found = read(square, tmp_path)
+    assert len(found.corners) == 2 * 6 and len(found.dots) == 2 * 4
+    for copy, moved in enumerate((0, 5)):
+        corners = [[x + moved, y, z] for x, y, z in SQUARE]
+        assert found.points[found.dots[4 * copy :][:4]].tolist() == corners
+        assert found.points[found.lines[3 * copy :][:3, 0]].tolist() == corners[:3]
+        assert found.points[found.corners[6 * copy :][:3]].tolist() == corners[:3]
+    assert found.dot_rgb is not None and found.rgb is not None
+    assert found.dot_rgb[4:7].tolist() == [[255, 0, 0], [0, 255, 0], [0, 0, 255]]
+    assert (found.rgb == mesh.PAINT_RGB).all()
+
+
+def test_points_have_the_colour_of_their_material(tmp_path: Path) -> None:
+    square = GltfSquare()
+    factor = {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1]}}
+    square.content["materials"] = [factor, {}]
+    for material, right in ((0, (0, 255, 0)), (1, DRAWN_RGB)):
+        square.primitive |= {"mode": 0, "material": material}
+        found = read(square, tmp_path).dot_rgb
+        assert found is not None and (found == right).all()
 
 
 # --------------------------------------------------------------------------- .glb files
