@@ -422,6 +422,7 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     first = len(mesh.points) * np.arange(copies)[:, None, None]
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     corners += first
+    assert mesh.rgb is not None and mesh.dot_rgb is not None
     rgb, dot_rgb = (np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb))
     return Mesh(
         points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,

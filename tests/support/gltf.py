@@ -57,7 +57,7 @@ class GltfSquare:
     ) -> None:
         """Add a skin whose joints are new nodes, and sets of four joints a vertex."""
         first = len(self.content["nodes"])
-        skin = {"joints": list(range(first, first + len(nodes)))}
+        skin: dict[str, Any] = {"joints": list(range(first, first + len(nodes)))}
         self.content["nodes"] += nodes
         self.content["nodes"][0]["skin"] = 0
         self.content["skins"] = [skin]
