@@ -255,6 +255,8 @@ class _Gltf:
         world_from_bind: Floats = self._world_from_node[skin["joints"]]
         if "inverseBindMatrices" in skin:
             columns = self._data.numbers(skin["inverseBindMatrices"], "MAT4")
+            if len(columns) < len(world_from_bind):
+                self._source.fail("inverseBindMatrices")
             joint_from_bind = columns[: len(world_from_bind)].reshape(-1, 4, 4).swapaxes(1, 2)
             world_from_bind = world_from_bind @ joint_from_bind
         return world_from_bind

@@ -240,6 +240,12 @@ def test_a_faulty_skin_is_refused(
     assert refusal(square, tmp_path) == (mesh.DAMAGED, what)
 
 
+def test_each_joint_has_an_inverse_bind_matrix(tmp_path: Path) -> None:
+    square = GltfSquare()
+    square.add_skin(np.zeros((4, 4)), FIRST, [{}, {}], bind=column_by_column([5, 0, 0]))
+    assert refusal(square, tmp_path) == (mesh.DAMAGED, "inverseBindMatrices")
+
+
 @pytest.mark.parametrize(("joint", "weight"), [(1, 1.0), (0, -1.0)])
 def test_joints_and_weights_are_checked(joint: int, weight: float, tmp_path: Path) -> None:
     square = GltfSquare()
