@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app import __version__, bootstrap
+from app import __version__, bootstrap, modules
 from app.commands.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
@@ -52,6 +52,8 @@ def examine() -> Iterator[Finding]:
     yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
     yield Finding("Platform", platform.platform())
+    if aside := os.environ.get(modules.SET_ASIDE):
+        yield Finding("Set aside", f"{aside}; Frustum Lab prefers its own packages")
     if set_up:
         yield from _packages()
     else:
@@ -131,9 +133,7 @@ def _display() -> Iterator[Finding]:
         return  # already reported
     try:
         with display():
-            answer, problem = _try(
-                [sys.executable, "-m", "widgets.program.opengl"], dict(os.environ)
-            )
+            answer, problem = _try("widgets.program.opengl", dict(os.environ))
     except DisplayError as error:
         yield Finding("Display", "none", str(error))
         return
@@ -163,18 +163,18 @@ def _off_screen() -> Finding:
     environment = dict(os.environ)
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         environment.pop(name, None)
-    answer, problem = _try([sys.executable, "-m", "app.commands.doctor"], environment)
+    answer, problem = _try("app.commands.doctor", environment)
     if answer is None:
         remedy = "install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver"
         return Finding("Export", problem, remedy)
     return Finding("Export", f"without a display through {answer['window']}, {answer['renderer']}")
 
 
-def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
+def _try(module: str, environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
     """Run a trial that prints JSON as its last line; return None and the reason if it fails."""
     try:
         done = subprocess.run(
-            command, cwd=bootstrap.ROOT, env=environment, capture_output=True, text=True,
+            modules.command(module), env=environment, capture_output=True, text=True,
             errors="replace", stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
         )  # fmt: skip
     except subprocess.TimeoutExpired:

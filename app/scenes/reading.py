@@ -20,6 +20,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from app import modules
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import Finished, finished
@@ -56,14 +57,12 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
 
 
 def _read_apart(path: Path, progress: Progress | None) -> Finished:
-    packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
-        [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
+        modules.command("app.scenes.reading", os.fspath(path)),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        env=os.environ
-        | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     assert child.stdout is not None
