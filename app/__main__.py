@@ -47,7 +47,12 @@ def main() -> int:
         from app import bootstrap
 
         bootstrap.start(need_of(arguments), before=lambda: _check(arguments))
-        from app.commands.cli import main as run  # only now are its imports sure to be there
+        try:
+            from app.commands.cli import main as run  # only now are its imports sure to be there
+        except ImportError as error:
+            if sentence := bootstrap.damage(error):
+                bootstrap.fail(sentence)
+            raise
     except KeyboardInterrupt:
         return 130
     return run(arguments)

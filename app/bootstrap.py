@@ -808,6 +808,18 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
     return False
 
 
+def damage(error: ImportError) -> str:
+    """Name the package that lacks a module, and what to do; empty if no package is to blame."""
+    name = (error.name or "").partition(".")[0]
+    of_package = next((each for each in requirements(ROOT) if each.import_name == name), None)
+    if of_package is None or not isinstance(error, ModuleNotFoundError):
+        return ""
+    environment = Environment(ROOT)
+    words = [sys.executable, "-m", "pip", "install", "--force-reinstall", of_package.text]
+    how = _remove(environment.folder) if environment.is_running() else command_line(words)
+    return f"the package {of_package.name} is damaged ({error}); replace it, and start again: {how}"
+
+
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
     """Whether this interpreter has the packages; fast if it does not, and fast in .venv."""
     if not _are_importable(wanted):

@@ -93,9 +93,14 @@ def _packages() -> Iterator[Finding]:
     try:
         from PySide6.QtCore import qVersion
     except ImportError as error:
-        yield Finding("Qt", f"cannot be loaded: {error}", "see the system libraries above")
+        yield _not_loaded("Qt", error)
     else:
         yield Finding("Qt", qVersion())
+
+
+def _not_loaded(name: str, error: ImportError) -> Finding:
+    remedy = bootstrap.damage(error) or "see the system libraries above"
+    return Finding(name, f"cannot be loaded: {error}", remedy)
 
 
 def _pip(requirement: str) -> str:
@@ -105,9 +110,8 @@ def _pip(requirement: str) -> str:
 def _folders() -> Iterator[Finding]:
     try:
         from widgets.window.settings import data_folder, log_path, settings_path
-    except ImportError as error:
-        yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
-        return
+    except ImportError:
+        return  # `_display` says so
     for name, folder in (
         ("Settings folder", settings_path().parent),
         ("Recovery folder", data_folder()),
@@ -129,8 +133,9 @@ def _display() -> Iterator[Finding]:
         import widgets.program.application  # noqa: F401 -- with all that a window needs
         from widgets.program.display import display
         from widgets.program.opengl import DisplayError
-    except ImportError:
-        return  # already reported
+    except ImportError as error:
+        yield _not_loaded("Window", error)
+        return
     try:
         with display():
             answer, problem = _try("widgets.program.opengl", dict(os.environ))
@@ -166,6 +171,8 @@ def _off_screen() -> Finding:
     answer, problem = _try("app.commands.doctor", environment)
     if answer is None:
         remedy = "install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver"
+        if problem.startswith(ModuleNotFoundError.__name__):
+            remedy = "see Window"
         return Finding("Export", problem, remedy)
     return Finding("Export", f"without a display through {answer['window']}, {answer['renderer']}")
 

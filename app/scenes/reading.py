@@ -1,7 +1,7 @@
 """Read a mesh file without risk to the window: a large one in a separate process.
 
 The process can be stopped at once and has a memory limit; neither its crash nor exhausted memory
-affects the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+affects the window. It is a fresh Python with the modules of this one, which imports nothing but
 numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
 bytes of the mesh's arrays.
 """

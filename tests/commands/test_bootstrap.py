@@ -364,9 +364,18 @@ def test_a_process_of_its_own_finds_the_same_modules(made: Checkout) -> None:
     assert json.loads(output)[1:] == ["1.0", ["matrices"]]
 
 
-def test_the_tests_name_a_file_that_hides_a_module(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_damaged_package_is_named(made: Checkout) -> None:
+    (made.root / "app" / "commands" / "cli.py").write_text("import frustum_probe.part\n")
+    remove = f"rm -r '{made.root / '.venv'}'"
+    words = "replace it, and start again"
+    error = "No module named 'frustum_probe.part'"
+    expected = f"frustum-lab: the package frustum-probe is damaged ({error}); {words}: {remove}"
+    assert refused(made) == expected
+    (made.root / "app" / "commands" / "cli.py").write_text("import app.part\n")
+    assert "No module named 'app.part'" in made.run("-m", "app", "matrices")[2]
+
+
+def test_the_tests_name_a_file_that_hides_a_module(tmp_path: Path) -> None:
     for name in ("random.py", "numpy.py", "notes.py", "email.txt"):
         (tmp_path / name).touch()
     (tmp_path / "types").mkdir()
