@@ -29,7 +29,7 @@ from app.scenes.mesh import (
     full_scale,
     rgb_bytes,
 )
-from app.strangers import LARGEST_FILE, open_regular
+from app.strangers import LARGEST_FILE, decode, open_regular
 
 MOST_REPEATED = 25_000
 """Most triangles of a file with fewer bytes than triangles: such a file repeats its parts."""
@@ -51,7 +51,7 @@ def read_gltf(source: Source) -> Mesh:
     if data.count(b"[") + data.count(b"{") > _MOST_BRACKETS:
         raise Refusal.saying(NO_MEMORY, path)
     try:
-        return _Gltf(source, json.loads(data)).mesh(body)
+        return _Gltf(source, json.loads(decode(data)[0])).mesh(body)
     except json.JSONDecodeError as error:
         raise Refusal.saying(DAMAGED_LINE, path, error.lineno, "JSON") from None
     except Refusal:
