@@ -32,6 +32,7 @@ from app.scenes.mesh import (
     rgb_bytes,
 )
 from app.scenes.shapes import DRAWN_RGB, flat
+from app.strangers import decode
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
 """The turn, scale and move of a node that says nothing of them."""
@@ -62,7 +63,7 @@ def read_gltf(source: Source) -> Mesh:
     if data.count(b"[") + data.count(b"{") > _MOST_BRACKETS:
         raise Refusal.saying(NO_MEMORY, path)
     try:
-        return _Gltf(source, json.loads(data), body).mesh()
+        return _Gltf(source, json.loads(decode(data)[0]), body).mesh()
     except json.JSONDecodeError as error:
         raise Refusal.saying(DAMAGED_LINE, path, error.lineno, "JSON") from None
     except Refusal:

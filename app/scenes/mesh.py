@@ -7,17 +7,18 @@ files come from strangers: a reader compares every claim of a file with the byte
 
 from __future__ import annotations
 
+import codecs
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn, TypeAlias
+from typing import Any, BinaryIO, NoReturn, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
-from app.strangers import open_regular
+from app.strangers import encoding_of, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
@@ -206,7 +207,7 @@ def report(progress: Progress | None, fraction: float) -> None:
 
 
 def open_mesh(path: Path) -> BinaryIO:
-    """Open a file that is not empty, or raise a `Refusal`."""
+    """Open a file that is not empty, a text as UTF-8 without a mark; or raise a `Refusal`."""
     try:
         file = open_regular(path)
     except FileNotFoundError:
@@ -218,7 +219,12 @@ def open_mesh(path: Path) -> BinaryIO:
     if os.fstat(file.fileno()).st_size == 0:
         file.close()
         raise Refusal.saying(EMPTY, path)
-    return file
+    head = file.read(4096)
+    file.seek(0)
+    encoding = encoding_of(head)
+    if encoding == "utf-8" or (encoding == "utf-8-sig" and b"\0" in head):
+        return file
+    return cast(BinaryIO, codecs.EncodedFile(file, "utf-8", encoding, "replace"))
 
 
 def rgb_bytes(colours: NDArray[np.floating]) -> Colours:

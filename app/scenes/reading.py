@@ -1,7 +1,7 @@
 """Read a mesh file without risk to the window: a large one in a separate process.
 
 The process can be stopped at once and has a memory limit; neither its crash nor exhausted memory
-affects the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+affects the window. It is a fresh Python with the modules of this one, which imports nothing but
 numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
 bytes of the mesh's arrays.
 """
@@ -20,6 +20,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from app import modules
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import Finished, finished
@@ -61,14 +62,12 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
 
 
 def _read_apart(path: Path, progress: Progress | None) -> Finished:
-    packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
-        [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
+        modules.command("app.scenes.reading", os.fspath(path)),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        env=os.environ
-        | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     assert child.stdout is not None

@@ -48,7 +48,7 @@ from app.drawings import image, stage, world  # noqa: F401  (VTK, whose import i
 from app.lessons.course import CONTENT as LESSONS
 from app.scenes.scene import BUILT_IN, load
 from tests.__main__ import at_home
-from tests.fuzz.files import NUMBERS, write_hostile
+from tests.fuzz.files import ENDINGS, NUMBERS, write_hostile
 from tests.fuzz.hostile import a_folder
 from tests.support.controls import NONSENSE
 from tests.support.meshes import WRITERS, pyramid_file
@@ -449,7 +449,8 @@ def some_files(folder: Path) -> list[Path]:
     own = [Path(shutil.copy(path, place)) for path in sorted(LESSONS.glob("*.md"))]
     talks = [path for path in own if path.name.startswith("talk")]
     meshes = [pyramid_file(place, kind) for kind in WRITERS]
-    damaged = [write_hostile(place, 1, number)[0] for number in range(21)]
+    endings = 3 * [ending for ending in ENDINGS if ending.startswith(".")]
+    damaged = [write_hostile(place, 1, *each)[0] for each in enumerate(endings)]
     return [*own, *4 * talks, *meshes, *damaged]
 
 

@@ -105,6 +105,32 @@ def test_a_mesh_of_every_format_keeps_its_vertices_and_faces(
     assert not outside(scene.start, world_points(scene))
 
 
+@pytest.mark.parametrize("kind", ["obj", "stl text", "ply text", "gltf"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16-le", "utf-16-be", "utf-32-le", "utf-32-be"])
+def test_a_text_mesh_is_read_in_every_encoding(kind: str, encoding: str, tmp_path: Path) -> None:
+    """Cases 01 and 03: the mark hid the first vertex, and UTF-16 all of them."""
+    path = pyramid_file(tmp_path, kind)
+    text, expected = path.read_text(encoding="utf-8"), mesh_files.read(path)
+    for mark in ("", "\ufeff"):
+        path.write_bytes(f"{mark}{text}".encode(encoding))
+        found = mesh_files.read(path)
+        assert (found.points == expected.points).all()
+        assert (found.corners == expected.corners).all()
+
+
+def test_a_mark_is_no_part_of_the_first_vertex(tmp_path: Path) -> None:
+    """Also if the rest is not UTF-8."""
+    text = "\ufeffv -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 3 0 0\nv 0 0 5\nf 1 2 3\n# ".encode()
+    (tmp_path / "m.obj").write_bytes(text + b"\xe9\n")
+    assert mesh_files.read(tmp_path / "m.obj").points.tolist() == [[-1, 0, 0], [1, 0, 0], [0, 1, 0]]
+
+
+@pytest.mark.parametrize("header", [b"", b"\xef\xbb\xbfsolid", b"\0\0\1"])
+def test_the_header_of_a_binary_stl_is_no_encoding(header: bytes, tmp_path: Path) -> None:
+    stl_file(tmp_path / "m.stl", PYRAMID, header.ljust(80, b"\0"))
+    assert len(mesh_files.read(tmp_path / "m.stl").points) == 5
+
+
 def test_decimals_are_read_to_the_last_bit(tmp_path: Path) -> None:
     """0.1 + 1e7 is not a sum of powers of 2: only correct rounding of the text finds it."""
     points = np.random.default_rng(4).normal(size=(5, 3)) * 1e7
@@ -541,7 +567,7 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     ),
     "prose.gltf": ("Dear all\n", mesh.DAMAGED_LINE, (1, "JSON")),
     "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', mesh.DAMAGED_LINE, (3, "JSON")),
-    "latin.gltf": ('{"asset": "caf\udce9"}', mesh.DAMAGED, ("JSON",)),
+    "latin.gltf": ('{"asset": "caf\udce9"}', mesh.DAMAGED, ("glTF",)),
     "prose.glb": ("Dear all\n", mesh.NOT_OF_KIND, ("GLB",)),
     "list.gltf": ("[]", mesh.DAMAGED, ("glTF",)),
     "deep.gltf": ("[" * 100_000, mesh.DAMAGED, ("JSON",)),
