@@ -35,7 +35,7 @@ from app.scenes.shapes import DRAWN_RGB, flat
 from app.strangers import decode
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
-"""The turn, scale and move of a node that says nothing of them."""
+"""The default turn, scale and move of a node, and of a copy of a mesh."""
 _READ = re.compile(
     "KHR_mesh_quantization|KHR_node_visibility|EXT_mesh_gpu_instancing"
     r"|[A-Z]+_(animation|image|lights|materials|techniques?|texture|xmp)\w*"
@@ -45,7 +45,7 @@ _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
 _OVERHEAD = 400
-"""Vertices that take as long to read as one primitive without any."""
+"""Vertices that take as long to read as a primitive takes without any."""
 _INFLUENCES = 1 << 18
 """Joints of vertices that are applied at a time."""
 
@@ -454,8 +454,9 @@ def _lines(order: Ints, mode: int) -> Ints:
     """Return the ends (n, 2) of separate lines, of a closed path or of an open one."""
     if mode == 1:
         return order[: len(order) // 2 * 2].reshape(-1, 2)
-    lines = np.stack([order, np.roll(order, -1)], axis=1)
-    return lines[: {2: len(order), 3: len(order) - 1}.get(mode, 0)]
+    if mode in (2, 3):
+        return np.stack([order, np.roll(order, -1)], axis=1)[: len(order) - (mode == 3)]
+    return np.empty((0, 2), dtype=np.int64)
 
 
 def _srgb(linear: Floats) -> Floats:
