@@ -484,6 +484,19 @@ def test_points_lines_and_faces_of_several_nodes_are_joined(tmp_path: Path) -> N
     assert (found.rgb == mesh.PAINT_RGB).all()
 
 
+@pytest.mark.parametrize(("mode", "count"), [(0, 60), (1, 30), (3, 60), (4, 20), (5, 60)])
+def test_points_and_lines_are_counted_before_they_are_read(
+    mode: int, count: int, tmp_path: Path
+) -> None:
+    square = GltfSquare()
+    square.primitive |= {"mode": mode, "indices": square.add([0, 1, 2] * 20, "u1")}
+    path = square.write(tmp_path / "m.glb")
+    assert mesh_files.read(path, None, (count, 2**30)).points.shape == (3, 3)
+    with pytest.raises(Refusal) as caught:
+        mesh_files.read(path, None, (count - 1, 2**30))
+    assert caught.value.limits[1::2] == (count, count - 1)
+
+
 def test_points_have_the_colour_of_their_material(tmp_path: Path) -> None:
     square = GltfSquare()
     factor = {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1]}}
