@@ -6,6 +6,7 @@ All slow work on a large mesh is here, so that `app.scenes.reading` can do it in
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
@@ -23,6 +24,7 @@ from app.scenes.mesh import (
     Progress,
     report,
 )
+from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
 ONE_POINT = QT_TRANSLATE_NOOP(
@@ -45,9 +47,10 @@ TOO_FAR = QT_TRANSLATE_NOOP(
 FARTHEST = 1e12
 """Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
 FACES_WITH_EDGES = 5_000
-"""Most faces of a mesh with edge lines: beyond, the lines would be denser than the pixels."""
+"""Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
+than the pixels."""
 _BLOCK = 100_000
-"""Faces between two reports of progress."""
+"""Faces that are computed at once, between two reports of progress."""
 _SHARP = math.cos(math.radians(30.0))
 """Edges whose faces turn by a larger angle are drawn."""
 
@@ -99,10 +102,11 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     _check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
-    edges = _feature_edges(mesh) if 0 < faces <= FACES_WITH_EDGES else np.empty((0, 2, 3))
+    has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
     dot_rgb = flat(DRAWN_RGB, len(mesh.dots)) if mesh.dot_rgb is None else mesh.dot_rgb
     lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
-    return Finished(mesh.points, *_divided(mesh, rgb), edges, lines, dots, dot_rgb)
+    return Finished(mesh.points, *_divided(mesh, rgb, progress), edges, lines, dots, dot_rgb)
 
 
 def vector(values: ArrayLike) -> Vector:
@@ -149,28 +153,13 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
 
 
 def _normals(mesh: Mesh, which: slice) -> Floats:
-    """Return unit normals (m, 3) of some polygons, 0 where the area is 0.
-
-    The area vectors of the triangles of a fan add up to that of the polygon, even a concave one.
-    """
-    offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
-    corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
-    counts = np.diff(offsets)
-    if (counts == 3).all():  # the fan has one triangle
-        a, b, c = (mesh.points[corners[i::3]] for i in range(3))
-        before, after = (b - a).T, (c - a).T
-        starts = np.arange(len(counts))
-    else:
-        away = mesh.points[corners] - np.repeat(mesh.points[corners[offsets[:-1]]], counts, axis=0)
-        before, after = away.T, away[following(offsets)].T
-        starts = offsets[:-1]
-    area = np.empty((3, len(counts)))
-    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        area[x] = np.add.reduceat(before[y] * after[z] - before[z] * after[y], starts)
-    length = np.sqrt((area**2).sum(axis=0))
-    length[length == 0.0] = 1.0
-    normals: Floats = (area / length).T
-    return normals
+    """Return unit normals (m, 3) of some polygons, 0 where the area is 0."""
+    offsets = mesh.offsets[which.start : which.stop + 1]
+    corners = mesh.corners[offsets[0] : offsets[-1]]
+    areas = area_vectors(mesh.points, offsets - offsets[0], corners)
+    lengths = np.sqrt((areas**2).sum(axis=1))
+    lengths[lengths == 0.0] = 1.0
+    return areas / lengths[:, None]
 
 
 def _feature_edges(mesh: Mesh) -> Floats:
@@ -185,52 +174,49 @@ def _feature_edges(mesh: Mesh) -> Floats:
     ends = merged[mesh.corners[following(mesh.offsets)]]
     faces = len(mesh.offsets) - 1
     normals = _normals(mesh, slice(0, faces))
-    apart = starts != ends
-    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
-    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    keys = np.minimum(starts, ends) * len(points) + np.maximum(starts, ends)
     order = np.argsort(keys, kind="stable")
-    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    keys, face = keys[order], np.repeat(np.arange(faces), np.diff(mesh.offsets))[order]
+    is_new = np.append(True, (np.diff(keys) != 0) | (np.diff(face) != 0))
+    # An edge that one face runs there and back, such as the bridge to a hole, bounds nothing.
+    bounds = np.add.reduceat(np.sign(ends - starts)[order], np.flatnonzero(is_new)) != 0
+    keys, face = keys[is_new][bounds], face[is_new][bounds]
+    found, first, count = np.unique(keys, return_index=True, return_counts=True)
     two = count == 2
-    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    one_side, other_side = (normals[face[first[two] + i]] for i in (0, 1))
     drawn = ~two
     drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
     edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
     return edges
 
 
-def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
+def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints, Ints, Colours]:
     """Return offsets, corners and colours of the faces with polygons divided into triangles.
 
-    VTK divides them, but omits polygons that cross or repeat themselves: these become fans.
+    Convex faces of four corners stay whole: every way to divide them is right.
     """
     counts = np.diff(mesh.offsets)
-    large = np.flatnonzero(counts > 4)
+    is_whole = counts == 3
+    for which in _blocks(np.flatnonzero(counts == 4)):
+        quads = mesh.corners[mesh.offsets[which][:, None] + np.arange(4)]
+        is_whole[which] = are_convex(mesh.points[quads])
+    large = np.flatnonzero(~is_whole)
     if not large.size:
         return mesh.offsets, mesh.corners, rgb
-    import pyvista as pv
-
-    ends = np.concatenate([[0], np.cumsum(counts[large])])
-    places = np.arange(ends[-1]) + np.repeat(mesh.offsets[large] - ends[:-1], counts[large])
-    part = pv.PolyData()
-    part.points = mesh.points
-    part.SetPolys(pv.CellArray.from_arrays(ends, mesh.corners[places], deep=True))
-    part.cell_data["face"] = large
-    part = part.triangulate()
-    lost = np.setdiff1d(large, part.cell_data["face"])
-    triangles = counts[lost] - 2
-    fan = np.repeat(lost, triangles)
-    step = np.arange(len(fan)) - np.repeat(np.cumsum(triangles) - triangles, triangles)
-    first = mesh.offsets[fan]
-    fans = mesh.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    kept = counts <= 4
-    corners = [mesh.corners[np.repeat(kept, counts)], part.regular_faces.ravel(), fans.ravel()]
-    face = np.concatenate([np.flatnonzero(kept), part.cell_data["face"], fan])
-    sizes = np.where(kept, counts, 3)[face]
-    return np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(corners), rgb[face]
+    corners, face = [mesh.corners[np.repeat(is_whole, counts)]], [np.flatnonzero(is_whole)]
+    for which in _blocks(large):
+        ends = np.concatenate([[0], np.cumsum(counts[which])])
+        places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
+        done = 0.9 + 0.1 * np.searchsorted(large, which[0]) / len(large)
+        triangles, owners = divided(
+            mesh.points, ends, mesh.corners[places], partial(report, progress, float(done))
+        )
+        corners.append(triangles.ravel())
+        face.append(which[owners])
+    faces = np.concatenate(face)
+    sizes = np.where(is_whole, counts, 3)[faces]
+    return np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(corners), rgb[faces]
 
 
-def following(offsets: Ints) -> Ints:
-    """Return for every corner of the faces the place of the next corner of the same face."""
-    following = np.arange(1, offsets[-1] + 1)
-    following[offsets[1:] - 1] = offsets[:-1]
-    return following
+def _blocks(faces: Ints) -> list[Ints]:
+    return [faces[first : first + _BLOCK] for first in range(0, len(faces), _BLOCK)]

@@ -26,8 +26,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes of its triangles and vertices."""
-MOST_CORNERS = 1000
-"""Most corners of a face: the time to divide a face into triangles grows with their square."""
+MOST_CORNERS = 100_000
+"""Most corners of a face: such a face takes some seconds to divide into triangles."""
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface whose file has no colours."""
 
@@ -58,8 +58,8 @@ NOT_FINITE = QT_TRANSLATE_NOOP(
 )
 TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but a file of its size may "
-    "have at most {3} and {4} MiB; make it smaller.",
+    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} "
+    "and {4} MiB; make it smaller.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -184,12 +184,9 @@ class Source:
     def report(self, fraction: float) -> None:
         report(self.progress, fraction)
 
-    def check_size(
-        self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
-    ) -> None:
+    def check_size(self, vertices: int, faces: int, corners: int) -> None:
         """Refuse a mesh with too many of these, before memory is allocated for them."""
         most, most_bytes = self.largest
-        most = most if most_triangles is None else min(most, most_triangles)
         triangles = max(faces, corners - 2 * faces)
         # The factor 2: parts of a mesh are joined in a second copy.
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces

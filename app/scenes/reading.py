@@ -29,6 +29,8 @@ SMALL = 2**20
 """Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
+SMALL_POLYGONS = 2_000
+"""Most corners of such a mesh in faces of more than four, which take time to be divided."""
 MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
@@ -48,7 +50,10 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         size = os.fstat(file.fileno()).st_size
     if size <= SMALL:
         try:
-            return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
+            mesh = meshes.read(path, progress, SMALL_MESH)
+            counts = np.diff(mesh.offsets)
+            if counts[counts > 4].sum() <= SMALL_POLYGONS:
+                return finished(path, mesh, progress)
         except Refusal as error:
             if error.bound != TOO_MUCH:  # it may still be small enough for the process
                 raise

@@ -423,7 +423,6 @@ def test_shading_is_that_of_world_space_at_any_scale_and_place(tmp_path: Path) -
 
 @pytest.mark.parametrize("other", ["", "f 1 2 4\n"])
 def test_a_polygon_that_repeats_itself_is_drawn_as_a_fan(other: str, tmp_path: Path) -> None:
-    """VTK finds no triangles in it, and would omit it."""
     scene = scene_of_obj(tmp_path, f"{THREE}v 2 2 2\nf 1 2 3 1 2 3\n{other}")
     assert scene.surface is not None
     # The triangle twice, and the other one.
@@ -501,7 +500,7 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "shortface.ply": (ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF, ()),
     "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX, (3,)),
     "nanindex.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 1000)),
+    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 100_000)),
     "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", finishing.ONE_POINT, ()),
     "none.ply": (ply_header("ascii", 0, 0), mesh.NO_FACES, (0,)),
     "nan.ply": (
@@ -538,9 +537,7 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
         ("-1e+308", "1e+12"),
     ),
     "face.obj": (
-        "".join(f"v {n} {n % 7} 0\n" for n in range(1001))
-        + f"f {' '.join(map(str, range(1, 1002)))}\n",
-        mesh.FACE_SIZE, (1001, 1000),
+        THREE + "f" + " 1 2 3" * 33_333 + " 1 2\n", mesh.FACE_SIZE, (100_001, 100_000),
     ),
     "prose.gltf": ("Dear all\n", mesh.DAMAGED_LINE, (1, "JSON")),
     "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', mesh.DAMAGED_LINE, (3, "JSON")),
@@ -554,13 +551,13 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
 """Name of a bad file, its text, the refusal, and what the sentence names beside the file."""
 CHANGES: dict[str, tuple[str, Any, str, tuple[object, ...]]] = {
     "kind": ("accessors 0 componentType", ..., mesh.DAMAGED, ("componentType",)),
-    "type": ("accessors 0 type", "MAT4", mesh.DAMAGED, ("glTF",)),
+    "type": ("accessors 0 type", "MAT4", mesh.DAMAGED, ("accessors[0]: 5126, MAT4",)),
     "count": ("accessors 0 count", 3000, mesh.DAMAGED, ("accessors[0]",)),
-    "sparse": ("accessors 0 sparse", {}, mesh.UNSUPPORTED, ("sparse",)),
+    "sparse": ("accessors 0 sparse", {}, mesh.DAMAGED, ("indices",)),
     "view": ("bufferViews 1 byteOffset", 64, mesh.DAMAGED, ("accessors[1]",)),
     "circle": ("nodes 1 children", [0], mesh.DAMAGED, ("children",)),
-    "turn": ("nodes 1 rotation", [0, 0, 0, 0], mesh.DAMAGED, ("glTF",)),
-    "spin": ("nodes 1 rotation", [0, 0, 1e308, 1e308], mesh.DAMAGED, ("glTF",)),
+    "turn": ("nodes 1 rotation", [0, 0, 0, 0], mesh.DAMAGED, ("rotation",)),
+    "spin": ("nodes 1 rotation", [0, 0, 1e308, 1e308], mesh.DAMAGED, ("rotation",)),
     "moved": ("nodes 0 translation", [-1e308, 0, 0], finishing.TOO_FAR, ("-1e+308", "4e+12")),
     "old": ("asset version", "1.0", mesh.UNSUPPORTED, ("glTF 1.0",)),
     "packed": (
@@ -749,12 +746,6 @@ def test_a_mesh_that_would_grow_too_large_is_refused_by_its_counts(tmp_path: Pat
     error = refused(path)
     assert error.bound == mesh.TOO_MUCH
     assert error.limits[1::2] == (30_000_000, mesh.LARGEST[0])
-
-
-def test_a_few_bytes_may_not_be_repeated_too_often(tmp_path: Path) -> None:
-    assert len(reading.read(bomb(tmp_path, 415, 10)).offsets) - 1 == 24_900
-    error = refused(bomb(tmp_path, 420, 10))
-    assert error.bound == mesh.TOO_MUCH and error.limits[1::2] == (25_200, 25_000)
 
 
 def test_a_deep_tree_of_nodes_is_read(tmp_path: Path) -> None:
