@@ -1,4 +1,4 @@
-"""Read the triangles of a glTF 2.0 scene: a .gltf file with its parts beside it, or a .glb file.
+"""Read the triangles, lines and points of a glTF 2.0 scene: a .gltf file, or a .glb file.
 
 The shape is that of the file at rest: default morph weights, joints where their nodes are, and no
 animation. Section numbers are those of the glTF 2.0 specification.
@@ -31,6 +31,7 @@ from app.scenes.mesh import (
     Source,
     rgb_bytes,
 )
+from app.scenes.shapes import DRAWN_RGB, flat
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
 """The turn, scale and move of a node that says nothing of them."""
@@ -52,7 +53,7 @@ _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 
 
 def read_gltf(source: Source) -> Mesh:
-    """Join all triangles of the scene. Each shape is read once, however many nodes use it."""
+    """Join all that the scene draws. Each shape is read once, however many nodes use it."""
     path, data, body = source.path, source.file.read(), b""
     if data[:4] == b"glTF":
         data, body = _chunks(source, data)
@@ -285,7 +286,7 @@ class _Gltf:
             mode = primitive.get("mode", 4)
             if mode not in range(7):
                 self._source.fail("mode")
-            triangles += corners // 3 if mode == 4 else corners if mode in (5, 6) else 0
+            triangles += corners // 3 if mode == 4 else corners
             targets = max(targets, len(primitive.get("targets", ())))
             sets = max(sets, sum(name.startswith("JOINTS_") for name in attributes))
             overhead += _OVERHEAD + targets + sets
@@ -297,7 +298,7 @@ class _Gltf:
     def _primitive(
         self, primitive: dict[str, Any], weights: Iterable[float], joints: Floats | None
     ) -> Mesh:
-        """Return the triangles of a primitive; none if it consists of points or lines."""
+        """Return the triangles, lines or points of a primitive."""
         position = primitive["attributes"]["POSITION"]
         count = self._data.count(position)
         used: Any = slice(None)
@@ -311,19 +312,24 @@ class _Gltf:
         else:
             order = np.arange(count)
         points = self._attribute("POSITION", primitive, used, weights, "VEC3")
-        triangles = _triangles(order, primitive.get("mode", 4))
-        if len(triangles) and triangles.max() >= len(points):  # not a vertex of the next mesh
+        mode = primitive.get("mode", 4)
+        if order.max() >= len(points):  # not a vertex of the next mesh
             raise Refusal.saying(NO_SUCH_VERTEX, self._source.path, len(points))
+        triangles = _triangles(order, mode)
         if joints is not None:
             mirrored = self._move_by_joints(points, primitive, used, joints)
             triangles = _turned_over(triangles, mirrored[triangles[:, :1]])
-        mesh = Mesh(points, np.arange(0, triangles.size + 1, 3), triangles.ravel())
+        offsets, lines = np.arange(0, triangles.size + 1, 3), _lines(order, mode)
+        dots = order if mode == 0 else order[:0]
+        mesh = Mesh(points, offsets, triangles.ravel(), lines=lines, dots=dots)
         if "COLOR_0" in primitive["attributes"]:
             linear = self._attribute("COLOR_0", primitive, used, weights, "VEC3", "VEC4")
             mesh.paint(_srgb(linear[:, :3]))
         if mesh.rgb is None:
             rgb = np.array(self._paint(primitive), dtype=np.uint8)
             mesh.rgb = np.tile(rgb, (len(triangles), 1))
+        if mesh.dot_rgb is None:
+            mesh.dot_rgb = flat(DRAWN_RGB, len(dots))
         return mesh
 
     def _attribute(
@@ -391,18 +397,21 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _joined(parts: list[Mesh]) -> Mesh:
-    """Join meshes of triangles, with colours."""
-    first_point = np.cumsum([0] + [len(part.points) for part in parts])
-    corners = [part.corners + at for part, at in zip(parts, first_point[:-1], strict=True)]
-    joined = np.concatenate([np.empty(0, dtype=np.int64), *corners])
+    """Join meshes of triangles, lines and dots, with colours."""
+    no_colours = np.empty((0, 3), dtype=np.uint8)
+    parts = [Mesh(rgb=no_colours, dot_rgb=no_colours), *parts]
+    at = np.cumsum([0] + [len(part.points) for part in parts])[:-1]
+    corners = np.concatenate([part.corners + i for part, i in zip(parts, at, strict=True)])
     return Mesh(
-        np.concatenate([np.empty((0, 3)), *(part.points for part in parts)]),
-        np.arange(0, len(joined) + 1, 3),
-        joined,
-        np.concatenate([np.empty((0, 3), dtype=np.uint8),
-                        *(part.rgb for part in parts if part.rgb is not None)]),
-        painted=all(part.painted for part in parts if len(part.corners)),
-    )  # fmt: skip
+        np.concatenate([part.points for part in parts]),
+        np.arange(0, len(corners) + 1, 3),
+        corners,
+        np.concatenate([part.rgb for part in parts if part.rgb is not None]),
+        all(part.painted for part in parts if len(part.corners)),
+        np.concatenate([part.lines + i for part, i in zip(parts, at, strict=True)]),
+        np.concatenate([part.dots + i for part, i in zip(parts, at, strict=True)]),
+        np.concatenate([part.dot_rgb for part in parts if part.dot_rgb is not None]),
+    )
 
 
 def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
@@ -412,10 +421,15 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     points = mesh.points @ turns.swapaxes(1, 2) + world_from_mesh[:, None, :3, 3]
     mirrored = np.linalg.det(turns)[:, None, None] < 0.0
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
-    corners += len(mesh.points) * np.arange(copies)[:, None, None]
-    rgb = None if mesh.rgb is None else np.tile(mesh.rgb, (copies, 1))
+    first = len(mesh.points) * np.arange(copies)[:, None, None]
+    corners += first
     offsets = np.arange(0, corners.size + 1, 3)
-    return Mesh(points.reshape(-1, 3), offsets, corners.ravel(), rgb, mesh.painted)
+    rgb, dot_rgb = (
+        None if each is None else np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb)
+    )
+    lines, dots = (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel()
+    points = points.reshape(-1, 3)
+    return Mesh(points, offsets, corners.ravel(), rgb, mesh.painted, lines, dots, dot_rgb)
 
 
 def _turned_over(triangles: Ints, mirrored: NDArray[np.bool_]) -> Ints:
@@ -433,6 +447,17 @@ def _triangles(order: Ints, mode: int) -> Ints:
     if mode == 6:  # a fan about the first vertex
         return np.stack([order[i * 0], order[i + 1], order[i + 2]], axis=1)
     return np.empty((0, 3), dtype=np.int64)
+
+
+def _lines(order: Ints, mode: int) -> Ints:
+    """Return the segments (n, 2) of a list, a loop or a strip of vertices."""
+    if mode == 1:
+        return order[: len(order) // 2 * 2].reshape(-1, 2)
+    if mode not in (2, 3):
+        return np.empty((0, 2), dtype=np.int64)
+    if mode == 2:  # back to the first vertex
+        order = np.append(order, order[:1])
+    return np.stack([order[:-1], order[1:]], axis=1)
 
 
 def _srgb(linear: Floats) -> Floats:

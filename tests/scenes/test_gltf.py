@@ -14,6 +14,7 @@ import pytest
 
 from app.model.refusal import Refusal
 from app.scenes import mesh, mesh_files, reading
+from app.scenes.scene import load
 from tests.support.gltf import SQUARE, GltfSquare
 from tests.support.meshes import glb
 
@@ -433,3 +434,49 @@ def test_a_chunk_that_is_no_buffer_is_ignored(tmp_path: Path) -> None:
         with pytest.raises(Refusal) as caught:
             mesh_files.read(tmp_path / "m.glb")
         assert caught.value.bound == mesh.CUT_OFF
+
+
+@pytest.mark.parametrize(
+    ("mode", "order", "lines", "dots"),
+    [
+        (0, [2, 0], [], [2, 0]),
+        (1, [0, 1, 3, 2, 1], [(0, 1), (3, 2)], []),
+        (2, [0, 1, 3], [(0, 1), (1, 3), (3, 0)], []),
+        (3, [0, 1, 3], [(0, 1), (1, 3)], []),
+        (3, [1], [], []),
+    ],
+)
+def test_points_and_lines_are_drawn_beside_triangles_in_every_place_of_their_mesh(
+    mode: int, order: list[int], lines: list[tuple[int, int]], dots: list[int], tmp_path: Path
+) -> None:
+    square = GltfSquare()
+    attributes = {"POSITION": square.primitive["attributes"]["POSITION"]}
+    others = {"attributes": attributes, "indices": square.add(order, "<u2"), "mode": mode}
+    square.mesh["primitives"] = [others, square.primitive]
+    square.content["nodes"] = [{"mesh": 0}, {"mesh": 0, "translation": [0, 0, 5]}]
+    square.content["scenes"] = [{"nodes": [0, 1]}]
+    read = mesh_files.read(square.write(tmp_path / "m.gltf"))
+    places = np.array(SQUARE, dtype=np.float64) + np.array([(0, 0, 0), (0, 0, 5)])[:, None]
+    wanted = [places[:, np.array(each, dtype=int)] for each in (lines, dots)]
+    assert read.points[read.lines].tolist() == wanted[0].reshape(-1, 2, 3).tolist()
+    assert read.points[read.dots].tolist() == wanted[1].reshape(-1, 3).tolist()
+    assert len(read.offsets) - 1 == 4 and read.rgb is not None and len(read.rgb) == 4
+
+
+@pytest.mark.parametrize("mode", [0, 1, 2, 3])
+def test_points_and_lines_name_vertices_that_exist(mode: int, tmp_path: Path) -> None:
+    square = GltfSquare()
+    square.primitive |= {"mode": mode, "indices": square.add([0, 4], "<u2")}
+    assert refusal(square, tmp_path)[0] == mesh.NO_SUCH_VERTEX
+
+
+def test_points_alone_are_a_cloud_with_their_colours(tmp_path: Path) -> None:
+    square = GltfSquare()
+    attributes = square.primitive["attributes"]
+    attributes["COLOR_0"] = square.add([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1], [1, 1, 1, 1]])
+    square.mesh["primitives"] = [{"attributes": attributes, "mode": 0}]
+    cloud = load(str(square.write(tmp_path / "m.glb")))
+    assert cloud.surface is None and cloud.dots is not None
+    assert cloud.dots.point_data["rgb"].tolist() == [
+        [255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]
+    ]  # fmt: skip
