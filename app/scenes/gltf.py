@@ -328,8 +328,6 @@ class _Gltf:
         if mesh.rgb is None:
             rgb = np.array(self._paint(primitive), dtype=np.uint8)
             mesh.rgb = np.tile(rgb, (len(triangles), 1))
-        if mesh.dot_rgb is None:
-            mesh.dot_rgb = flat(DRAWN_RGB, len(dots))
         return mesh
 
     def _attribute(
@@ -398,8 +396,7 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _joined(parts: list[Mesh]) -> Mesh:
     """Join meshes of triangles, lines and dots, with colours."""
-    no_colours = np.empty((0, 3), dtype=np.uint8)
-    parts = [Mesh(rgb=no_colours, dot_rgb=no_colours), *parts]
+    parts = [Mesh(rgb=np.empty((0, 3), dtype=np.uint8)), *parts]
     at = np.cumsum([0] + [len(part.points) for part in parts])[:-1]
     corners = np.concatenate([part.corners + i for part, i in zip(parts, at, strict=True)])
     return Mesh(
@@ -410,7 +407,11 @@ def _joined(parts: list[Mesh]) -> Mesh:
         all(part.painted for part in parts if len(part.corners)),
         np.concatenate([part.lines + i for part, i in zip(parts, at, strict=True)]),
         np.concatenate([part.dots + i for part, i in zip(parts, at, strict=True)]),
-        np.concatenate([part.dot_rgb for part in parts if part.dot_rgb is not None]),
+        None
+        if all(part.dot_rgb is None for part in parts)
+        else np.concatenate(
+            [flat(DRAWN_RGB, len(p.dots)) if p.dot_rgb is None else p.dot_rgb for p in parts]
+        ),
     )
 
 
