@@ -328,7 +328,7 @@ class _Gltf:
         mesh.lines, mesh.dots = _lines(order, mode), order[: len(order) if mode == 0 else 0]
         paint = self._paint(primitive)
         mesh.rgb = flat(PAINT_RGB if paint is None else paint, len(triangles))
-        mesh.dot_rgb = flat(DRAWN_RGB if paint is None else paint, len(mesh.dots))
+        mesh.dot_rgb = None if paint is None else flat(paint, len(mesh.dots))
         if "COLOR_0" in primitive["attributes"]:
             linear = self._attribute("COLOR_0", primitive, used, weights, "VEC3", "VEC4")
             mesh.paint(_srgb(linear[:, :3]))
@@ -400,17 +400,20 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _joined(parts: list[Mesh]) -> Mesh:
     """Join meshes of triangles, lines and points, with colours."""
-    parts = [Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64),
-                  flat(PAINT_RGB, 0), dot_rgb=flat(PAINT_RGB, 0)), *parts]  # fmt: skip
+    parts = [Mesh(rgb=flat(PAINT_RGB, 0)), *parts]
     first = np.cumsum([0] + [len(part.points) for part in parts])
     corners, lines, dots = (
         np.concatenate([getattr(part, name) + at for part, at in zip(parts, first, strict=False)])
         for name in ("corners", "lines", "dots")
     )
-    points, rgb, dot_rgb = (
-        np.concatenate([getattr(part, name) for part in parts])
-        for name in ("points", "rgb", "dot_rgb")
+    points, rgb = (
+        np.concatenate([getattr(part, name) for part in parts]) for name in ("points", "rgb")
     )
+    dot_rgb = None
+    if any(len(part.dots) and part.dot_rgb is not None for part in parts):
+        dot_rgb = np.concatenate(
+            [flat(DRAWN_RGB, len(p.dots)) if p.dot_rgb is None else p.dot_rgb for p in parts]
+        )
     painted = all(part.painted for part in parts if len(part.corners))
     offsets = np.arange(0, len(corners) + 1, 3)
     return Mesh(points, offsets, corners, rgb, painted, lines, dots, dot_rgb)
@@ -425,8 +428,9 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     first = len(mesh.points) * np.arange(copies)[:, None, None]
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     corners += first
-    assert mesh.rgb is not None and mesh.dot_rgb is not None
-    rgb, dot_rgb = (np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb))
+    rgb, dot_rgb = (
+        None if each is None else np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb)
+    )
     return Mesh(
         points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,
         mesh.painted, (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel(), dot_rgb,

@@ -113,9 +113,9 @@ class Mesh:
         Colour of each dot, if the file has colours.
     """
 
-    points: Floats
-    offsets: Ints
-    corners: Ints
+    points: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    offsets: Ints = field(default_factory=lambda: np.zeros(1, dtype=np.int64))
+    corners: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     rgb: Colours | None = None
     painted: bool = False
     lines: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))

@@ -69,8 +69,8 @@ def _obj(path: Path, rng: random.Random) -> None:
     lines = ["mtllib a.mtl", "o name", *([f"vt {i} 0" for i in range(5)] if "/" in corner else [])]
     lines += [f"v {x} {y} {z}{' 1 0.5 0' * colours}" for x, y, z in PYRAMID.tolist()]
     lines += ["vn 0 1 0"] * rng.choice([0, 1, 5])
-    lines += ["usemtl", "g a b", "s off", "# comment", "l 1 2", "p 1"][: rng.randrange(7)]
-    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist()]):
+    lines += ["usemtl", "g a b", "s off", "l 1 2 3/3 -1", "p 1 5"][: rng.randrange(7)]
+    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), []]):
         lines.append("f " + " ".join(corner.format(i + 1) for i in face))
     path.write_bytes((rng.choice(["\n", "\r\n", "\r"]).join(lines) + "\n").encode())
 
@@ -81,19 +81,22 @@ def _ply(path: Path, rng: random.Random) -> None:
     real, letter = rng.choice([("double", "d"), ("float", "f"), ("float64", "d")])
     rgb, face_rgb = rng.random() < 0.4, rng.random() < 0.3
     channels = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
-    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist()])
+    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), []])
+    edges = rng.choice([[], [(0, 1), (3, 2)]])
     head = (
         f"ply\nformat {encoding} 1.0\ncomment {rng.choice(['', 'TextureFile a.png'])}\n"
         f"element vertex 5\nproperty {real} x\nproperty {real} y\nproperty {real} z\n"
         f"{channels * rgb}element face {len(faces)}\n"
         f"property list uchar int {rng.choice(['vertex_indices', 'vertex_index'])}\n"
-        f"{channels * face_rgb}end_header\n"
+        f"{channels * face_rgb}element edge {len(edges)}\n"
+        "property int vertex1\nproperty int vertex2\nend_header\n"
     ).encode()
     rows = [(f"3{letter}" + "3B" * rgb, [*p, *[9, 8, 7] * rgb]) for p in PYRAMID.tolist()]
     rows += [
         (f"B{len(face)}i" + "3B" * face_rgb, [len(face), *face, *[60, 70, 80] * face_rgb])
         for face in faces
     ]
+    rows += [("2i", [*edge]) for edge in edges]
     if encoding == "ascii":
         body = "".join(" ".join(map(str, row)) + "\n" for _, row in rows).encode()
     else:
@@ -111,6 +114,7 @@ def _stl(path: Path, rng: random.Random) -> None:
 def _moved_gltf(rng: random.Random) -> tuple[dict[str, Any], bytes]:
     """A square that joints, morph targets, sparse values and instances move."""
     square = GltfSquare()
+    square.primitive["mode"] = rng.choice([0, 1, 2, 3, 4, 4, 4, 4, 5, 6])
     if rng.random() < 0.5:
         square.content["accessors"][0]["sparse"] = square.sparse([2], [[3, 4, 0]])
     if rng.random() < 0.5:

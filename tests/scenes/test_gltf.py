@@ -14,6 +14,7 @@ import pytest
 
 from app.model.refusal import Refusal
 from app.scenes import mesh, mesh_files, reading
+from app.scenes.scene import load
 from app.scenes.shapes import DRAWN_RGB
 from tests.support.gltf import SQUARE, GltfSquare
 from tests.support.meshes import glb
@@ -447,19 +448,49 @@ def test_an_unknown_mode_is_refused(mode: Any, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("mode", "lines", "dots"),
+    ("mode", "order", "lines", "dots"),
     [
-        (0, [], [0, 1, 2, 3, 1]),
-        (1, [[0, 1], [2, 3]], []),
-        (2, [[0, 1], [1, 2], [2, 3], [3, 1], [1, 0]], []),
-        (3, [[0, 1], [1, 2], [2, 3], [3, 1]], []),
+        (0, [2, 0], [], [2, 0]),
+        (1, [0, 1, 3, 2, 1], [(0, 1), (3, 2)], []),
+        (2, [0, 1, 3], [(0, 1), (1, 3), (3, 0)], []),
+        (3, [0, 1, 3], [(0, 1), (1, 3)], []),
+        (3, [1], [], []),
     ],
 )
-def test_points_and_lines_are_drawn(mode: int, lines: Any, dots: Any, tmp_path: Path) -> None:
+def test_points_and_lines_are_drawn_beside_triangles_in_every_place_of_their_mesh(
+    mode: int, order: list[int], lines: list[tuple[int, int]], dots: list[int], tmp_path: Path
+) -> None:
     square = GltfSquare()
-    square.primitive |= {"mode": mode, "indices": square.add([0, 1, 2, 3, 1], "u1")}
-    found = read(square, tmp_path)
-    assert (found.lines.tolist(), found.dots.tolist(), len(found.corners)) == (lines, dots, 0)
+    attributes = {"POSITION": square.primitive["attributes"]["POSITION"]}
+    others = {"attributes": attributes, "indices": square.add(order, "<u2"), "mode": mode}
+    square.mesh["primitives"] = [others, square.primitive]
+    square.content["nodes"] = [{"mesh": 0}, {"mesh": 0, "translation": [0, 0, 5]}]
+    square.content["scenes"] = [{"nodes": [0, 1]}]
+    read = mesh_files.read(square.write(tmp_path / "m.gltf"))
+    places = np.array(SQUARE, dtype=np.float64) + np.array([(0, 0, 0), (0, 0, 5)])[:, None]
+    wanted = [places[:, np.array(each, dtype=int)] for each in (lines, dots)]
+    assert read.points[read.lines].tolist() == wanted[0].reshape(-1, 2, 3).tolist()
+    assert read.points[read.dots].tolist() == wanted[1].reshape(-1, 3).tolist()
+    assert len(read.offsets) - 1 == 4 and read.rgb is not None and len(read.rgb) == 4
+
+
+@pytest.mark.parametrize("mode", [0, 1, 2, 3])
+def test_points_and_lines_name_vertices_that_exist(mode: int, tmp_path: Path) -> None:
+    square = GltfSquare()
+    square.primitive |= {"mode": mode, "indices": square.add([0, 4], "<u2")}
+    assert refusal(square, tmp_path)[0] == mesh.NO_SUCH_VERTEX
+
+
+def test_points_alone_are_a_cloud_with_their_colours(tmp_path: Path) -> None:
+    square = GltfSquare()
+    attributes = square.primitive["attributes"]
+    attributes["COLOR_0"] = square.add([[1, 0, 0, 1], [0, 1, 0, 1], [0, 0, 1, 1], [1, 1, 1, 1]])
+    square.mesh["primitives"] = [{"attributes": attributes, "mode": 0}]
+    cloud = load(str(square.write(tmp_path / "m.glb")))
+    assert cloud.surface is None and cloud.dots is not None
+    assert cloud.dots.point_data["rgb"].tolist() == [
+        [255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]
+    ]  # fmt: skip
 
 
 def test_points_lines_and_faces_of_several_nodes_are_joined(tmp_path: Path) -> None:
@@ -501,10 +532,13 @@ def test_points_have_the_colour_of_their_material(tmp_path: Path) -> None:
     square = GltfSquare()
     factor = {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1]}}
     square.content["materials"] = [factor, {}]
-    for material, right in ((0, (0, 255, 0)), (1, DRAWN_RGB)):
-        square.primitive |= {"mode": 0, "material": material}
-        found = read(square, tmp_path).dot_rgb
-        assert found is not None and (found == right).all()
+    square.primitive |= {"mode": 0, "material": 1}
+    assert read(square, tmp_path).dot_rgb is None
+    green = square.primitive | {"material": 0}
+    square.mesh["primitives"].append(green)
+    found = read(square, tmp_path)
+    assert found.dot_rgb is not None
+    assert found.dot_rgb[[0, -1]].tolist() == [list(DRAWN_RGB), [0, 255, 0]]
 
 
 # --------------------------------------------------------------------------- .glb files

@@ -590,6 +590,8 @@ CHANGES: dict[str, tuple[str, Any, str, tuple[object, ...]]] = {
         "extensionsRequired", ["KHR_draco_mesh_compression"],
         mesh.UNSUPPORTED, ("KHR_draco_mesh_compression",),
     ),
+    "few": ("meshes 0 primitives 0", {"attributes": {"POSITION": 0}, "indices": 2, "mode": 1},
+            mesh.DAMAGED, ("accessors[2]",)),
     "nothing": ("scenes 0 nodes", [], mesh.NO_FACES, (0,)),
 }  # fmt: skip
 """The same for a change at one place of a sound glTF description."""
