@@ -7,17 +7,18 @@ files come from strangers: a reader compares every claim of a file with the byte
 
 from __future__ import annotations
 
+import codecs
 import os
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn, TypeAlias
+from typing import Any, BinaryIO, NoReturn, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
-from app.strangers import open_regular
+from app.strangers import encoding_of, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
@@ -26,8 +27,8 @@ Progress: TypeAlias = Callable[[float], bool]
 
 LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes of its triangles and vertices."""
-MOST_CORNERS = 1000
-"""Most corners of a face: the time to divide a face into triangles grows with their square."""
+MOST_CORNERS = 100_000
+"""Most corners of a face: such a face takes some seconds to divide into triangles."""
 PAINT_RGB = (184, 194, 208)
 """Colour of a surface whose file has no colours."""
 
@@ -48,7 +49,7 @@ FACE_SIZE = QT_TRANSLATE_NOOP(
 )
 NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: a face names a vertex that does not exist (there are {1}); "
+    "{0}: a face, line or point names a vertex that does not exist (there are {1}); "
     "export or download the file again.",
 )
 NOT_FINITE = QT_TRANSLATE_NOOP(
@@ -58,8 +59,8 @@ NOT_FINITE = QT_TRANSLATE_NOOP(
 )
 TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: it would grow to {1} triangles and {2} MiB, but a file of its size may have at most "
-    "{3} triangles and {4} MiB; make it smaller.",
+    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} "
+    "and {4} MiB; make it smaller.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -89,7 +90,7 @@ PART = QT_TRANSLATE_NOOP(
 
 @dataclass(eq=False)
 class Mesh:
-    """Points and polygons of a file.
+    """Points of a file, and the polygons, lines and dots that it draws with them.
 
     Attributes
     ----------
@@ -104,38 +105,54 @@ class Mesh:
     painted : bool
         Whether `rgb` was scanned or painted, and is shown unchanged. A material's colour is shaded
         first: without shading it shows no shape.
+    lines : (k, 2) int64
+        Ends of line segments: indices into `points`.
+    dots : (d,) int64
+        Points that are drawn by themselves: indices into `points`.
+    dot_rgb : (d, 3) uint8 or None
+        Colour of each dot, if the file has colours.
     """
 
-    points: Floats
-    offsets: Ints
-    corners: Ints
+    points: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    offsets: Ints = field(default_factory=lambda: np.zeros(1, dtype=np.int64))
+    corners: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     rgb: Colours | None = None
     painted: bool = False
+    lines: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
+    dots: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
+    dot_rgb: Colours | None = None
 
     def check(self, path: Path) -> None:
-        """Refuse a mesh without faces, or one whose faces or vertices cannot be drawn."""
+        """Refuse a mesh with nothing to draw, or with something that cannot be drawn."""
         vertices, sizes = len(self.points), np.diff(self.offsets)
-        if not len(sizes):
+        if not (len(sizes) or self.lines.size or self.dots.size):
             raise Refusal.saying(NO_FACES, path, vertices)
-        for size in (int(sizes.min()), int(sizes.max())):
+        for size in (int(sizes.min()), int(sizes.max())) if len(sizes) else ():
             if not 3 <= size <= MOST_CORNERS:
                 raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
-        if self.corners.min() < 0 or self.corners.max() >= vertices:
-            raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
+        for named in filter(np.size, (self.corners, self.lines, self.dots)):
+            if named.min() < 0 or named.max() >= vertices:
+                raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
         not_finite = int(np.count_nonzero(~np.isfinite(self.points).all(axis=1)))
         if not_finite:
             raise Refusal.saying(NOT_FINITE, path, not_finite, vertices)
 
     def drop_unused_points(self) -> None:
-        """Drop the vertices that no face uses: they would move the first camera away."""
+        """Drop the vertices that are not drawn: they would move the first camera away."""
         used = np.zeros(len(self.points), dtype=bool)
-        used[self.corners] = True
+        for named in (self.corners, self.lines, self.dots):
+            used[named] = True
         if not used.all():
-            self.corners = (np.cumsum(used) - 1)[self.corners]
+            number = np.cumsum(used) - 1
+            self.corners, self.lines, self.dots = (
+                number[named] for named in (self.corners, self.lines, self.dots)
+            )
             self.points = self.points[used]
 
     def paint(self, colours: NDArray[np.floating]) -> None:
-        """Give each face the mean of its corners' colours (n, 3), from 0 to 255."""
+        """Colour dots, and faces with the mean of their corners' colours (n, 3), 0 to 255."""
+        if self.dots.size and self.dots.min() >= 0 and self.dots.max() < len(colours):
+            self.dot_rgb = rgb_bytes(colours[self.dots])
         sizes = np.diff(self.offsets)
         is_sound = len(sizes) and sizes.min() > 0 and self.corners.min() >= 0
         if not is_sound or self.corners.max() >= len(colours):
@@ -168,12 +185,9 @@ class Source:
     def report(self, fraction: float) -> None:
         report(self.progress, fraction)
 
-    def check_size(
-        self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
-    ) -> None:
+    def check_size(self, vertices: int, faces: int, corners: int) -> None:
         """Refuse a mesh with too many of these, before memory is allocated for them."""
         most, most_bytes = self.largest
-        most = most if most_triangles is None else min(most, most_triangles)
         triangles = max(faces, corners - 2 * faces)
         # The factor 2: parts of a mesh are joined in a second copy.
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces
@@ -193,7 +207,7 @@ def report(progress: Progress | None, fraction: float) -> None:
 
 
 def open_mesh(path: Path) -> BinaryIO:
-    """Open a file that is not empty, or raise a `Refusal`."""
+    """Open a file that is not empty, a text as UTF-8 without a mark; or raise a `Refusal`."""
     try:
         file = open_regular(path)
     except FileNotFoundError:
@@ -205,7 +219,12 @@ def open_mesh(path: Path) -> BinaryIO:
     if os.fstat(file.fileno()).st_size == 0:
         file.close()
         raise Refusal.saying(EMPTY, path)
-    return file
+    head = file.read(4096)
+    file.seek(0)
+    encoding = encoding_of(head)
+    if encoding == "utf-8" or (encoding == "utf-8-sig" and b"\0" in head):
+        return file
+    return cast(BinaryIO, codecs.EncodedFile(file, "utf-8", encoding, "replace"))
 
 
 def rgb_bytes(colours: NDArray[np.floating]) -> Colours:

@@ -59,12 +59,12 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
     Returns
     -------
     Mesh
-        With at least one face, each of three corners or more, and no vertex without a face.
+        With a face, a line or a dot at least, and no vertex that is not drawn.
 
     Raises
     ------
     Refusal
-        For a file that cannot be read or holds no surface.
+        For a file that cannot be read or holds nothing to draw.
     Cancelled
         When `progress` returned False.
     """
@@ -108,34 +108,45 @@ def _numbers(
 
 
 def _read_obj(source: Source) -> Mesh:
-    """Read vertices, vertex colours and faces; other lines (normals, materials) are ignored."""
-    points, colours, corners, counts = [], [], [], []
-    vertices = faces = cornered = lines_before = 0
+    """Read vertices, their colours, faces, lines and points; normals and so on are ignored.
+
+    Vertices alone are a cloud of points.
+    """
+    points, colours = [], []
+    corners, counts = ({kind: [np.empty(0, dtype=np.int64)] for kind in "flp"} for _ in range(2))
+    vertices = elements = cornered = lines_before = 0
     for text in _obj_blocks(source.file):
         try:
-            rows, indices, sizes, before = _obj_mesh(text)
+            rows, named = _obj_mesh(text)
         except ValueError:
             wrong = lines_before + _wrong_line(text.splitlines(keepends=True))
             raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
-        from_start = indices - 1
-        if (indices < 0).any():  # counted back from the last vertex before the face
-            back = np.repeat(vertices + before, sizes) + indices
-            from_start = np.where(indices < 0, back, from_start)
-        vertices, faces, cornered = (
-            count + len(found)
-            for count, found in ((vertices, rows), (faces, sizes), (cornered, indices))
-        )
-        source.check_size(vertices, faces, cornered)
+        for kind, (indices, sizes, before) in named.items():
+            from_start = indices - 1
+            if (indices < 0).any():  # counted back from the last vertex before the element
+                back = np.repeat(vertices + before, sizes) + indices
+                from_start = np.where(indices < 0, back, from_start)
+            elements, cornered = elements + len(sizes), cornered + len(indices)
+            corners[kind].append(from_start)
+            counts[kind].append(sizes)
+        vertices += len(rows)
+        source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
-        corners.append(from_start)
-        counts.append(sizes)
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
+    on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
+    lasts = np.cumsum(lengths) - 1
+    goes_on = np.ones(len(on_line), dtype=bool)
+    goes_on[lasts[lengths > 0]] = False
+    starts = np.flatnonzero(goes_on)
+    dots = np.concatenate([*corners["p"], on_line[lasts[lengths == 1]]])
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
-        np.cumsum(np.concatenate([[0], *counts]), dtype=np.int64),
-        np.concatenate([np.empty(0, dtype=np.int64), *corners]),
+        np.concatenate([[0], np.cumsum(np.concatenate(counts["f"]))]),
+        np.concatenate(corners["f"]),
+        lines=on_line[np.stack([starts, starts + 1], axis=1)],
+        dots=dots if elements else np.arange(vertices),
     )
     rgb = [block for block in colours if len(block)]
     if rgb and all(block.shape[1] == 3 for block in rgb):
@@ -166,23 +177,30 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
             return
 
 
-def _obj_mesh(text: bytes) -> tuple[Floats, Ints, Ints, Ints]:
+def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]]]:
     """Read a block of lines; raise `ValueError` if one of them cannot be read.
 
-    Returns three numbers for each vertex (six if all have colours), the vertex numbers of all
-    corners, and for each face how many corners it has and how many vertices precede it.
+    Returns three numbers for each vertex (six if all have colours). For faces (f), lines (l) and
+    points (p) it returns the vertex numbers of all corners, and for each element how many corners
+    it has and how many vertices precede it.
     """
     letters = np.frombuffer(text, dtype=np.uint8)
     lengths = np.diff(np.flatnonzero(letters == ord("\n")) + 1, prepend=0)
     begins = np.cumsum(lengths) - lengths
     blank_after = np.isin(letters[np.minimum(begins + 1, len(letters) - 1)], (32, 9))
-    is_vertex, is_face = (blank_after & (letters[begins] == ord(letter)) for letter in "vf")
+    is_a = {kind: blank_after & (letters[begins] == ord(kind)) for kind in "vflp"}
+    is_vertex = is_a.pop("v")
     numbers, words = _obj_numbers(letters, lengths, is_vertex, np.float64)
     if (words < 3).any():
         raise ValueError
     width = 6 if (words >= 6).all() else 3
     rows = numbers[(np.cumsum(words) - words)[:, None] + np.arange(width)]
-    return rows, *_obj_numbers(letters, lengths, is_face, np.int64), np.cumsum(is_vertex)[is_face]
+    before = np.cumsum(is_vertex)
+    return rows, {
+        kind: (*_obj_numbers(letters, lengths, which, np.int64), before[which])
+        for kind, which in is_a.items()
+        if which.any()
+    }
 
 
 def _obj_numbers(
@@ -314,7 +332,7 @@ class _Element(NamedTuple):
 def _read_ply(source: Source) -> Mesh:
     elements, body = _ply_header_and_body(source)
     source.report(0.2)
-    mesh = Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
+    mesh = Mesh()
     at = 0
     vertex_rgb = None
     for element in elements:
@@ -342,14 +360,22 @@ def _read_ply(source: Source) -> Mesh:
             source.check_size(len(mesh.points), element.rows, len(mesh.corners))
             if rgb is not None:
                 mesh.rgb, mesh.painted = rgb_bytes(rgb), True
+        elif element.name == "edge" and scale.keys() >= {"vertex1", "vertex2"}:
+            ends = [columns[end].astype(np.int64) for end in ("vertex1", "vertex2")]
+            mesh.lines = np.stack(ends, axis=1)
         source.report(0.4)
+    if len(mesh.offsets) == 1:  # a cloud of points
+        is_alone = np.ones(len(mesh.points), dtype=bool)
+        is_alone[mesh.lines[(mesh.lines >= 0) & (mesh.lines < len(is_alone))]] = False
+        mesh.dots = np.flatnonzero(is_alone)
+    source.check_size(len(mesh.points), len(mesh.dots), 0)
     if mesh.rgb is None and vertex_rgb is not None:
         mesh.paint(vertex_rgb)
     return mesh
 
 
 def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
-    """Return the elements up to the vertices and faces, and the body.
+    """Return the elements up to the vertices, faces and edges, and the body.
 
     A text body becomes a binary one in which every number is a float64.
     """
@@ -360,17 +386,18 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
     try:
         elements, is_text = _ply_elements(header[0].decode("latin-1"))
         rows_of = {element.name: element.rows for element in elements}
-        vertices, faces = rows_of["vertex"], rows_of.get("face", 0)
+        vertices, faces, lines = rows_of["vertex"], rows_of.get("face", 0), rows_of.get("edge", 0)
     except (LookupError, TypeError, ValueError):
         source.fail("header")
-    source.check_size(vertices, faces, 3 * faces)
+    source.check_size(vertices, faces + lines, 3 * faces + 2 * lines)
     body = data[header.end() :]
     if is_text:
         try:
             body = _numbers(body).tobytes()
         except ValueError:
             source.fail("end_header ...")
-    needed = 1 + max(place for place, name in enumerate(rows_of) if name in ("vertex", "face"))
+    drawn = ("vertex", "face", "edge")
+    needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
     return elements[:needed], body
 
 

@@ -1,7 +1,7 @@
 """Read a mesh file without risk to the window: a large one in a separate process.
 
 The process can be stopped at once and has a memory limit; neither its crash nor exhausted memory
-affects the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+affects the window. It is a fresh Python with the modules of this one, which imports nothing but
 numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
 bytes of the mesh's arrays.
 """
@@ -20,6 +20,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from app import modules
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import Finished, finished
@@ -29,6 +30,8 @@ SMALL = 2**20
 """Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
+SMALL_POLYGONS = 2_000
+"""Most corners of such a mesh in faces of more than four, which take time to be divided."""
 MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
@@ -48,7 +51,10 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         size = os.fstat(file.fileno()).st_size
     if size <= SMALL:
         try:
-            return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
+            mesh = meshes.read(path, progress, SMALL_MESH)
+            counts = np.diff(mesh.offsets)
+            if counts[counts > 4].sum() <= SMALL_POLYGONS:
+                return finished(path, mesh, progress)
         except Refusal as error:
             if error.bound != TOO_MUCH:  # it may still be small enough for the process
                 raise
@@ -56,14 +62,12 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
 
 
 def _read_apart(path: Path, progress: Progress | None) -> Finished:
-    packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
-        [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
+        modules.command("app.scenes.reading", os.fspath(path)),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        env=os.environ
-        | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     assert child.stdout is not None
