@@ -7,12 +7,13 @@ and keeps the coordinates for every format.
 
 from __future__ import annotations
 
+import contextlib
 import re
 import warnings
 from array import array
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, BinaryIO, NamedTuple, TypeAlias
+from typing import Any, BinaryIO, NamedTuple, NoReturn, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,11 +22,15 @@ from app.model.refusal import Cancelled, Refusal
 from app.scenes.gltf import read_gltf
 from app.scenes.mesh import (
     CUT_OFF,
+    CUT_OFF_ROWS,
+    CUT_OFF_TRIANGLES,
     DAMAGED,
     DAMAGED_LINE,
     LARGEST,
     NO_MEMORY,
+    NOT_FINITE_LINE,
     NOT_OF_KIND,
+    SHORT_LINE,
     Colours,
     Floats,
     Ints,
@@ -113,11 +118,13 @@ def _read_obj(source: Source) -> Mesh:
     Vertices alone are a cloud of points.
     """
     points, colours = [], []
-    corners, counts = ({kind: [np.empty(0, dtype=np.int64)] for kind in "flp"} for _ in range(2))
+    corners, counts, on_lines = (
+        {kind: [np.empty(0, dtype=np.int64)] for kind in "vflp"} for _ in range(3)
+    )
     vertices = elements = cornered = lines_before = 0
     for text in _obj_blocks(source.file):
         try:
-            rows, named = _obj_mesh(text)
+            rows, named, places = _obj_mesh(text)
         except ValueError:
             wrong = lines_before + _wrong_line(text.splitlines(keepends=True))
             raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
@@ -129,25 +136,36 @@ def _read_obj(source: Source) -> Mesh:
             elements, cornered = elements + len(sizes), cornered + len(indices)
             corners[kind].append(from_start)
             counts[kind].append(sizes)
+        for kind, lines in places.items():
+            on_lines[kind].append(lines_before + lines)
         vertices += len(rows)
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
+    row = {kind: np.concatenate(found) for kind, found in on_lines.items()}
     on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
     lasts = np.cumsum(lengths) - 1
     goes_on = np.ones(len(on_line), dtype=bool)
     goes_on[lasts[lengths > 0]] = False
     starts = np.flatnonzero(goes_on)
     dots = np.concatenate([*corners["p"], on_line[lasts[lengths == 1]]])
+    dot_rows = [np.repeat(row["p"], np.concatenate(counts["p"])), row["l"][lengths == 1]]
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
         np.concatenate([[0], np.cumsum(np.concatenate(counts["f"]))]),
         np.concatenate(corners["f"]),
         lines=on_line[np.stack([starts, starts + 1], axis=1)],
         dots=dots if elements else np.arange(vertices),
+        rows={
+            "points": row["v"],
+            "faces": row["f"],
+            "lines": np.repeat(row["l"], lengths)[starts],
+            "dots": np.concatenate(dot_rows) if elements else row["v"],
+        },
     )
+    mesh.drop_small_faces(source.path)
     rgb = [block for block in colours if len(block)]
     if rgb and all(block.shape[1] == 3 for block in rgb):
         mesh.paint(255.0 * np.concatenate(rgb))
@@ -167,7 +185,13 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         if b"\r" in text:
             text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
-            text = text.replace(b"\\\n", b" ")
+            # A joined line keeps its number, and those after it keep theirs.
+            text = re.sub(
+                rb"^(?:[^\n]*\\\n)+[^\n]*",
+                lambda m: m[0].replace(b"\\\n", b" ") + b"\n" * m[0].count(b"\\\n"),
+                text,
+                flags=re.MULTILINE,
+            )
         if b"#" in text:
             text = re.sub(rb"#[^\n]*", b"", text)
         if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
@@ -177,18 +201,19 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
             return
 
 
-def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]]]:
+def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]], dict[str, Ints]]:
     """Read a block of lines; raise `ValueError` if one of them cannot be read.
 
     Returns three numbers for each vertex (six if all have colours). For faces (f), lines (l) and
     points (p) it returns the vertex numbers of all corners, and for each element how many corners
-    it has and how many vertices precede it.
+    it has and how many vertices precede it. Last come the lines of all these, from 1.
     """
     letters = np.frombuffer(text, dtype=np.uint8)
     lengths = np.diff(np.flatnonzero(letters == ord("\n")) + 1, prepend=0)
     begins = np.cumsum(lengths) - lengths
     blank_after = np.isin(letters[np.minimum(begins + 1, len(letters) - 1)], (32, 9))
     is_a = {kind: blank_after & (letters[begins] == ord(kind)) for kind in "vflp"}
+    places = {kind: np.flatnonzero(which) + 1 for kind, which in is_a.items()}
     is_vertex = is_a.pop("v")
     numbers, words = _obj_numbers(letters, lengths, is_vertex, np.float64)
     if (words < 3).any():
@@ -196,11 +221,12 @@ def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]]]:
     width = 6 if (words >= 6).all() else 3
     rows = numbers[(np.cumsum(words) - words)[:, None] + np.arange(width)]
     before = np.cumsum(is_vertex)
-    return rows, {
+    named = {
         kind: (*_obj_numbers(letters, lengths, which, np.int64), before[which])
         for kind, which in is_a.items()
         if which.any()
     }
+    return rows, named, places
 
 
 def _obj_numbers(
@@ -239,20 +265,23 @@ _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("at
 
 
 def _read_stl(source: Source) -> Mesh:
-    head, length = source.file.read(4096), source.size
-    count = int.from_bytes(head[80:84], "little")
-    binary_length = 84 + _STL_TRIANGLE.itemsize * count
-    # Many binary files begin with "solid" like text files: the length decides first.
-    if len(head) >= 84 and length == binary_length:
+    """Read a binary file, even one that begins with “solid” as a text does, or a text.
+
+    The length decides: no text can hold as many triangles as its letters at the place of the count
+    would say. Some writers leave the count 0, or as large as possible.
+    """
+    head = source.file.read(4096)
+    count, present = int.from_bytes(head[80:84], "little"), (source.size - 84) // 50
+    if count in (0, 2**32 - 1):
+        count = max(present, 0)
+    if len(head) >= 84 and count <= present:
         corners = _stl_binary(source, count)
-    elif head.lstrip()[:5].lower() == b"solid":
+    elif b"\0" in head and len(head) >= 84 and count <= LARGEST[0]:
+        raise Refusal.saying(CUT_OFF_TRIANGLES, source.path, present, count)
+    elif re.match(rb"\s*(solid|facet\s)", head, re.IGNORECASE):
         corners = _stl_text(source)
-    elif len(head) < 84 or b"\0" not in head:
+    else:
         raise Refusal.saying(NOT_OF_KIND, source.path, "STL")
-    elif length < binary_length:
-        raise Refusal.saying(CUT_OFF, source.path)
-    else:  # some programs append data of their own
-        corners = _stl_binary(source, count)
     source.report(0.3)
     points, merged = distinct_rows(corners)
     source.report(0.4)
@@ -284,9 +313,13 @@ def _stl_text(source: Source) -> Floats:
         try:
             numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
         except ValueError:
+            _refuse_stl_line(source)
             source.fail("vertex")
         if len(numbers) != 9 * len(loops) or any(b"vertex" in words for words in between):
+            _refuse_stl_line(source)
             source.fail("facet")
+        if not np.isfinite(numbers).all():
+            _refuse_stl_line(source)
         triangles += len(loops)
         source.check_size(3 * triangles, triangles, 3 * triangles)
         blocks.append(numbers)
@@ -294,6 +327,24 @@ def _stl_text(source: Source) -> Floats:
     if b"vertex" in _without_stl_names(rest):
         raise Refusal.saying(CUT_OFF, source.path)
     return np.concatenate(blocks).reshape(-1, 3)
+
+
+def _refuse_stl_line(source: Source) -> None:
+    """Refuse the first line whose vertex is not three finite numbers, if there is one."""
+    source.file.seek(0)
+    facet = 0
+    for number, line in enumerate(source.file, 1):
+        words = line.lower().split()
+        facet = number if words[:1] == [b"facet"] else facet
+        if words[:1] == [b"vertex"]:
+            try:
+                numbers = _numbers(b" ".join(words[1:]))
+            except ValueError:
+                numbers = np.empty(0)
+            if len(numbers) != 3:
+                raise Refusal.saying(DAMAGED_LINE, source.path, number, "STL")
+            if not np.isfinite(numbers).all():
+                raise Refusal.saying(NOT_FINITE_LINE, source.path, number, facet)
 
 
 def _without_stl_names(text: bytes) -> bytes:
@@ -334,12 +385,18 @@ def _read_ply(source: Source) -> Mesh:
     source.report(0.2)
     mesh = Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
     at = 0
-    vertex_rgb = None
+    vertex_rgb, strips = None, np.empty((0, 3), dtype=np.int64)
+    kinds = {"vertex": "points", "face": "faces", "edge": "lines"}
     for element in elements:
-        try:
-            columns, lengths, at = _ply_columns(element, body, at)
-        except IndexError:
-            raise Refusal.saying(CUT_OFF, source.path) from None
+        if isinstance(body, _Rows):
+            columns, lengths = _ply_text_columns(element, body, source)
+            if element.name in kinds:
+                mesh.rows[kinds[element.name]] = body.lines[body.at - element.rows : body.at]
+        else:
+            try:
+                columns, lengths, at = _ply_columns(element, body, at)
+            except IndexError as error:
+                _refuse_cut_off(source, element, error.args[0])
         scale = {p.name: 255.0 / p.full_scale for p in element.properties if p.counter is None}
         rgb = None
         if scale.keys() >= {"red", "green", "blue"}:
@@ -351,10 +408,13 @@ def _read_ply(source: Source) -> Mesh:
                 source.fail("vertex: x, y, z")
             mesh.points = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(np.float64)
             vertex_rgb = rgb
-        elif element.name == "face":
+        elif element.name in ("face", "tristrips"):
             name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
             if name is None:
-                source.fail("face: vertex_indices")
+                source.fail(f"{element.name}: vertex_indices")
+            if element.name == "tristrips":
+                strips = _strips(columns[name].astype(np.int64), lengths[name])
+                continue
             mesh.offsets = np.concatenate([[0], np.cumsum(lengths[name])])
             mesh.corners = columns[name].astype(np.int64)  # nan becomes an index out of range
             source.check_size(len(mesh.points), element.rows, len(mesh.corners))
@@ -364,6 +424,14 @@ def _read_ply(source: Source) -> Mesh:
             ends = [columns[end].astype(np.int64) for end in ("vertex1", "vertex2")]
             mesh.lines = np.stack(ends, axis=1)
         source.report(0.4)
+    if len(strips):
+        source.check_size(len(mesh.points), len(strips), strips.size)
+        ends = mesh.offsets[-1] + np.arange(3, strips.size + 1, 3)
+        mesh.offsets = np.concatenate([mesh.offsets, ends])
+        mesh.corners = np.concatenate([mesh.corners, strips.ravel()])
+        mesh.rgb = None
+        mesh.rows.pop("faces", None)
+    mesh.drop_small_faces(source.path)
     if len(mesh.offsets) == 1:  # a cloud of points
         is_alone = np.ones(len(mesh.points), dtype=bool)
         is_alone[mesh.lines[(mesh.lines >= 0) & (mesh.lines < len(is_alone))]] = False
@@ -374,13 +442,61 @@ def _read_ply(source: Source) -> Mesh:
     return mesh
 
 
-def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
-    """Return the elements up to the vertices, faces and edges, and the body.
+def _strips(named: Ints, lengths: Ints) -> Ints:
+    """Return the triangles (k, 3) of strips that -1 or the end of a row separates.
 
-    A text body becomes a binary one in which every number is a float64.
+    Every other triangle of a strip runs the other way round.
+    """
+    is_stop = np.isin(named, (-1, 2**32 - 1))
+    begins = np.zeros(len(named) + 1, dtype=bool)
+    begins[np.cumsum(lengths) - lengths] = True
+    begins[1:][is_stop] = True
+    strip, at = np.cumsum(begins[:-1]), np.arange(len(named))
+    first = np.maximum.accumulate(np.where(begins[:-1], at, 0))
+    goes_on = ~is_stop
+    goes_on[-2:] = False
+    goes_on[:-2] &= ~is_stop[1:-1] & ~is_stop[2:] & (strip[:-2] == strip[2:])
+    i = np.flatnonzero(goes_on)
+    odd = (i - first[i]) % 2
+    triangles = np.stack([named[i], named[i + 1 + odd], named[i + 2 - odd]], axis=1)
+    # A repeated corner turns to the next strip.
+    found: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return found
+
+
+class _Rows:
+    """The rows of a text body.
+
+    Attributes
+    ----------
+    numbers : (n,) float64
+    ends : (m,) int64
+        Where the numbers of each row end.
+    lines : (m,) int64
+        The line of each row in the file.
+    is_open : bool
+        Whether the text ends within the last row, or without a newline after it.
+    at : int
+        The next row to read.
+    """
+
+    def __init__(self, numbers: Floats, ends: Ints, lines: Ints, is_open: bool) -> None:
+        self.numbers, self.ends, self.lines, self.is_open = numbers, ends, lines, is_open
+        self.at = 0
+
+
+def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes | _Rows]:
+    """Return the elements up to the last one that is drawn, and the body.
+
+    In a text each row is a line. If it has fewer lines than rows, it becomes a binary body in which
+    every number is a float64.
     """
     data = source.file.read()
-    header = re.match(rb"ply\s.*?end_header[^\S\n]*\r?\n?", data[:1_000_000], re.DOTALL)
+    start = re.match(rb"ply[ \t]*(\r\n?|\n)", data[:100])
+    end = b"\r" if start is not None and start[1] == b"\r" else b"\r?\n"
+    header = re.match(
+        rb"ply\s.*?[\r\n]end_header[ \t]*(?:" + end + rb"|\Z)", data[:1_000_000], re.DOTALL
+    )
     if header is None:
         raise Refusal.saying(NOT_OF_KIND, source.path, "PLY")
     try:
@@ -390,22 +506,62 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
     except (LookupError, TypeError, ValueError):
         source.fail("header")
     source.check_size(vertices, faces + lines, 3 * faces + 2 * lines)
-    body = data[header.end() :]
-    if is_text:
-        try:
-            body = _numbers(body).tobytes()
-        except ValueError:
-            source.fail("end_header ...")
-    drawn = ("vertex", "face", "edge")
+    drawn = ("vertex", "face", "edge", "tristrips")
     needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
-    return elements[:needed], body
+    body = data[header.end() :]
+    if not is_text:
+        return elements[:needed], body
+    before = len(header[0].splitlines())
+    return elements[:needed], _ply_text(source, body, before, elements)
+
+
+def _ply_text(source: Source, body: bytes, before: int, elements: list[_Element]) -> bytes | _Rows:
+    """Return the rows of a text body below a header of some lines."""
+    rows = sum(element.rows for element in elements)
+    body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    letters = np.frombuffer(body, dtype=np.uint8)
+    visible = letters > 32
+    word_begins = np.flatnonzero(visible & ~np.append(False, visible[:-1]))
+    line_ends = np.append(np.flatnonzero(letters == ord("\n")), len(letters))
+    ends = np.searchsorted(word_begins, line_ends)
+    filled = np.flatnonzero(np.diff(ends, prepend=0))
+    is_open = len(filled) == rows and not body.endswith(b"\n")
+    if len(filled) >= rows:  # what follows the last row is no part of the mesh
+        filled = filled[:rows]
+        body = body[: line_ends[filled[-1]]] if rows else b""
+    try:
+        numbers = _numbers(body)
+    except ValueError:
+        for line, text in enumerate(body.split(b"\n"), before + 1):
+            try:
+                _numbers(text)
+            except ValueError:
+                raise Refusal.saying(DAMAGED_LINE, source.path, line, "PLY") from None
+        source.fail("end_header ...")
+    if len(filled) == rows:
+        return _Rows(numbers, ends[filled], before + 1 + filled, is_open)
+    stream, at, there = numbers.tobytes(), 0, len(filled)
+    with contextlib.suppress(IndexError):
+        for element in elements:
+            _, _, at = _ply_columns(element, stream, at)
+        if at == len(stream):
+            return stream
+    for element in elements:
+        if there < element.rows:
+            _refuse_cut_off(source, element, there)
+        there -= element.rows
+    raise AssertionError
+
+
+def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:
+    raise Refusal.saying(CUT_OFF_ROWS, source.path, there, element.rows, element.name)
 
 
 def _ply_elements(header: str) -> tuple[list[_Element], bool]:
     """Return the elements of a header, and whether the body is text."""
     order: Any = None
     elements: list[_Element] = []
-    for line in header.splitlines():
+    for line in re.split(r"[\r\n]+", header):
         match line.split():
             case ["format", encoding, *_]:
                 order = _PLY_ORDERS[encoding]
@@ -443,25 +599,25 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
 
     # In most files all lists are as long as those of the first row: the element is a table.
     fields: list[tuple[Any, ...]] = []
-    for p, length in zip(properties, _ply_row(properties, body, at)[0][1::2], strict=True):
+    for p, length in zip(properties, _ply_row(properties, body, at, 0)[0][1::2], strict=True):
         if p.counter is not None:
             fields.append((f"length of {p.name}", p.counter))
         fields.append((p.name, p.kind, (length,)))
     row = np.dtype(fields)
     end = at + rows * row.itemsize
-    if end <= len(body):
-        table = np.frombuffer(body, row, rows, at)
+    if end <= len(body) or not lists:
+        table = np.frombuffer(body, row, min(rows, (len(body) - at) // row.itemsize), at)
+        if len(table) < rows:
+            raise IndexError(len(table))
         counts = {p.name: table[f"length of {p.name}"] for p in lists}
         if all((count == count[0]).all() for count in counts.values()):
             columns = {p.name: table[p.name].ravel() for p in properties}
             return columns, {name: c.astype(np.int64) for name, c in counts.items()}, end
-    if at + rows * sum((p.counter or p.kind).itemsize for p in properties) > len(body):
-        raise IndexError
 
     # Otherwise every row has to be looked at to find the next one.
     found = array("q")
-    for _ in range(rows):
-        places, at = _ply_row(properties, body, at)
+    for done in range(rows):
+        places, at = _ply_row(properties, body, at, done)
         found.extend(places)
     starts, lengths = np.moveaxis(np.array(found).reshape(rows, len(properties), 2), 2, 0)
     octets = np.frombuffer(body, dtype=np.uint8)
@@ -475,24 +631,62 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
     return columns, {p.name: lengths[:, properties.index(p)] for p in lists}, at
 
 
-def _ply_row(properties: list[_Property], body: bytes, at: int) -> tuple[list[int], int]:
+def _ply_row(properties: list[_Property], body: bytes, at: int, done: int) -> tuple[list[int], int]:
     """Return each column's start in a row and its count of numbers, and the row's end."""
     places = []
     for p in properties:
         length = 1
         if p.counter is not None:
             if at + p.counter.itemsize > len(body):
-                raise IndexError
+                raise IndexError(done)
             counted = np.frombuffer(body, p.counter, 1, at)[0]
             if not 0 <= counted <= len(body):  # also if it is nan
-                raise IndexError
+                raise IndexError(done)
             length = int(counted)
             at += p.counter.itemsize
         places += [at, length]
         at += length * p.kind.itemsize
         if at > len(body):
-            raise IndexError
+            raise IndexError(done)
     return places, at
+
+
+def _ply_text_columns(
+    element: _Element, body: _Rows, source: Source
+) -> tuple[dict[str, NDArray[Any]], dict[str, Ints]]:
+    """Return the columns of an element of a text, and the lengths of its lists.
+
+    Numbers at the end of a row for which the header has no name are ignored.
+    """
+    which = slice(body.at, body.at + element.rows)
+    ends, lines = body.ends[which], body.lines[which]
+    at = np.append(0, body.ends)[which].copy()
+    body.at += element.rows
+    columns, lengths = {}, {}
+
+    def check(needed: Ints) -> None:
+        if (needed > ends).any():
+            row = int((needed > ends).argmax())
+            if body.is_open and body.at == len(body.ends) and row + 1 == element.rows:
+                _refuse_cut_off(source, element, row)
+            line = int(lines[row])
+            raise Refusal.saying(SHORT_LINE, source.path, line, element.name)
+
+    for p in element.properties:
+        count = np.ones(len(at), dtype=np.int64)
+        if p.counter is not None:
+            check(at + 1)
+            counted = body.numbers[at]
+            is_count = (counted >= 0) & (counted < len(body.numbers))  # also if it is nan
+            count = np.where(is_count, counted, len(body.numbers)).astype(np.int64)
+            lengths[p.name] = count
+            at += 1
+        check(at + count)
+        first = np.cumsum(count) - count
+        item = np.arange(count.sum()) - np.repeat(first, count)
+        columns[p.name] = body.numbers[np.repeat(at, count) + item]
+        at += count
+    return columns, lengths
 
 
 _READERS: dict[str, Callable[[Source], Mesh]] = {

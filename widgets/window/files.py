@@ -51,6 +51,7 @@ class Files(QObject):
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._scenes: dict[tuple[str, str], Scene] = {}
+        self._notes: tuple[Refusal, ...] = ()
         self._settings = settings
         self.recent = settings.recent[:RECENT_LIMIT]
 
@@ -86,7 +87,9 @@ class Files(QObject):
             return load(name, mesh=mesh)
         text = self.tr("Opening {0}").format(os.path.basename(file))
         with progress(self._window, text) as tell:
-            return load(name, tell, mesh)
+            scene = load(name, tell, mesh)
+        self._notes = scene.notes
+        return scene
 
     # -- opening
 
@@ -288,7 +291,11 @@ class Files(QObject):
     # -- helpers
 
     def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
-        """Call `act`, or say in one sentence why it failed; `document` names the file read."""
+        """Call `act`, or say in one sentence why it failed; `document` names the file read.
+
+        What was left out of a mesh is said, too.
+        """
+        self._notes = ()
         try:
             done = act()
         except Cancelled:
@@ -298,6 +305,8 @@ class Files(QObject):
             self._messages.say(f"{document}: {sentence(error)}" if of_scene else sentence(error))
             return None
         self._messages.done()
+        if self._notes:
+            self._messages.say(" ".join(map(sentence, self._notes)))
         return done
 
     @staticmethod
