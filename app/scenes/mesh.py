@@ -11,7 +11,7 @@ import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, ClassVar, NoReturn, TypeAlias
+from typing import Any, BinaryIO, NoReturn, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,11 +115,6 @@ DAMAGED = QT_TRANSLATE_NOOP(
 DAMAGED_LINE = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: line {1} cannot be read as {2}; export or download the file again."
 )
-SHORT_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: line {1} has too few numbers for the element “{2}” of the header; "
-    "export or download the file again.",
-)
 UNSUPPORTED = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: it uses “{1}”, which this program does not read; export it without that."
 )
@@ -173,54 +168,46 @@ class Mesh:
     def check(self, path: Path) -> None:
         """Refuse a mesh with nothing to draw, or with something that cannot be drawn."""
         vertices, sizes = len(self.points), np.diff(self.offsets)
-        if not (len(sizes) or self.lines.size or self.dots.size):
-            raise Refusal.saying(NO_FACES, path, vertices)
         for size in (int(sizes.min()), int(sizes.max())) if len(sizes) else ():
             if not 3 <= size <= MOST_CORNERS:
                 raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
-        for kind in self._NAMED:
-            named = self._named(kind)
+        for kind, named in self._named.items():
             wrong = np.flatnonzero((named < 0) | (named >= vertices))
             if wrong.size and kind in self.rows:
-                line = int(self.rows[kind][self._owner(kind, int(wrong[0]))])
+                line = self._line_of(kind, int(wrong[0]))
                 raise Refusal.saying(NO_SUCH_VERTEX_LINE, path, line, vertices)
             if wrong.size:
                 raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
-        self._check_finite(path)
-
-    _NAMED: ClassVar = {"faces": "corners", "lines": "lines", "dots": "dots"}
-    """The attributes that name points."""
-
-    def _named(self, kind: str) -> Ints:
-        named: Ints = getattr(self, self._NAMED[kind]).ravel()
-        return named
-
-    def _owner(self, kind: str, place: int) -> int:
-        """Return the number of the face, line or dot to which a place in `_named` belongs."""
-        if kind == "faces":
-            return int(np.searchsorted(self.offsets, place, side="right")) - 1
-        return place // (2 if kind == "lines" else 1)
-
-    def _check_finite(self, path: Path) -> None:
-        """Refuse faces and lines with a vertex that is not finite; drop such dots."""
-        wrong = np.asarray(~np.isfinite(self.points).all(axis=1))
-        if not wrong.any():
-            return
-        is_lost = wrong[self.dots]
+        is_lost = np.asarray(~np.isfinite(self.points).all(axis=1))
         if is_lost.any():
-            self.dots = self.dots[~is_lost]
-            self.dot_rgb = None if self.dot_rgb is None else self.dot_rgb[~is_lost]
-            if not (len(self.offsets) > 1 or self.lines.size or self.dots.size):
-                raise Refusal.saying(NOT_FINITE, path, int(wrong.sum()), len(wrong))
+            self._drop_lost_points(path, is_lost)
+        if not (len(sizes) or self.lines.size or self.dots.size):
+            raise Refusal.saying(NO_FACES, path, vertices)
+
+    @property
+    def _named(self) -> dict[str, Ints]:
+        """The points that faces, lines and dots name."""
+        return {"faces": self.corners, "lines": self.lines.ravel(), "dots": self.dots}
+
+    def _line_of(self, kind: str, place: int) -> int:
+        """Return the line of a text to which a place in `_named` belongs."""
+        if kind == "faces":
+            place = int(np.searchsorted(self.offsets, place, side="right")) - 1
+        return int(self.rows[kind][place // (1 + (kind == "lines"))])
+
+    def _drop_lost_points(self, path: Path, is_lost: NDArray[np.bool_]) -> None:
+        """Drop dots that are not finite; refuse faces and lines with such vertices."""
         for kind in ("faces", "lines"):
-            uses = np.flatnonzero(wrong[self._named(kind)])
-            if uses.size and kind in self.rows and "points" in self.rows:
-                line = self.rows["points"][self._named(kind)[uses[0]]]
-                user = self.rows[kind][self._owner(kind, int(uses[0]))]
-                raise Refusal.saying(NOT_FINITE_LINE, path, int(line), int(user))
-            if uses.size:
-                raise Refusal.saying(NOT_FINITE, path, int(wrong.sum()), len(wrong))
-        self._note(UNUSED, UNUSED_LINE, "points", wrong)
+            uses = np.flatnonzero(is_lost[self._named[kind]])
+            if uses.size and kind in self.rows:
+                line = int(self.rows["points"][self._named[kind][uses[0]]])
+                raise Refusal.saying(NOT_FINITE_LINE, path, line, self._line_of(kind, int(uses[0])))
+            if uses.size or is_lost.all():
+                raise Refusal.saying(NOT_FINITE, path, int(is_lost.sum()), len(is_lost))
+        is_kept = ~is_lost[self.dots]
+        self.dots = self.dots[is_kept]
+        self.dot_rgb = None if self.dot_rgb is None else self.dot_rgb[is_kept]
+        self._note(UNUSED, UNUSED_LINE, "points", is_lost)
 
     def drop_small_faces(self, path: Path) -> None:
         """Drop the faces of fewer than three different corners."""

@@ -7,7 +7,6 @@ and keeps the coordinates for every format.
 
 from __future__ import annotations
 
-import contextlib
 import re
 import warnings
 from array import array
@@ -30,7 +29,6 @@ from app.scenes.mesh import (
     NO_MEMORY,
     NOT_FINITE_LINE,
     NOT_OF_KIND,
-    SHORT_LINE,
     Colours,
     Floats,
     Ints,
@@ -118,15 +116,16 @@ def _read_obj(source: Source) -> Mesh:
     Vertices alone are a cloud of points.
     """
     points, colours = [], []
-    corners, counts, on_lines = (
+    corners, counts, lines_of = (
         {kind: [np.empty(0, dtype=np.int64)] for kind in "vflp"} for _ in range(3)
     )
     vertices = elements = cornered = lines_before = 0
     for text in _obj_blocks(source.file):
         try:
-            rows, named, places = _obj_mesh(text)
+            rows, named, lines_in = _obj_mesh(text)
         except ValueError:
-            wrong = lines_before + _wrong_line(text.splitlines(keepends=True))
+            lines = text.splitlines(keepends=True)
+            wrong = lines_before + _wrong_line(lines, lambda some: _obj_mesh(b"".join(some)))
             raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
         for kind, (indices, sizes, before) in named.items():
             from_start = indices - 1
@@ -136,22 +135,23 @@ def _read_obj(source: Source) -> Mesh:
             elements, cornered = elements + len(sizes), cornered + len(indices)
             corners[kind].append(from_start)
             counts[kind].append(sizes)
-        for kind, lines in places.items():
-            on_lines[kind].append(lines_before + lines)
+        for kind, found in lines_in.items():
+            lines_of[kind].append(lines_before + found)
         vertices += len(rows)
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
-    row = {kind: np.concatenate(found) for kind, found in on_lines.items()}
+    line = {kind: np.concatenate(found) for kind, found in lines_of.items()}
     on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
     lasts = np.cumsum(lengths) - 1
     goes_on = np.ones(len(on_line), dtype=bool)
     goes_on[lasts[lengths > 0]] = False
     starts = np.flatnonzero(goes_on)
     dots = np.concatenate([*corners["p"], on_line[lasts[lengths == 1]]])
-    dot_rows = [np.repeat(row["p"], np.concatenate(counts["p"])), row["l"][lengths == 1]]
+    lines_of_p = np.repeat(line["p"], np.concatenate(counts["p"]))
+    lines_of_dots = np.append(lines_of_p, line["l"][lengths == 1])
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
         np.concatenate([[0], np.cumsum(np.concatenate(counts["f"]))]),
@@ -159,10 +159,10 @@ def _read_obj(source: Source) -> Mesh:
         lines=on_line[np.stack([starts, starts + 1], axis=1)],
         dots=dots if elements else np.arange(vertices),
         rows={
-            "points": row["v"],
-            "faces": row["f"],
-            "lines": np.repeat(row["l"], lengths)[starts],
-            "dots": np.concatenate(dot_rows) if elements else row["v"],
+            "points": line["v"],
+            "faces": line["f"],
+            "lines": np.repeat(line["l"], lengths)[starts],
+            "dots": lines_of_dots if elements else line["v"],
         },
     )
     mesh.drop_small_faces(source.path)
@@ -245,13 +245,13 @@ def _obj_numbers(
     return _numbers(text.tobytes(), kind, len(word_begins)), words
 
 
-def _wrong_line(lines: list[bytes]) -> int:
-    """Return the number, from 1, of the first line that cannot be read."""
+def _wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object]) -> int:
+    """Return the number, from 1, of the first line that `read_lines` cannot read."""
     before = 0
     while len(lines) > 1:
         half = lines[: len(lines) // 2]
         try:
-            _obj_mesh(b"".join(half))
+            read_lines(half)
         except ValueError:
             lines = half
         else:
@@ -381,22 +381,18 @@ class _Element(NamedTuple):
 
 
 def _read_ply(source: Source) -> Mesh:
-    elements, body = _ply_header_and_body(source)
+    elements, body, lines_of = _ply_header_and_body(source)
     source.report(0.2)
     mesh = Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
     at = 0
     vertex_rgb, strips = None, np.empty((0, 3), dtype=np.int64)
     kinds = {"vertex": "points", "face": "faces", "edge": "lines"}
+    mesh.rows = {kinds[name]: lines for name, lines in lines_of.items() if name in kinds}
     for element in elements:
-        if isinstance(body, _Rows):
-            columns, lengths = _ply_text_columns(element, body, source)
-            if element.name in kinds:
-                mesh.rows[kinds[element.name]] = body.lines[body.at - element.rows : body.at]
-        else:
-            try:
-                columns, lengths, at = _ply_columns(element, body, at)
-            except IndexError as error:
-                _refuse_cut_off(source, element, error.args[0])
+        try:
+            columns, lengths, at = _ply_columns(element, body, at)
+        except IndexError as error:
+            _refuse_cut_off(source, element, sum(error.args))
         scale = {p.name: 255.0 / p.full_scale for p in element.properties if p.counter is None}
         rgb = None
         if scale.keys() >= {"red", "green", "blue"}:
@@ -464,32 +460,10 @@ def _strips(named: Ints, lengths: Ints) -> Ints:
     return found
 
 
-class _Rows:
-    """The rows of a text body.
+def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[str, Ints]]:
+    """Return the elements up to the last one that is drawn, the body, and the lines of a text.
 
-    Attributes
-    ----------
-    numbers : (n,) float64
-    ends : (m,) int64
-        Where the numbers of each row end.
-    lines : (m,) int64
-        The line of each row in the file.
-    is_open : bool
-        Whether the text ends within the last row, or without a newline after it.
-    at : int
-        The next row to read.
-    """
-
-    def __init__(self, numbers: Floats, ends: Ints, lines: Ints, is_open: bool) -> None:
-        self.numbers, self.ends, self.lines, self.is_open = numbers, ends, lines, is_open
-        self.at = 0
-
-
-def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes | _Rows]:
-    """Return the elements up to the last one that is drawn, and the body.
-
-    In a text each row is a line. If it has fewer lines than rows, it becomes a binary body in which
-    every number is a float64.
+    A text body becomes a binary one in which every number is a float64.
     """
     data = source.file.read()
     start = re.match(rb"ply[ \t]*(\r\n?|\n)", data[:100])
@@ -509,48 +483,57 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes | _Rows]
     drawn = ("vertex", "face", "edge", "tristrips")
     needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
     body = data[header.end() :]
-    if not is_text:
-        return elements[:needed], body
-    before = len(header[0].splitlines())
-    return elements[:needed], _ply_text(source, body, before, elements)
+    lines_of: dict[str, Ints] = {}
+    if is_text:
+        body, lines_of = _ply_text(source, body, len(header[0].splitlines()), elements)
+    return elements[:needed], body, lines_of
 
 
-def _ply_text(source: Source, body: bytes, before: int, elements: list[_Element]) -> bytes | _Rows:
-    """Return the rows of a text body below a header of some lines."""
-    rows = sum(element.rows for element in elements)
+def _ply_text(
+    source: Source, body: bytes, before: int, elements: list[_Element]
+) -> tuple[bytes, dict[str, Ints]]:
+    """Return the numbers that the header names, and the lines of each element below the header.
+
+    Each row is a line, or all rows are on one. The header may name fewer numbers than a row has.
+    """
     body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
     letters = np.frombuffer(body, dtype=np.uint8)
     visible = letters > 32
     word_begins = np.flatnonzero(visible & ~np.append(False, visible[:-1]))
     line_ends = np.append(np.flatnonzero(letters == ord("\n")), len(letters))
     ends = np.searchsorted(word_begins, line_ends)
-    filled = np.flatnonzero(np.diff(ends, prepend=0))
+    filled, rows = np.flatnonzero(np.diff(ends, prepend=0)), sum(e.rows for e in elements)
     is_open = len(filled) == rows and not body.endswith(b"\n")
-    if len(filled) >= rows:  # what follows the last row is no part of the mesh
-        filled = filled[:rows]
-        body = body[: line_ends[filled[-1]]] if rows else b""
+    filled = filled[:rows]  # what follows is no part of the mesh
+    body = body[: line_ends[filled[-1]] if filled.size else 0]
     try:
         numbers = _numbers(body)
     except ValueError:
-        for line, text in enumerate(body.split(b"\n"), before + 1):
-            try:
-                _numbers(text)
-            except ValueError:
-                raise Refusal.saying(DAMAGED_LINE, source.path, line, "PLY") from None
-        source.fail("end_header ...")
-    if len(filled) == rows:
-        return _Rows(numbers, ends[filled], before + 1 + filled, is_open)
-    stream, at, there = numbers.tobytes(), 0, len(filled)
-    with contextlib.suppress(IndexError):
-        for element in elements:
-            _, _, at = _ply_columns(element, stream, at)
-        if at == len(stream):
-            return stream
+        wrong = _wrong_line(body.splitlines(), lambda lines: _numbers(b"\n".join(lines)))
+        raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
+    if len(filled) == 1 < rows:
+        return numbers.tobytes(), {}
+    marks, lines_of, first = np.zeros(len(numbers) + 1, dtype=np.int8), {}, 0
     for element in elements:
-        if there < element.rows:
-            _refuse_cut_off(source, element, there)
-        there -= element.rows
-    raise AssertionError
+        which = filled[first : first + element.rows]
+        first += element.rows
+        at, end = np.append(0, ends)[which], ends[which]
+        np.add.at(marks, at, 1)
+        for p in element.properties:
+            if p.counter is not None and len(numbers):
+                counted = numbers[np.minimum(at, len(numbers) - 1)]
+                is_count = (counted >= 0) & (counted < len(numbers))  # not if it is nan
+                at = at + np.where(is_count, counted, len(numbers)).astype(np.int64)
+            at = at + 1
+        short = np.flatnonzero(at > end)
+        if short.size and not (is_open and first == rows and short[0] == element.rows - 1):
+            line = before + 1 + int(which[short[0]])
+            raise Refusal.saying(DAMAGED_LINE, source.path, line, element.name)
+        if len(which) - len(short) < element.rows:
+            _refuse_cut_off(source, element, len(which) - len(short))
+        np.add.at(marks, at, -1)
+        lines_of[element.name] = before + 1 + which
+    return numbers[np.cumsum(marks[:-1]) > 0].tobytes(), lines_of
 
 
 def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:
@@ -599,7 +582,7 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
 
     # In most files all lists are as long as those of the first row: the element is a table.
     fields: list[tuple[Any, ...]] = []
-    for p, length in zip(properties, _ply_row(properties, body, at, 0)[0][1::2], strict=True):
+    for p, length in zip(properties, _ply_row(properties, body, at)[0][1::2], strict=True):
         if p.counter is not None:
             fields.append((f"length of {p.name}", p.counter))
         fields.append((p.name, p.kind, (length,)))
@@ -616,9 +599,12 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
 
     # Otherwise every row has to be looked at to find the next one.
     found = array("q")
-    for done in range(rows):
-        places, at = _ply_row(properties, body, at, done)
-        found.extend(places)
+    try:
+        for _ in range(rows):
+            places, at = _ply_row(properties, body, at)
+            found.extend(places)
+    except IndexError:
+        raise IndexError(len(found) // (2 * len(properties))) from None
     starts, lengths = np.moveaxis(np.array(found).reshape(rows, len(properties), 2), 2, 0)
     octets = np.frombuffer(body, dtype=np.uint8)
     columns = {}
@@ -631,62 +617,24 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
     return columns, {p.name: lengths[:, properties.index(p)] for p in lists}, at
 
 
-def _ply_row(properties: list[_Property], body: bytes, at: int, done: int) -> tuple[list[int], int]:
+def _ply_row(properties: list[_Property], body: bytes, at: int) -> tuple[list[int], int]:
     """Return each column's start in a row and its count of numbers, and the row's end."""
     places = []
     for p in properties:
         length = 1
         if p.counter is not None:
             if at + p.counter.itemsize > len(body):
-                raise IndexError(done)
+                raise IndexError
             counted = np.frombuffer(body, p.counter, 1, at)[0]
             if not 0 <= counted <= len(body):  # also if it is nan
-                raise IndexError(done)
+                raise IndexError
             length = int(counted)
             at += p.counter.itemsize
         places += [at, length]
         at += length * p.kind.itemsize
         if at > len(body):
-            raise IndexError(done)
+            raise IndexError
     return places, at
-
-
-def _ply_text_columns(
-    element: _Element, body: _Rows, source: Source
-) -> tuple[dict[str, NDArray[Any]], dict[str, Ints]]:
-    """Return the columns of an element of a text, and the lengths of its lists.
-
-    Numbers at the end of a row for which the header has no name are ignored.
-    """
-    which = slice(body.at, body.at + element.rows)
-    ends, lines = body.ends[which], body.lines[which]
-    at = np.append(0, body.ends)[which].copy()
-    body.at += element.rows
-    columns, lengths = {}, {}
-
-    def check(needed: Ints) -> None:
-        if (needed > ends).any():
-            row = int((needed > ends).argmax())
-            if body.is_open and body.at == len(body.ends) and row + 1 == element.rows:
-                _refuse_cut_off(source, element, row)
-            line = int(lines[row])
-            raise Refusal.saying(SHORT_LINE, source.path, line, element.name)
-
-    for p in element.properties:
-        count = np.ones(len(at), dtype=np.int64)
-        if p.counter is not None:
-            check(at + 1)
-            counted = body.numbers[at]
-            is_count = (counted >= 0) & (counted < len(body.numbers))  # also if it is nan
-            count = np.where(is_count, counted, len(body.numbers)).astype(np.int64)
-            lengths[p.name] = count
-            at += 1
-        check(at + count)
-        first = np.cumsum(count) - count
-        item = np.arange(count.sum()) - np.repeat(first, count)
-        columns[p.name] = body.numbers[np.repeat(at, count) + item]
-        at += count
-    return columns, lengths
 
 
 _READERS: dict[str, Callable[[Source], Mesh]] = {

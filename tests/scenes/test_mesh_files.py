@@ -702,10 +702,11 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
         ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF_ROWS, (1, 2, "face"),
     ),
     "shortrow.ply": (
-        ply_header("ascii", 3, 2) + XYZ + "3 0 1\n3 0 1 2\n", mesh.SHORT_LINE, (14, "face"),
+        ply_header("ascii", 3, 2) + XYZ + "3 0 1\n3 0 1 2\n", mesh.DAMAGED_LINE, (14, "face"),
     ),
     "shortrows.ply": (
-        ply_header("ascii", 3, 1) + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n", mesh.SHORT_LINE, (12, "vertex"),
+        ply_header("ascii", 3, 1) + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
+        mesh.DAMAGED_LINE, (12, "vertex"),
     ),
     "longrows.ply": (
         ply_header("ascii", 3, 2) + XYZ.replace("\n", " 9 9\n") + "3 0 1 2\n",
