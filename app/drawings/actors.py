@@ -74,6 +74,7 @@ _ABOVE_PLANE = """
 _IN_PLANE = """
   gl_FragDepth = 0.5 + 0.5 * (abovePlaneVSOutput * gl_FragCoord.w
     + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
+_ROUND = "if (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;"
 PAPER = 0.7
 """Share of the paper's colour in a pale silhouette."""
 _DOTS_PER = 100.0  # the diameter of a dot in widths of a line, times the root of their number
@@ -453,7 +454,9 @@ def _dots_actor(dots: pv.PolyData, style: Style) -> vtkActor:
     size = min(max(_DOTS_PER / math.sqrt(dots.n_points), 0.5), 3.0) * style.line_width
     actor.GetProperty().SetPointSize(size)
     if size > _ROUND_PX:
-        actor.GetProperty().RenderPointsAsSpheresOn()
+        # VTK's spheres come forward by a radius that is right under its own cameras only.
+        place = "//VTK::Picking::Impl"  # unused, and in every shader
+        actor.GetShaderProperty().AddFragmentShaderReplacement(place, True, _ROUND, False)
     return actor
 
 

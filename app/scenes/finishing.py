@@ -49,6 +49,8 @@ FARTHEST = 1e12
 FACES_WITH_EDGES = 5_000
 """Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
 than the pixels."""
+FLAT_DOTS = 1_000
+"""Most dots that have one colour."""
 _BLOCK = 100_000
 """Faces that are computed at once, between two reports of progress."""
 _SHARP = math.cos(math.radians(30.0))
@@ -107,11 +109,10 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
     has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
     edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
-    dot_rgb = flat(DRAWN_RGB, len(mesh.dots)) if mesh.dot_rgb is None else mesh.dot_rgb
     lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
-    return Finished(
-        mesh.points, *_divided(mesh, rgb, progress), edges, lines, dots, dot_rgb, mesh.notes
-    )
+    dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
+    divided_faces = _divided(mesh, rgb, progress)
+    return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
 
 
 def vector(values: ArrayLike) -> Vector:
@@ -155,6 +156,16 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
         light[which, 0] = brightness(_normals(mesh, which))
         report(progress, 0.6 + 0.3 * which.stop / faces)
     return (paint * light).astype(np.uint8)
+
+
+def _dot_colours(dots: Floats) -> Colours:
+    """Return colours (d, 3) of dots; many are shaded like a ball, or they would be one blot."""
+    if len(dots) <= FLAT_DOTS:
+        return flat(DRAWN_RGB, len(dots))
+    away = dots - dots.mean(axis=0)
+    away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-30)
+    shades: Colours = (brightness(away)[:, None] * np.multiply(1.5, DRAWN_RGB)).astype(np.uint8)
+    return shades
 
 
 def _normals(mesh: Mesh, which: slice) -> Floats:

@@ -88,8 +88,8 @@ NOT_FINITE = QT_TRANSLATE_NOOP(
 )
 TOO_MUCH = QT_TRANSLATE_NOOP(
     "Refusal",
-    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but a file of its size may "
-    "have at most {3} and {4} MiB; make it smaller.",
+    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} "
+    "and {4} MiB; make it smaller.",
 )
 NO_MEMORY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -154,9 +154,9 @@ class Mesh:
         Templates and parts of sentences, like those of a refusal, that say what was left out.
     """
 
-    points: Floats
-    offsets: Ints
-    corners: Ints
+    points: Floats = field(default_factory=lambda: np.empty((0, 3)))
+    offsets: Ints = field(default_factory=lambda: np.zeros(1, dtype=np.int64))
+    corners: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     rgb: Colours | None = None
     painted: bool = False
     lines: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
@@ -292,12 +292,9 @@ class Source:
     def report(self, fraction: float) -> None:
         report(self.progress, fraction)
 
-    def check_size(
-        self, vertices: int, faces: int, corners: int, most_triangles: int | None = None
-    ) -> None:
+    def check_size(self, vertices: int, faces: int, corners: int) -> None:
         """Refuse a mesh with too many of these, before memory is allocated for them."""
         most, most_bytes = self.largest
-        most = most if most_triangles is None else min(most, most_triangles)
         triangles = max(faces, corners - 2 * faces)
         # The factor 2: parts of a mesh are joined in a second copy.
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces

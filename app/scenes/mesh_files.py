@@ -383,7 +383,7 @@ class _Element(NamedTuple):
 def _read_ply(source: Source) -> Mesh:
     elements, body, lines_of = _ply_header_and_body(source)
     source.report(0.2)
-    mesh = Mesh(np.empty((0, 3)), np.zeros(1, dtype=np.int64), np.empty(0, dtype=np.int64))
+    mesh = Mesh()
     at = 0
     vertex_rgb, strips = None, np.empty((0, 3), dtype=np.int64)
     kinds = {"vertex": "points", "face": "faces", "edge": "lines"}

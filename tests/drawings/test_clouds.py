@@ -20,6 +20,7 @@ from app.drawings.vectors import Disc, Shape, Stroke, shapes_of
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
 from app.model.refusal import Refusal
+from app.precision.quality import Quality
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB
 from tests.support.drawings import MakeScreen, off_screen
@@ -165,6 +166,22 @@ def test_a_face_hides_dots_and_lines_behind_it(tmp_path: Path) -> None:
     assert any(s.dash and s.colour == BLUE for s in found if isinstance(s, Stroke))
 
 
+@pytest.mark.parametrize("near", [1.0, 0.01])
+def test_a_dot_is_as_near_as_its_point(near: float, tmp_path: Path, off_screen: MakeScreen) -> None:
+    text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0.25 0 -0.25\nv -0.25 0 0\nv 0 0.25 0.25\n"
+    (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\np 5 6 7\n")
+    scene = load(str(tmp_path / "m.obj"))
+    lens = Perspective(50, near, 9)
+    projection = replace(CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=lens)
+    screen = off_screen(1280, 720)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing.show_projection(projection)
+    pixels = screen.pixels()
+    places = projection.trace(np.array([(0.25, 0, -0.25), (-0.25, 0, 0), (0, 0.25, 0.25)])).image
+    colours = [tuple(pixels[int(y), int(x), :3].tolist()) for x, y in places.tolist()]
+    assert [colour == DRAWN_RGB for colour in colours] == [False, True, True]
+
+
 def test_a_probe_and_the_keyboard_find_dots_and_ends_of_lines(
     tmp_path: Path, off_screen: MakeScreen
 ) -> None:
@@ -207,6 +224,27 @@ def test_a_cloud_that_float32_cannot_draw_is_drawn_in_float64(
     drawn = discs(shapes_of(screen.render_window, 1))
     expected = projection.trace(points[:3]).image
     assert np.abs(drawn - np.array(sorted(expected.tolist()))).max() < 1e-3
+
+
+def test_the_depth_buffer_of_the_document_decides_between_dots(
+    tmp_path: Path, off_screen: MakeScreen
+) -> None:
+    text = "v 0 0 0 1 0 0\nv 0 0 -0.1 0 1 0\nv 2 0 0 0 0 1\n"
+    (tmp_path / "m.obj").write_text(text)
+    scene = load(str(tmp_path / "m.obj"))
+    projection = replace(
+        CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=Perspective(50, 0.001, 9)
+    )
+    colours = []
+    for quality in (Quality(), Quality(depth_format="fixed16")):
+        screen = off_screen(640, 360)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, quality=quality, framed=False)
+        drawing.show_layers(frozenset({"grid"}))
+        drawing.show_projection(projection)
+        colours.append(screen.pixels()[180, 320, :3].tolist())
+        drawing.remove()
+    # In 16 bits both are at the same depth, and the second is drawn over the first.
+    assert colours == [[255, 0, 0], [0, 255, 0]]
 
 
 def test_a_cloud_is_counted_described_and_bounded_in_figures(

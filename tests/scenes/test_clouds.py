@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from app.model.refusal import Refusal
-from app.scenes import reading, scene
+from app.scenes import finishing, reading, scene
 from app.scenes.fewer_triangles import reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB, is_grid
@@ -173,6 +173,17 @@ def test_a_cloud_is_thinned_like_a_mesh(tmp_path: Path) -> None:
     assert {*map(tuple, dots_of(fewer))} < {*map(tuple, dots_of(cloud))}
     few = opened(tmp_path / "few.obj", SQUARE)
     assert reduced(few, 0.05) is few
+
+
+def test_many_dots_without_colours_are_shaded_like_a_ball(tmp_path: Path) -> None:
+    rows = np.random.default_rng(5).normal(size=(finishing.FLAT_DOTS, 3))
+    rows /= np.linalg.norm(rows, axis=1, keepdims=True)
+    text = "".join(f"v {x} {y} {z}\n" for x, y, z in rows.tolist())
+    flat, round_ = (opened(tmp_path / "m.obj", text + more).dots for more in ("", "v 0 1 0\n"))
+    assert flat is not None and round_ is not None
+    assert {*map(tuple, flat.point_data["rgb"].tolist())} == {DRAWN_RGB}
+    light = np.asarray(round_.point_data["rgb"])[:-1].astype(float).sum(axis=1)
+    assert light[rows[:, 1] > 0.8].min() > light[rows[:, 1] < -0.8].max()
 
 
 def test_the_ground_stays_when_points_and_lines_move(tmp_path: Path) -> None:
