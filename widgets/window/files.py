@@ -51,7 +51,6 @@ class Files(QObject):
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
         self._scenes: dict[tuple[str, str], Scene] = {}
-        self._notes: tuple[Refusal, ...] = ()
         self._settings = settings
         self.recent = settings.recent[:RECENT_LIMIT]
 
@@ -78,8 +77,10 @@ class Files(QObject):
         return self._scenes[name, mesh]
 
     def keep(self, document: Document, scene: Scene) -> None:
-        """Keep the scene of a document, already loaded."""
+        """Keep the scene of a document, already loaded, and say what of its mesh is left out."""
         self._scenes[document.scene, document.mesh] = scene
+        if scene.notes:
+            self._messages.say(" ".join(map(sentence, scene.notes)))
 
     def _load(self, name: str, mesh: str) -> Scene:
         file = mesh or name
@@ -87,9 +88,7 @@ class Files(QObject):
             return load(name, mesh=mesh)
         text = self.tr("Opening {0}").format(os.path.basename(file))
         with progress(self._window, text) as tell:
-            scene = load(name, tell, mesh)
-        self._notes = scene.notes
-        return scene
+            return load(name, tell, mesh)
 
     # -- opening
 
@@ -291,11 +290,7 @@ class Files(QObject):
     # -- helpers
 
     def _try(self, act: Callable[[], _T], document: str = "") -> _T | None:
-        """Call `act`, or say in one sentence why it failed; `document` names the file read.
-
-        What was left out of a mesh is said, too.
-        """
-        self._notes = ()
+        """Call `act`, or say in one sentence why it failed; `document` names the file read."""
         try:
             done = act()
         except Cancelled:
@@ -305,8 +300,6 @@ class Files(QObject):
             self._messages.say(f"{document}: {sentence(error)}" if of_scene else sentence(error))
             return None
         self._messages.done()
-        if self._notes:
-            self._messages.say(" ".join(map(sentence, self._notes)))
         return done
 
     @staticmethod
