@@ -104,7 +104,9 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
         while line := pipe.readline():
             answer = json.loads(line)
             if "mesh" in answer:
-                answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
+                arrays = [_received(pipe, *array) for array in answer["mesh"]]
+                notes = [tuple(note) for note in answer["notes"]]
+                answer = Finished._make([*arrays, notes])
             answers.put(answer)
     except (EOFError, MemoryError, ValueError):  # the process ended within an answer
         pass
@@ -142,10 +144,9 @@ def main(path: Path) -> None:
         return True
 
     try:
-        arrays = [
-            np.ascontiguousarray(a) for a in finished(path, meshes.read(path, progress), progress)
-        ]
-        say({"mesh": [[array.dtype.str, array.shape] for array in arrays]})
+        *parts, notes = finished(path, meshes.read(path, progress), progress)
+        arrays = [np.ascontiguousarray(part) for part in parts]
+        say({"mesh": [[each.dtype.str, each.shape] for each in arrays], "notes": notes})
         for array in arrays:
             out.write(array.ravel().view(np.uint8).data)
         out.flush()
