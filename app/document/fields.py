@@ -106,7 +106,8 @@ def _looks(text: str) -> dict[str, Any] | None:
 
 def _number_or_word(text: str) -> float | str:
     value = number(text)
-    return text.replace("∞", "inf") if value is None else value
+    word = "inf" if text.lower() in ("∞", "infinity") else text
+    return word if value is None else value
 
 
 TEXT = Kind(str)

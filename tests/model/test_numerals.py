@@ -97,8 +97,10 @@ def test_every_field_reads_what_is_printed_of_it(scene: str) -> None:
             assert field.read(format_value(value)) == value
 
 
-def test_an_infinite_far_may_be_a_sign() -> None:
-    assert math.isinf(set_values(Document(), ["lens.far=∞"]).projection.lens.far)  # type: ignore[union-attr]
+@pytest.mark.parametrize("text", ["∞", "inf", "Infinity"])
+def test_an_infinite_far_may_be_a_sign(text: str) -> None:
+    tree = to_tree(set_values(Document(), [f"lens.far={text}"]))
+    assert tree["lens"]["far"] == "inf"
 
 
 def test_a_unit_belongs_to_its_field() -> None:
