@@ -221,7 +221,7 @@ def _number(cell: str, separator: str) -> float | None:
     if separator != ",":
         cell = cell.replace(",", ".")
     try:
-        return parse_number(cell.replace("\u2212", "-"))
+        return parse_number(cell)
     except ValueError:
         return None
 

@@ -6,6 +6,7 @@ fills the pane, is read off the pixels of the same picture without labels.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -214,9 +215,11 @@ def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
 
 def _ink(pixels: Pixels) -> Array:
     """Where there is ink, (height, width), the first row at the top."""
-    colours = pixels[..., :3].astype(np.int16)
-    ground = np.median(colours.reshape(-1, 3)[::7], axis=0)
-    ink: Array = np.abs(colours - ground).max(axis=2) > _INK
+    ink = np.zeros(pixels.shape[:2], dtype=np.bool_)
+    for channel in np.moveaxis(pixels, 2, 0)[:3]:
+        ground = float(np.median(channel.reshape(-1)[::7]))
+        # Whole bounds, because bytes are compared ten times as fast as float64.
+        ink |= (channel > math.floor(ground + _INK)) | (channel < math.ceil(ground - _INK))
     return ink
 
 

@@ -184,6 +184,7 @@ def test_a_full_disk_leaves_nothing_half_written(
     source, out, film = tmp_path / "list.csv", tmp_path / "out", tmp_path / "film.gif"
     source.write_text("out,panes,size\na.png,image,9x9\nb.png,world,99x99\nc.png,image,9x9\n")
     film.write_bytes(b"old")
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)  # it would be cut off
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
     resource.setrlimit(resource.RLIMIT_FSIZE, (4000, limits[1]))
     try:

@@ -134,7 +134,7 @@ def fresh(tmp_path: Path) -> Checkout:
     stdlib_only = (
         *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
         *("document/__init__.py", "document/lengths.py"),
-        *("model/__init__.py", "model/refusal.py"),
+        *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
     )
     of_start = ("__init__.py", "__main__.py", "bootstrap.py", "modules.py", "strangers.py")
     for name in (*of_start, *stdlib_only):
