@@ -429,7 +429,7 @@ class Lines:
         self._origin = np.array(origin, dtype=np.float64)
         self._chunk = np.arange(len(ends)) // _CHUNK
         starts = np.arange(0, len(ends), _CHUNK)
-        low, high = np.empty((2, 0, 3))
+        low = high = np.empty((0, 3))
         if len(ends):
             low = np.minimum.reduceat(ends.min(axis=1), starts)
             high = np.maximum.reduceat(ends.max(axis=1), starts)
@@ -455,7 +455,7 @@ class Lines:
         tests = _tests(sight, pixel, max(end_px, line_px))
         most = (self._middles + offset) @ tests[:, :3].T + tests[:, 3]
         most += self._halves @ np.abs(tests[:, :3]).T
-        ends = self._ends[(most >= 0.0).all(axis=1)[self._chunk]]
+        ends = self._ends[np.all(most >= 0.0, axis=1)[self._chunk]]
         local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))

@@ -7,6 +7,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from app.document.document import Document
+from app.document.files import read, write
 from app.model.refusal import Refusal
 from app.scenes import finishing, reading, scene
 from app.scenes.fewer_triangles import reduced, shares_for_dragging
@@ -173,6 +175,15 @@ def test_a_cloud_is_thinned_like_a_mesh(tmp_path: Path) -> None:
     assert {*map(tuple, dots_of(fewer))} < {*map(tuple, dots_of(cloud))}
     few = opened(tmp_path / "few.obj", SQUARE)
     assert reduced(few, 0.05) is few
+
+
+def test_a_document_with_a_cloud_is_saved_and_opened_again(tmp_path: Path) -> None:
+    cloud = opened(tmp_path / "m.obj", SQUARE)
+    write(Document(cloud.name, cloud.start), tmp_path / "saved.json")
+    document = read(tmp_path / "saved.json")
+    again = load(document.scene)
+    assert document.projection == cloud.start
+    assert (dots_of(again) == dots_of(cloud)).all() and len(dots_of(again)) == 4
 
 
 def test_many_dots_without_colours_are_shaded_like_a_ball(tmp_path: Path) -> None:
