@@ -44,6 +44,12 @@ NOT_REGULAR = QT_TRANSLATE_NOOP(
 UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
+CLOUDS = frozenset({".xyz", ".pts", ".pcd", ".las", ".laz", ".e57"})
+CLOUD = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points”"
+    " reads a table of x, y, z",
+)
 BROKEN_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "is not a complete PNG picture: it is damaged or cut short"
 )
@@ -137,6 +143,9 @@ def _decode(content: bytes, path: Path) -> str:
 def _read_bytes(path: Path) -> bytes:
     if os.path.isdir(path):
         raise Refusal.in_document(FOLDER)
+    ending = os.path.splitext(path)[1].lower()
+    if ending in CLOUDS and os.path.exists(path):
+        raise Refusal.in_document(CLOUD, ending)
     with open_regular(path) as file:
         is_picture = file.read(len(_PNG)) == _PNG
     return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_DOCUMENT)

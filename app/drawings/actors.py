@@ -74,8 +74,11 @@ _ABOVE_PLANE = """
 _IN_PLANE = """
   gl_FragDepth = 0.5 + 0.5 * (abovePlaneVSOutput * gl_FragCoord.w
     + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
+_ROUND = "if (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;"
 PAPER = 0.7
 """Share of the paper's colour in a pale silhouette."""
+_DOTS_PER = 100.0  # the diameter of a dot in widths of a line, times the root of their number
+_ROUND_PX = 1.5  # a smaller dot is a square, which takes half the time
 _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
@@ -334,10 +337,10 @@ def axes_of(camera: vtkCamera) -> Array:
 
 
 class SceneActors:
-    """The scene's faces and lines, in scene-local coordinates (origin taken off).
+    """The scene's faces, dots and lines, in scene-local coordinates (origin taken off).
 
     The ground's lines belong to the lines until the objects move (`is_moved`). Then they are an
-    actor of their own, which stays. Each of the three actors, None if it has nothing, has its own
+    actor of their own, which stays. Each of the four actors, None if it has nothing, has its own
     4x4 in `spaces`. `clip` are planes in the pane's own world, behind which nothing is drawn.
     Objects' edges cover the ground's lines in the same place. If all lies almost in one plane
     (`in_plane`), they cannot; instead call `show_slope`.
@@ -348,9 +351,10 @@ class SceneActors:
     ) -> None:
         self._scene, self._has_grid, self._is_pale, self.is_moved = scene, True, False, False
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
+        self.dots = None if scene.dots is None else _dots_actor(scene.dots, style)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
         self.ground = None if scene.lines is None else unlit_actor(scene.lines)
-        self.spaces = Space(), Space(), Space()
+        self.spaces = Space(), Space(), Space(), Space()
         for actor, space in self.placed:
             space.add(actor)
         planes = list(clip)
@@ -375,8 +379,13 @@ class SceneActors:
     @property
     def placed(self) -> list[tuple[vtkActor, Space]]:
         """The existing actors, each with its `Space`."""
-        pairs = zip((self.surface, self.lines, self.ground), self.spaces, strict=True)
+        pairs = zip(self.all, self.spaces, strict=True)
         return [(actor, space) for actor, space in pairs if actor is not None]
+
+    @property
+    def all(self) -> tuple[vtkActor | None, ...]:
+        """The actors of surface, dots, lines and ground."""
+        return self.surface, self.dots, self.lines, self.ground
 
     def show_grid(self, shown: bool, pale: bool = False) -> None:
         """Show the ground's lines, `pale` where arrows on it matter more, or hide them."""
@@ -419,7 +428,7 @@ def _uniforms(actor: vtkActor) -> Any:
     return actor.GetShaderProperty().GetVertexCustomUniforms()
 
 
-def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
+def _faces_actor(scene: Scene, surface: Any) -> vtkActor:
     """Faces with one colour each, without VTK's cell colours.
 
     VTK looks cell colours up in a buffer for every fragment, which makes a repaint of 1e6 vertices
@@ -439,8 +448,26 @@ def _faces_actor(scene: Scene, surface: pv.PolyData) -> vtkActor:
     return actor
 
 
+def _dots_actor(dots: pv.PolyData, style: Style) -> vtkActor:
+    """Round dots, smaller the more there are, so that a cloud shows its shape."""
+    actor = _coloured_dots(dots)
+    size = min(max(_DOTS_PER / math.sqrt(dots.n_points), 0.5), 3.0) * style.line_width
+    actor.GetProperty().SetPointSize(size)
+    if size > _ROUND_PX:
+        # VTK's spheres come forward by a radius that is right under its own cameras only.
+        place = "//VTK::Picking::Impl"  # unused, and in every shader
+        actor.GetShaderProperty().AddFragmentShaderReplacement(place, True, _ROUND, False)
+    return actor
+
+
+def _coloured_dots(dots: Any) -> vtkActor:
+    actor = unlit_actor(dots)
+    colour_by_points(actor, "rgb")
+    return actor
+
+
 class Detail:
-    """Replaces the faces of one scene's actors by those of a scene with fewer triangles."""
+    """Replaces the faces and dots of one scene's actors by those of a scene with fewer."""
 
     def __init__(self, *actors: vtkActor | None) -> None:
         self._actors = [actor for actor in actors if actor is not None]
@@ -448,16 +475,19 @@ class Detail:
         self._fewer: WeakKeyDictionary[Scene, list[Any]] = WeakKeyDictionary()
 
     def show(self, fewer: Scene | None) -> None:
-        """Show the faces of a scene, or the actors' own for None.
+        """Show the faces and dots of a scene, or the actors' own for None.
 
         The graphics card keeps what was shown once, so that only the first time takes long.
         """
         mappers = self._whole if fewer is None else self._fewer.get(fewer)
         if mappers is None:
-            assert fewer is not None and fewer.surface is not None
+            assert fewer is not None
             mappers = []
             for whole in self._whole:
-                mapper = _faces_actor(fewer, fewer.surface).GetMapper()
+                if whole.GetInput().GetNumberOfVerts():
+                    mapper = _coloured_dots(fewer.dots).GetMapper()
+                else:
+                    mapper = _faces_actor(fewer, fewer.surface).GetMapper()
                 if whole.GetClippingPlanes() is not None:
                     mapper.SetClippingPlanes(whole.GetClippingPlanes())
                 mappers.append(mapper)
@@ -611,8 +641,11 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
 
     Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the eye
     (for a parallel lens, or an eye far away: of the scene's size). In proportion to the distance,
-    it neither drowns in a depth buffer of extreme far/near nor shows what is hidden.
+    it neither drowns in a depth buffer of extreme far/near nor shows what is hidden. Without faces
+    nothing is lifted, so that near and far cut lines and dots exactly.
     """
+    if scene.surface is None:
+        return clip_from_local
     distance = math.dist(projection.camera.eye, scene.centre)
     share = _LIFT * (min(1.0, scene.size / distance) if distance > 0.0 else 1.0)
     constant, per_w = projection.passage.nearer(share, _LIFT * scene.size, _LIFT_FREE)

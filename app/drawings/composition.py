@@ -12,6 +12,7 @@ from itertools import combinations
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.document.document import Document
 from app.document.settings import pictured
@@ -213,7 +214,7 @@ def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
                 yield renderer, prop
 
 
-def _ink(pixels: Pixels) -> Array:
+def _ink(pixels: Pixels) -> NDArray[np.bool_]:
     """Where there is ink, (height, width), the first row at the top."""
     ink = np.zeros(pixels.shape[:2], dtype=np.bool_)
     for channel in np.moveaxis(pixels, 2, 0)[:3]:
@@ -223,7 +224,7 @@ def _ink(pixels: Pixels) -> Array:
     return ink
 
 
-def _under(ink: Array, label: Placed) -> float:
+def _under(ink: NDArray[np.bool_], label: Placed) -> float:
     """The share of a label's box that has ink under it."""
     height = ink.shape[0]
     rows = slice(max(0, round(height - label.high)), max(0, round(height - label.low)))
@@ -242,7 +243,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     return spots[np.isfinite(spots).all(axis=1)]
 
 
-def _fill(ink: Array, labels: list[Placed], spots: Array) -> tuple[float, float]:
+def _fill(ink: NDArray[np.bool_], labels: list[Placed], spots: Array) -> tuple[float, float]:
     """Of the width and height: the box round ink, labels and spots, (n, 2) from the top left."""
     height, width = ink.shape
     rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))

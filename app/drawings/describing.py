@@ -26,6 +26,9 @@ from app.scenes.scene import Scene
 Translate = Callable[[str, str], str]
 """From a text and its context to the text in another language."""
 
+CONTENT = QT_TRANSLATE_NOOP(
+    "Description", "The file is drawn with triangles: {0}, lines: {1}, points: {2}."
+)
 CAMERA = QT_TRANSLATE_NOOP("Description", "The eye is at ({0}) and looks at ({1}).")
 LENS = QT_TRANSLATE_NOOP("Description", "Lens: {0}, near {1}, far {2}.")
 ANGLE = QT_TRANSLATE_NOOP("Description", "The vertical field of view is {0}°.")
@@ -124,6 +127,9 @@ def describe(
         general.append(in_letters(translate(phenomenon.explanation, "phenomena"), letters))
         settings = phenomenon.checked(document.settings)
         illustration = phenomenon.illustration(projection, settings, scene.subject)
+    own = int(scene.own_lines.sum()), scene.dot_count
+    if any(own):
+        general.append(translate(CONTENT, "Description").format(scene.triangles, *own))
     general += [*_camera(projection, translate), *_points(document, translate)]
     risky = []
     if scene.has_vertices:
@@ -224,9 +230,10 @@ def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]
 
     Behind the eye and before the near plane the other planes have no meaning.
     """
-    if not scene.faces:
+    points = scene.subject.points
+    if not len(points):
         return
-    traced = projection.trace(scene.subject.points, "object")
+    traced = projection.trace(points, "object")
     is_behind = traced.clip[:, 3] < 0.0
     beyond = traced.outside.copy()
     beyond[beyond[:, 0] | is_behind, 1:] = False

@@ -51,7 +51,8 @@ _TOLD_S, _SLOWING_S = 0.05, 5.0
 _Part = TypeVar("_Part")
 TOO_MANY_FOR = QT_TRANSLATE_NOOP(
     "Refusal",
-    "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: write {2}",
+    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
+    "write {2}",
 )
 A_LINK = QT_TRANSLATE_NOOP("Refusal", "{0}: is a link, where a picture of the figure would be.")
 TOO_LARGE_FOR_TEX = QT_TRANSLATE_NOOP(

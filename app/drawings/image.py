@@ -249,19 +249,19 @@ class ImageDrawing(Drawing):
         return None if self._rasteriser is None else self._rasteriser.problem
 
     def _rasterise(self) -> None:
-        model, requires = self._model, self._rasterised
-        if not requires or model.surface is None:
+        placed, requires = self._model.actors.placed, self._rasterised
+        if not requires or not placed:
             return
         if self._rasteriser is None:
             copies = [] if self._marks is None else self._marks.copied_faces
-            faces, *lines = model.actors.placed
+            first, *others = placed
             self._rasteriser = Rasteriser(
                 self._scene,
                 self._style,
                 requires,
                 lambda actor: self._canvas.add(actor, renderer=self._picture),
-                faces,
-                [*copies, *lines],
+                first,
+                [*copies, *others],
             )
         rendering = self._rendering
         self._refused_depth = None

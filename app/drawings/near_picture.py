@@ -42,7 +42,7 @@ class NearPicture:
         for actor in self.actors:
             actors.flat(actor).is_drawing = True
         self.faces = self.actors.surface
-        self.space, self._lines_space, self._ground_space = self.actors.spaces
+        self.space, *self._line_spaces, self._ground_space = self.actors.spaces
         canvas.add(*self.actors, layer="near-picture")
         self.is_seen = False
         """Whether it is drawn, if its layer is visible."""
@@ -83,8 +83,10 @@ class NearPicture:
             view = standing.view_from_local, standing.local_from_view
             film = flatten(projection, view, depths, reach.high, toward)
         self.space.set(film.surface @ local_from_object)
-        self._lines_space.set(film.lines @ local_from_object)
-        self._ground_space.set(film.lines)
+        lines = film.surface if self.faces is None else film.lines  # which far would cut later
+        for space in self._line_spaces:
+            space.set(lines @ local_from_object)
+        self._ground_space.set(lines)
         for plane, (*normal, offset) in zip(self._planes, film.planes.tolist(), strict=True):
             plane.SetNormal(normal)
             plane.SetOrigin([-offset * part for part in normal])

@@ -7,7 +7,7 @@ float32     on the GPU, by one concatenated matrix; a step of a slider sets that
 float64     here, eye first, by `Projection.trace`; the GPU is handed the results
 ==========  ================================================================================
 
-Faces choose for themselves, and so do lines: each takes the cheaper one if its bound, over the
+Faces, dots and lines choose for themselves: each takes the cheaper one if its bound, over the
 boxes that hold them, is below the tolerance.
 
 In float64 the price is paid per vertex and step. A vertex handed over has three coordinates, x, y,
@@ -48,7 +48,7 @@ from app.model.projection import Array, ObjectTransform, Projection, Space
 from app.precision.levels import Precision
 from app.scenes.scene import Scene
 
-_GROUND = 2
+_GROUND = 3
 _WIDE = 2.0  # of the picture: beyond, wide lines and points do not reach into it
 MANY_CELLS, _CLUSTERS = 1_000, 256  # from this many cells on; into about this many clusters
 _LEAST_W = 1e-30  # under a free matrix: nearer to w = 0, the divide overflows
@@ -76,7 +76,7 @@ class ModelActors:
         self._tolerance_px = tolerance_px
         self.actors = SceneActors(scene, style, clip)
         self.surface = self.actors.surface
-        self._detail = Detail(self.surface)
+        self._detail = Detail(self.surface, self.actors.dots)
         self._made: tuple[_Made | None, ...] = ()
         self.show_detail(None)
 
@@ -89,10 +89,7 @@ class ModelActors:
         self.show_local()
         self._detail.show(fewer)
         self._fewer = fewer
-        self._made = tuple(
-            None if actor is None else _Made(actor)
-            for actor in (self.surface, self.actors.lines, self.actors.ground)
-        )
+        self._made = tuple(None if actor is None else _Made(actor) for actor in self.actors.all)
 
     def show_grid(self, shown: bool) -> None:
         self.show_local()
@@ -105,11 +102,11 @@ class ModelActors:
             self.actors.show_moved(not placement.is_identity)
             self.show_detail(self._fewer)
 
-    def show_projection(self, projection: Projection) -> tuple[Array, Array, Array]:
+    def show_projection(self, projection: Projection) -> list[Array]:
         """Choose the precision, and give the actors their vertices.
 
-        `projection` has the depth range ``opengl``. Returns the matrices, (4, 4), of surface, lines
-        and ground: clip from vertex coordinates.
+        `projection` has the depth range ``opengl``. Returns the matrices, (4, 4), of surface, dots,
+        lines and ground: clip from vertex coordinates.
         """
         scene, placement = self._scene, projection.placement
         self._move(placement)
@@ -118,7 +115,7 @@ class ModelActors:
         clip_from_object = clip_from_world
         if not placement.is_identity:
             clip_from_object = projection.clip_from_local(scene.origin, "object")
-        matrices = [clip_from_object, clip_from_object, clip_from_world]
+        matrices = [*[clip_from_object] * _GROUND, clip_from_world]
         for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=False)):
             if made is not None and made.is_seen and bound_px > self._tolerance_px:
                 matrices[which] = made.replace(self._part(which, made, projection))
@@ -126,8 +123,7 @@ class ModelActors:
                 made.restore()
         if self.precision == "float32":
             _projected.pop(scene, None)
-        surface, lines, ground = matrices
-        return surface, lines, ground
+        return matrices
 
     def show_placed(self, placement: ObjectTransform) -> Array:
         """Give the actors the scene's own vertices, and return the objects' matrix, (4, 4).
@@ -160,7 +156,7 @@ class ModelActors:
 
 @dataclass
 class _Projected:
-    """The last projection of a scene's parts: 0 for faces, 1 for lines, `_GROUND` for a ground."""
+    """The last projection of a scene's parts, by their places in `SceneActors.all`."""
 
     fewer: Scene | None
     projection: Projection

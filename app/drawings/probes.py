@@ -255,16 +255,20 @@ _sorting = ThreadPoolExecutor(1, "sorting")
 
 
 def sort_ahead(scene: Scene) -> None:
-    """Start to sort the scene's faces for picking: a million vertices take 0.1 s."""
+    """Start to sort the scene's faces and dots for picking: a million vertices take 0.1 s."""
     if scene in _sorted:
         return
     mesh = scene.surface
-    points: NDArray[Any] = np.empty((0, 3), np.float32)
+    points, of_faces = scene.own_points, 0
     triangles: NDArray[Any] = np.empty((0, 3), np.int32)
     if mesh is not None:
+        of_faces = mesh.n_points
         if not mesh.is_all_triangles:  # VTK holds the GIL, so that a thread would not help
             mesh = mesh.triangulate()
-        points, triangles = np.asarray(mesh.points), mesh.regular_faces
+        triangles = mesh.regular_faces
+    if of_faces < len(points):  # a dot is a triangle that hides nothing
+        dots = np.arange(of_faces, len(points), dtype=triangles.dtype)
+        triangles = np.concatenate([triangles, np.repeat(dots[:, None], 3, axis=1)])
     surface = _sorting.submit(Surface, points, triangles, scene.origin)
     _sorted[scene] = surface, _lines_of(scene)
 
@@ -308,21 +312,17 @@ def next_vertex(
     *,
     forwards: bool,
 ) -> int | None:
-    """Return the next visible vertex of a scene's faces, or the one before.
+    """Return the next visible vertex of a scene's objects, or the one before.
 
     `rectangle_px` is the part of the pane with the scene: left, top, width and height. After a
     vertex `at` that is out of view, and after None, comes the first one. None if no other vertex is
     visible. Where very many in a row are hidden, the result is one of them, and a key that is held
     goes on.
     """
-    if scene.surface is None:
-        return None
     sort_ahead(scene)
     surface = _sorted[scene][0].result()
     sight = sight.of_object(projection, scene.origin)
-    order = stops(
-        np.asarray(scene.surface.points), scene.origin, sight, rectangle_px, pixel_ratio, at
-    )
+    order = stops(scene.own_points, scene.origin, sight, rectangle_px, pixel_ratio, at)
     if not forwards:
         order.reverse()
     here = next((i for i, stop in enumerate(order) if stop.number == at), -1)
@@ -333,8 +333,7 @@ def next_vertex(
 
 
 def vertex_of(scene: Scene, projection: Projection, number: int) -> Vector:
-    """Return a vertex of a scene's faces in the world, with the same bits as when it is picked."""
-    assert scene.surface is not None
-    point = np.array([scene.surface.points[number] + np.array(scene.origin)], dtype=np.float64)
+    """Return a vertex of a scene in the world, with the same bits as when it is picked."""
+    point = np.array([scene.own_points[number] + np.array(scene.origin)], dtype=np.float64)
     ((x, y, z),) = projection.placement.placed(point).world.tolist()
     return x, y, z

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import islice
 from weakref import WeakKeyDictionary
 
 from app.model.projection import Projection
@@ -10,7 +11,7 @@ from app.scenes.scene import Scene
 
 
 def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
-    """Return float32's bounds for a scene's faces, for its lines, and for a ground left behind.
+    """Return float32's bounds for a scene's faces, dots and lines, and for a ground left behind.
 
     They are computed once for all panes of a step.
     """
@@ -18,11 +19,9 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
     if kept is None or kept[0] != projection:
         bounds: list[float] = []
         for part, space in scene.parts(projection.placement):
-            faces = len(part.boxes.faces)
-            found = drawing_bounds_px(projection, part.boxes.together, scene.origin, space)
-            bounds += max(found[:faces], default=0.0), max(found[faces:], default=0.0)
-        if len(bounds) == 4:  # the ground has no faces
-            del bounds[2]
+            found = iter(drawing_bounds_px(projection, part.boxes.together, scene.origin, space))
+            bounds += [max(islice(found, len(boxes)), default=0.0) for boxes in part.boxes]
+        del bounds[3:5]  # the ground has no faces and no dots
         kept = _bounds[scene] = projection, tuple(bounds)
     return kept[1]
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from app.drawings.style import Style
 from app.model.projection import Array
 from app.scenes.scene import Scene
-from app.scenes.shapes import EDGE_RGB, OUTLINE_RGB, SIDE_RGB, distinct_rows
+from app.scenes.shapes import DRAWN_RGB, EDGE_RGB, OUTLINE_RGB, SIDE_RGB, distinct_rows
 
 LEAST_STEP = 15.0
 """Difference in L* of two faces that meet and are not of one hue."""
@@ -75,10 +75,16 @@ def printed(scene: Scene, style: Style) -> Scene:
     if lines is not None:
         lines = lines.copy(deep=False)
         rgb = np.array(lines.cell_data["rgb"])
-        for dark in (EDGE_RGB, OUTLINE_RGB):
+        for dark in (EDGE_RGB, OUTLINE_RGB, DRAWN_RGB):
             rgb[(rgb == dark).all(axis=1)] = 0
         lines.cell_data["rgb"] = rgb
-    return replace(scene, surface=surface, lines=lines)
+    dots = scene.dots
+    if dots is not None:
+        dots = dots.copy(deep=False)
+        rgb = np.array(dots.point_data["rgb"])
+        rgb[(rgb == DRAWN_RGB).all(axis=1)] = 0
+        dots.point_data["rgb"] = rgb
+    return replace(scene, surface=surface, lines=lines, dots=dots)
 
 
 def meeting(scene: Scene) -> set[tuple[int, int]]:

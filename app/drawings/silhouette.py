@@ -1,4 +1,4 @@
-"""Where a scene's faces are seen in a pane: labels hide as little of them as possible."""
+"""Where a scene's objects are seen in a pane: labels hide as little of them as possible."""
 
 from __future__ import annotations
 
@@ -18,22 +18,21 @@ _MOST_PLACES = 200_000  # in all; more would overlap
 
 
 class Silhouette:
-    """The faces of a scene; `em` is the height of the labels' font in pixels.
+    """The objects of a scene; `em` is the height of the labels' font in pixels.
 
-    `triangles` (n, 3, 3), or points (n, 1, 3) of a large mesh, are in the coordinates of the
-    scene's actors.
+    `triangles` (n, 3, 3), or points (n, 1, 3) where they are too many or none, are in the
+    coordinates of the scene's actors.
     """
 
     def __init__(self, scene: Scene, em: float) -> None:
         self._square_px = SQUARE_EM * em
         surface, self.triangles = scene.surface, np.empty((0, 3, 3))
-        if surface is None or not surface.n_cells:
-            return
-        if surface.n_cells <= _MOST_FACES:
+        if surface is not None and surface.n_cells <= _MOST_FACES:
             mesh = surface.triangulate()
             self.triangles = np.asarray(mesh.points, dtype=np.float64)[mesh.regular_faces]
         else:
-            points = surface.points[:: -(-len(surface.points) // _MOST_POINTS)]
+            points = scene.own_points
+            points = points[:: max(1, -(-len(points) // _MOST_POINTS))]
             self.triangles = points.astype(np.float64)[:, None]
 
     def ink(self, ground: Ground, spots: Array) -> None:

@@ -84,9 +84,9 @@ class StageDrawing(Drawing):
         if self.pane in scene.pale:
             make_pale(self._model.actors, style)
         drawn = self._model.actors
-        for lines in (drawn.lines, drawn.ground):
-            if lines is not None:
-                lift_lines(lines)
+        for drawing in (drawn.dots, drawn.lines, drawn.ground):
+            if drawing is not None:
+                lift_lines(drawing)
         self._canvas.add(*drawn)
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(self._canvas)
@@ -184,7 +184,7 @@ class StageDrawing(Drawing):
         else:
             display_from_local = self._morph.display_from_local(position)
             of_object = display_from_local @ self._model.show_placed(projection.placement)
-            matrices = [of_object, of_object, display_from_local]
+            matrices = [of_object, of_object, of_object, display_from_local]
         for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
             space.set_projective(matrix)
         if self._probes.probes:

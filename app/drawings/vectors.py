@@ -34,9 +34,10 @@ from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 MOST_CELLS = 50_000
 """More cells than this make a file that no program opens gladly."""
 TOO_MANY = QT_TRANSLATE_NOOP(
-    "Refusal", "has {0} faces and lines in a pane; the limit of a figure without pixels is {1}: "
-    "write it as .png"
-)  # fmt: skip
+    "Refusal",
+    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
+    "write it as .png",
+)
 
 HIDDEN = ("none", "dashed", "grey")
 """What becomes of lines that faces hide."""

@@ -92,13 +92,14 @@ class WorldDrawing(Drawing):
         self._place(scene.start.placement)
         self._canvas = canvas = Canvas(screen, style, self._lay_out)
         self._actors = drawn = actors.SceneActors(scene, style)
-        self._faces_space, self._lines_space, self._ground_space = drawn.spaces
+        self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
         canvas.add(*drawn)
         self._hidden = canvas.hidden
         if self.pane in scene.pale:
             actors.make_pale(drawn, style)
         self.picture = NearPicture(canvas, scene)
-        self._detail = actors.Detail(drawn.surface, self.picture.faces)
+        shown = drawn.surface, self.picture.faces, drawn.dots, self.picture.actors.dots
+        self._detail = actors.Detail(*shown)
         self._rasterisers = textured(
             scene,
             canvas,
@@ -335,9 +336,7 @@ class WorldDrawing(Drawing):
             for drawn in (self._actors, self.picture.actors):
                 drawn.show_moved(not projection.placement.is_identity)
             self._faces_space.set(self._local_from_object)
-            lifted = self.own.lifted(1.0)
-            self._lines_space.set(lifted @ self._local_from_object)
-            self._ground_space.set(lifted)
+            self._place_lines()
             self.axes.show(self._local_from_object)
         if is_placed or projection.camera is not self._standing.camera:
             self._standing = self._stand(projection.camera)
@@ -675,12 +674,17 @@ class WorldDrawing(Drawing):
         self._switch_layers()
         if not self.own.fixed and self._dimensions is not None:
             self._dimensions.hide()
-        lifted = self.own.lifted(1.0)
-        self._lines_space.set(lifted @ self._local_from_object)
-        self._ground_space.set(lifted)
+        self._place_lines()
         if self._marks is not None:
             self._marks.place_copies(self.own.lifted)
         self._follow_pane(afresh=afresh)
+
+    def _place_lines(self) -> None:
+        """Lift dots and lines before the faces."""
+        lifted = self.own.lifted(1.0)
+        for space in self._line_spaces:
+            space.set(lifted @ self._local_from_object)
+        self._ground_space.set(lifted)
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""

@@ -20,7 +20,7 @@ from app.measure.run import Watch, part_of, timed, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
-from app.scenes.fewer_triangles import SHARES, can_be_reduced, reduced
+from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, reduced
 from app.scenes.finishing import vector
 from app.scenes.scene import Scene
 
@@ -49,7 +49,7 @@ def measure(
     Cancelled
         By `watch`; with the choices so far.
     """
-    own = can_be_reduced(scene)
+    own = scene.triangles >= LEAST_TRIANGLES
     if not own:
         scene = sphere(projection)
     size = picture_size(projection)

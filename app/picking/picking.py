@@ -37,6 +37,7 @@ _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which num
 _PER_CELL = 100.0  # triangles, roughly, for a surface that fills the cells along a plane
 _TRIED = 16  # vertices: if more are hidden, the mesh is denser than the pixels
 _LOOKED_AT = 8_000  # triangles: if more are within the margin, a smaller margin has enough vertices
+_CHUNK = 128  # lines that follow one another in a file, and are near one another
 _LEAST_PX = 0.02  # margin
 _END_ON_PX = 1e-6  # a shorter line on the screen counts as a point
 _STOPS = 200  # a held key reaches each of them within seconds
@@ -424,8 +425,15 @@ class Lines:
     """Line segments for picking; their ends (m, 2, 3) are relative to the world point `origin`."""
 
     def __init__(self, ends: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)) -> None:
-        self._ends = np.asarray(ends, dtype=np.float64)
+        self._ends = ends = np.asarray(ends, dtype=np.float64)
         self._origin = np.array(origin, dtype=np.float64)
+        self._chunk = np.arange(len(ends)) // _CHUNK
+        starts = np.arange(0, len(ends), _CHUNK)
+        low = high = np.empty((0, 3))
+        if len(ends):
+            low = np.minimum.reduceat(ends.min(axis=1), starts)
+            high = np.maximum.reduceat(ends.max(axis=1), starts)
+        self._middles, self._halves = (low + high) / 2.0, (high - low) / 2.0
 
     def near(
         self, sight: Sight, pixel: tuple[float, float], end_px: float, line_px: float
@@ -443,8 +451,12 @@ class Lines:
             Whether the point is an end, its pixel, and the point. Ends come first, then the nearest
             point of each line; both by distance.
         """
-        local = self._ends + (self._origin - sight.eye)
+        offset = self._origin - sight.eye
         tests = _tests(sight, pixel, max(end_px, line_px))
+        most = (self._middles + offset) @ tests[:, :3].T + tests[:, 3]
+        most += self._halves @ np.abs(tests[:, :3]).T
+        ends = self._ends[np.all(most >= 0.0, axis=1)[self._chunk]]
+        local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))
         at_start, at_end = values[which, 0], values[which, 1]
@@ -485,7 +497,7 @@ class Lines:
             w = np.where(inside, w, np.nan)
             away = np.hypot(x / w - pixel[0], y / w - pixel[1])
             for i in np.flatnonzero(away <= within_px):
-                start, end = self._ends[which[i]]
+                start, end = ends[which[i]]
                 # Return the ends exactly.
                 point = end if there[i] == 1.0 else start + there[i] * (end - start)
                 hit = Hit(_vector(point + self._origin), None, float(order[i] / w[i]))

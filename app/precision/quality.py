@@ -42,7 +42,7 @@ class Quality:
     smoothing : one of `SMOOTHINGS`
         Only for panes; figures are always averaged.
     detail : float
-        Drawn share of the scene's triangles, from `LEAST_DETAIL` to 1.
+        Drawn share of the scene's triangles and dots, from `LEAST_DETAIL` to 1.
     depth_format : name in `app.model.depth.FORMATS`, or empty
         Empty for the graphics card's own, or for ``"fixed24"`` if there is a mapping.
     depth_mapping : name in `app.model.depth.MAPPINGS`, or empty

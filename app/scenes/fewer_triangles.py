@@ -16,7 +16,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scenes.scene import Scene
+from app.scenes.scene import Scene, dot_set
 from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:
@@ -39,28 +39,33 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 
 def can_be_reduced(scene: Scene) -> bool:
-    """Whether the scene has enough triangles to be reduced."""
-    return scene.triangles >= LEAST_TRIANGLES
+    """Whether the scene has enough triangles or dots to be reduced."""
+    return scene.triangles >= LEAST_TRIANGLES or scene.dot_count >= LEAST_TRIANGLES
 
 
 def reduced(scene: Scene, share: float) -> Scene:
-    """Return the scene with about this share (above 0, up to 1) of its triangles, made once.
+    """Return the scene with about this share (above 0, up to 1) of its triangles and dots.
 
-    Origin, bounds, lines and first camera do not change. A scene that cannot be reduced is returned
-    as it is.
+    It is made once. Origin, bounds, lines and first camera do not change. A scene that cannot be
+    reduced is returned as it is.
     """
     made = _reduced.setdefault(scene, {})
     if share not in made:
         if share >= 1.0 or not can_be_reduced(scene):
             return scene
-        assert scene.surface is not None
-        made[share] = replace(scene, surface=_fewer(_triangles(scene.surface), share))
+        surface, dots = scene.surface, scene.dots
+        if surface is not None and scene.triangles >= LEAST_TRIANGLES:
+            surface = _fewer(_triangles(surface), share)
+        if dots is not None and dots.n_points >= LEAST_TRIANGLES:
+            kept = slice(None, None, round(1.0 / share))
+            dots = dot_set(dots.points[kept], dots.point_data["rgb"][kept])
+        made[share] = replace(scene, surface=surface, dots=dots)
     return made[share]
 
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
     """Return the shares for drawing while a control is dragged, from fine to coarse."""
-    return tuple(share for share in _DRAGGED if share * scene.faces >= _LEAST_DRAGGED)
+    return tuple(share for share in _DRAGGED if share * scene.cells >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:

@@ -6,8 +6,9 @@ All slow work on a large mesh is here, so that `app.scenes.reading` can do it in
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,7 +24,8 @@ from app.scenes.mesh import (
     Progress,
     report,
 )
-from app.scenes.shapes import brightness, distinct_rows
+from app.scenes.polygons import are_convex, area_vectors, divided, following
+from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
 ONE_POINT = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -45,9 +47,12 @@ TOO_FAR = QT_TRANSLATE_NOOP(
 FARTHEST = 1e12
 """Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
 FACES_WITH_EDGES = 5_000
-"""Most faces of a mesh with edge lines: beyond, the lines would be denser than the pixels."""
+"""Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
+than the pixels."""
+FLAT_DOTS = 1_000
+"""Most dots that have one colour."""
 _BLOCK = 100_000
-"""Faces between two reports of progress."""
+"""Faces that are computed at once, between two reports of progress."""
 _SHARP = math.cos(math.radians(30.0))
 """Edges whose faces turn by a larger angle are drawn."""
 
@@ -64,7 +69,13 @@ class Finished(NamedTuple):
     rgb : (m, 3) uint8
         Shaded colour of each face.
     edges : (k, 2, 3) float64
-        Ends of the lines to draw.
+        Ends of the faces' edges to draw.
+    lines : (l, 2, 3) float64
+        Ends of the file's own lines.
+    dots : (d, 3) float64
+    dot_rgb : (d, 3) uint8
+    notes : list of tuples
+        As in `app.scenes.mesh.Mesh`.
     """
 
     points: Floats
@@ -72,6 +83,10 @@ class Finished(NamedTuple):
     corners: Ints
     rgb: Colours
     edges: Floats
+    lines: Floats
+    dots: Floats
+    dot_rgb: Colours
+    notes: list[tuple[Any, ...]]
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -85,15 +100,19 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     Raises
     ------
     Refusal
-        For a mesh of no size, too large, too far away, or on one line.
+        For a mesh of no size, too large, too far away, or of faces on one line.
     """
     report(progress, 0.5)
-    _check(path, mesh.points)
+    faces = len(mesh.offsets) - 1
+    _check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
     report(progress, 0.6)
-    rgb = _face_colours(mesh, progress)
-    few = len(mesh.offsets) - 1 <= FACES_WITH_EDGES
-    edges = _feature_edges(mesh) if few else np.empty((0, 2, 3))
-    return Finished(mesh.points, *_divided(mesh, rgb), edges)
+    rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
+    has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
+    edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
+    lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
+    dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
+    divided_faces = _divided(mesh, rgb, progress)
+    return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
 
 
 def vector(values: ArrayLike) -> Vector:
@@ -101,7 +120,7 @@ def vector(values: ArrayLike) -> Vector:
     return x, y, z
 
 
-def _check(path: Path, points: Floats) -> None:
+def _check(path: Path, points: Floats, *, has_area: bool) -> None:
     lower, upper = points.min(axis=0), points.max(axis=0)
     size = math.dist(lower, upper)
     if size == 0.0:
@@ -112,7 +131,7 @@ def _check(path: Path, points: Floats) -> None:
     farthest = max((*lower, *upper), key=abs)
     if abs(farthest) > most:
         raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
-    if _is_on_a_line((points - lower) / size):
+    if has_area and _is_on_a_line((points - lower) / size):
         raise Refusal.saying(ONE_LINE, path)
 
 
@@ -139,28 +158,24 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     return (paint * light).astype(np.uint8)
 
 
-def _normals(mesh: Mesh, which: slice) -> Floats:
-    """Return unit normals (m, 3) of some polygons, 0 where the area is 0.
+def _dot_colours(dots: Floats) -> Colours:
+    """Return colours (d, 3) of dots; many are shaded like a ball, or they would be one blot."""
+    if len(dots) <= FLAT_DOTS:
+        return flat(DRAWN_RGB, len(dots))
+    away = dots - dots.mean(axis=0)
+    away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-30)
+    shades: Colours = (brightness(away)[:, None] * np.multiply(1.5, DRAWN_RGB)).astype(np.uint8)
+    return shades
 
-    The area vectors of the triangles of a fan add up to that of the polygon, even a concave one.
-    """
-    offsets = mesh.offsets[which.start : which.stop + 1] - mesh.offsets[which.start]
-    corners = mesh.corners[mesh.offsets[which.start] : mesh.offsets[which.stop]]
-    counts = np.diff(offsets)
-    if (counts == 3).all():  # the fan has one triangle
-        a, b, c = (mesh.points[corners[i::3]] for i in range(3))
-        before, after = (b - a).T, (c - a).T
-        starts = np.arange(len(counts))
-    else:
-        away = mesh.points[corners] - np.repeat(mesh.points[corners[offsets[:-1]]], counts, axis=0)
-        before, after = away.T, away[following(offsets)].T
-        starts = offsets[:-1]
-    area = np.empty((3, len(counts)))
-    for x, y, z in ((0, 1, 2), (1, 2, 0), (2, 0, 1)):
-        area[x] = np.add.reduceat(before[y] * after[z] - before[z] * after[y], starts)
-    length = np.sqrt((area**2).sum(axis=0))
-    length[length == 0.0] = 1.0
-    normals: Floats = (area / length).T
+
+def _normals(mesh: Mesh, which: slice) -> Floats:
+    """Return unit normals (m, 3) of some polygons, 0 where the area is 0."""
+    offsets = mesh.offsets[which.start : which.stop + 1]
+    corners = mesh.corners[offsets[0] : offsets[-1]]
+    areas = area_vectors(mesh.points, offsets - offsets[0], corners)
+    lengths = np.sqrt((areas**2).sum(axis=1))
+    lengths[lengths == 0.0] = 1.0
+    normals: Floats = areas / lengths[:, None]
     return normals
 
 
@@ -176,52 +191,49 @@ def _feature_edges(mesh: Mesh) -> Floats:
     ends = merged[mesh.corners[following(mesh.offsets)]]
     faces = len(mesh.offsets) - 1
     normals = _normals(mesh, slice(0, faces))
-    apart = starts != ends
-    face = np.repeat(np.arange(faces), np.diff(mesh.offsets))[apart]
-    keys = (np.minimum(starts, ends) * len(points) + np.maximum(starts, ends))[apart]
+    keys = np.minimum(starts, ends) * len(points) + np.maximum(starts, ends)
     order = np.argsort(keys, kind="stable")
-    found, first, count = np.unique(keys[order], return_index=True, return_counts=True)
+    keys, face = keys[order], np.repeat(np.arange(faces), np.diff(mesh.offsets))[order]
+    is_new = np.append(True, (np.diff(keys) != 0) | (np.diff(face) != 0))
+    # An edge that one face runs there and back, such as the bridge to a hole, bounds nothing.
+    bounds = np.add.reduceat(np.sign(ends - starts)[order], np.flatnonzero(is_new)) != 0
+    keys, face = keys[is_new][bounds], face[is_new][bounds]
+    found, first, count = np.unique(keys, return_index=True, return_counts=True)
     two = count == 2
-    one_side, other_side = (normals[face[order[first[two] + i]]] for i in (0, 1))
+    one_side, other_side = (normals[face[first[two] + i]] for i in (0, 1))
     drawn = ~two
     drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
     edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
     return edges
 
 
-def _divided(mesh: Mesh, rgb: Colours) -> tuple[Ints, Ints, Colours]:
+def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints, Ints, Colours]:
     """Return offsets, corners and colours of the faces with polygons divided into triangles.
 
-    VTK divides them, but omits polygons that cross or repeat themselves: these become fans.
+    Convex faces of four corners stay whole: every way to divide them is right.
     """
     counts = np.diff(mesh.offsets)
-    large = np.flatnonzero(counts > 4)
+    is_whole = counts == 3
+    for which in _blocks(np.flatnonzero(counts == 4)):
+        quads = mesh.corners[mesh.offsets[which][:, None] + np.arange(4)]
+        is_whole[which] = are_convex(mesh.points[quads])
+    large = np.flatnonzero(~is_whole)
     if not large.size:
         return mesh.offsets, mesh.corners, rgb
-    import pyvista as pv
-
-    ends = np.concatenate([[0], np.cumsum(counts[large])])
-    places = np.arange(ends[-1]) + np.repeat(mesh.offsets[large] - ends[:-1], counts[large])
-    part = pv.PolyData()
-    part.points = mesh.points
-    part.SetPolys(pv.CellArray.from_arrays(ends, mesh.corners[places], deep=True))
-    part.cell_data["face"] = large
-    part = part.triangulate()
-    lost = np.setdiff1d(large, part.cell_data["face"])
-    triangles = counts[lost] - 2
-    fan = np.repeat(lost, triangles)
-    step = np.arange(len(fan)) - np.repeat(np.cumsum(triangles) - triangles, triangles)
-    first = mesh.offsets[fan]
-    fans = mesh.corners[np.stack([first, first + step + 1, first + step + 2], axis=1)]
-    kept = counts <= 4
-    corners = [mesh.corners[np.repeat(kept, counts)], part.regular_faces.ravel(), fans.ravel()]
-    face = np.concatenate([np.flatnonzero(kept), part.cell_data["face"], fan])
-    sizes = np.where(kept, counts, 3)[face]
-    return np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(corners), rgb[face]
+    corners, face = [mesh.corners[np.repeat(is_whole, counts)]], [np.flatnonzero(is_whole)]
+    for which in _blocks(large):
+        ends = np.concatenate([[0], np.cumsum(counts[which])])
+        places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
+        done = 0.9 + 0.1 * np.searchsorted(large, which[0]) / len(large)
+        triangles, owners = divided(
+            mesh.points, ends, mesh.corners[places], partial(report, progress, float(done))
+        )
+        corners.append(triangles.ravel())
+        face.append(which[owners])
+    faces = np.concatenate(face)
+    sizes = np.where(is_whole, counts, 3)[faces]
+    return np.concatenate([[0], np.cumsum(sizes)]), np.concatenate(corners), rgb[faces]
 
 
-def following(offsets: Ints) -> Ints:
-    """Return for every corner of the faces the place of the next corner of the same face."""
-    following = np.arange(1, offsets[-1] + 1)
-    following[offsets[1:] - 1] = offsets[:-1]
-    return following
+def _blocks(faces: Ints) -> list[Ints]:
+    return [faces[first : first + _BLOCK] for first in range(0, len(faces), _BLOCK)]

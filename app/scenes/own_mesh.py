@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.limits import Vector
-from app.scenes.finishing import following
 from app.scenes.mesh import Floats, Ints
 from app.scenes.phenomena.illustration import OwnMesh
+from app.scenes.polygons import following
 from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:

@@ -30,6 +30,8 @@ SMALL = 2**20
 """Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
+SMALL_POLYGONS = 2_000
+"""Most corners of such a mesh in faces of more than four, which take time to be divided."""
 MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
@@ -49,7 +51,10 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         size = os.fstat(file.fileno()).st_size
     if size <= SMALL:
         try:
-            return finished(path, meshes.read(path, progress, SMALL_MESH), progress)
+            mesh = meshes.read(path, progress, SMALL_MESH)
+            counts = np.diff(mesh.offsets)
+            if counts[counts > 4].sum() <= SMALL_POLYGONS:
+                return finished(path, mesh, progress)
         except Refusal as error:
             if error.bound != TOO_MUCH:  # it may still be small enough for the process
                 raise
@@ -99,7 +104,9 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
         while line := pipe.readline():
             answer = json.loads(line)
             if "mesh" in answer:
-                answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
+                arrays = [_received(pipe, *array) for array in answer["mesh"]]
+                notes = [tuple(note) for note in answer["notes"]]
+                answer = Finished._make([*arrays, notes])
             answers.put(answer)
     except (EOFError, MemoryError, ValueError):  # the process ended within an answer
         pass
@@ -137,10 +144,9 @@ def main(path: Path) -> None:
         return True
 
     try:
-        arrays = [
-            np.ascontiguousarray(a) for a in finished(path, meshes.read(path, progress), progress)
-        ]
-        say({"mesh": [[array.dtype.str, array.shape] for array in arrays]})
+        *parts, notes = finished(path, meshes.read(path, progress), progress)
+        arrays = [np.ascontiguousarray(part) for part in parts]
+        say({"mesh": [[each.dtype.str, each.shape] for each in arrays], "notes": notes})
         for array in arrays:
             out.write(array.ravel().view(np.uint8).data)
         out.flush()

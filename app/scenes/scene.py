@@ -45,6 +45,7 @@ from app.scenes.phenomena import PHENOMENA, Phenomenon
 from app.scenes.phenomena.illustration import Subject
 from app.scenes.reading import read
 from app.scenes.shapes import (
+    DRAWN_RGB,
     EDGE_RGB,
     Coloured,
     box_corners,
@@ -72,6 +73,11 @@ NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
 NO_OWN_MESH = QT_TRANSLATE_NOOP(
     "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
 )
+NO_SURFACE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; "
+    "open the file as a scene of its own.",
+)
 SAMPLE = 100_000
 """Number of vertices with which speed is measured for a larger mesh."""
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
@@ -84,14 +90,15 @@ MOST_IN_BOXES = 50_000
 
 
 class Boxes(NamedTuple):
-    """Corners (n, 8, 3) of boxes around the faces and the lines, in world coordinates."""
+    """Corners (n, 8, 3) of boxes around the faces, dots and lines, in world coordinates."""
 
     faces: Array
+    dots: Array
     lines: Array
 
     @property
     def together(self) -> Array:
-        """The boxes of the faces, then those of the lines."""
+        """The boxes of the faces, then those of the dots, then those of the lines."""
         return np.concatenate(self)
 
 
@@ -151,7 +158,10 @@ class Scene:
     surface : pyvista.PolyData or None
         Polygons (m faces) with ``cell_data["rgb"]``, (m, 3) uint8; float32 points.
     lines : pyvista.PolyData or None
-        Edges of the objects and ground-grid lines, with ``cell_data["rgb"]`` like the surface.
+        Ground-grid lines, then edges of the objects and the lines of a file, with
+        ``cell_data["rgb"]`` like the surface.
+    dots : pyvista.PolyData or None
+        Points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
     lower, upper : tuple of 3 floats
         World bounds of the objects, without the grid.
     start : Projection
@@ -159,6 +169,8 @@ class Scene:
     phenomenon : Phenomenon or None
     own_mesh : bool
         Whether a mesh from a file replaces the phenomenon's subject.
+    notes : tuple of Refusals
+        What of a mesh's file was left out; they are shown, not raised.
     """
 
     name: str
@@ -170,6 +182,8 @@ class Scene:
     start: Projection
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
+    dots: pv.PolyData | None = None
+    notes: tuple[Refusal, ...] = ()
 
     @property
     def title(self) -> str:
@@ -240,9 +254,9 @@ class Scene:
 
     @cached_property
     def subject(self) -> Subject:
-        """The bounds and vertices of the faces, without the grid, for a phenomenon."""
+        """The bounds and vertices of the objects, without the grid, for a phenomenon."""
         surface = self.__dict__["surface"]
-        points = np.empty((0, 3)) if surface is None else surface.points
+        points = surface.points if isinstance(surface, _Later) else self.own_points
         step = max(1, -(-len(points) // SUBJECT_SAMPLE))
         sample = points[::step].astype(np.float64) + self.origin
         mesh = None
@@ -250,11 +264,46 @@ class Scene:
             mesh = own_mesh(self.surface, self.origin, "depth" in self.requires)
         return Subject(self.lower, self.upper, sample, mesh)
 
+    @cached_property
+    def own_points(self) -> NDArray[Any]:
+        """Vertices of faces, then dots, then ends of a file's lines, scene-local, (n, 3)."""
+        parts = [np.asarray(each.points) for each in (self.surface, self.dots) if each is not None]
+        if self.own_lines.any():
+            assert self.lines is not None
+            ends = np.asarray(self.lines.points).reshape(-1, 2, 3)[self.own_lines]
+            parts.append(distinct_rows(ends.reshape(-1, 3))[0])
+        if len(parts) == 1:
+            return parts[0]
+        found: NDArray[Any] = np.concatenate([np.empty((0, 3), dtype=np.float32), *parts])
+        return found
+
+    @cached_property
+    def own_lines(self) -> NDArray[np.bool_]:
+        """Which of `lines` are a file's own."""
+        return np.asarray((self._line_rgb == DRAWN_RGB).all(axis=1))
+
+    @property
+    def _line_rgb(self) -> Colours:
+        """Colours of the lines, (n, 3); VTK is not needed."""
+        lines = self.__dict__["lines"]
+        if lines is None:
+            return np.empty((0, 3), dtype=np.uint8)
+        return np.asarray(lines.rgb if isinstance(lines, _Later) else lines.cell_data["rgb"])
+
     @property
     def faces(self) -> int:
         """The number of faces."""
         surface = self.__dict__["surface"]
         return 0 if surface is None else int(surface.n_cells)
+
+    @property
+    def dot_count(self) -> int:
+        return 0 if self.dots is None else int(self.dots.n_points)
+
+    @property
+    def cells(self) -> int:
+        """The number of faces and dots, on which the time of a frame depends."""
+        return self.faces + self.dot_count
 
     @property
     def triangles(self) -> int:
@@ -289,7 +338,7 @@ class Scene:
     @cached_property
     def ground_lines(self) -> int:
         """How many of `lines` are a ground's; they are the first ones."""
-        return 0 if self.lines is None else int(is_grid(self.lines.cell_data["rgb"]).sum())
+        return int(is_grid(self._line_rgb).sum())
 
     @cached_property
     def apart(self) -> tuple[Scene, Scene]:
@@ -297,14 +346,14 @@ class Scene:
         surface, lines = (self.__dict__[name] for name in ("surface", "lines"))
         kept: list[_Later | None] = [None, None]
         if lines is not None:
-            rgb = np.asarray(lines.rgb if isinstance(lines, _Later) else lines.cell_data["rgb"])
+            rgb = self._line_rgb
             ends, grid = np.asarray(lines.points).reshape(-1, 2, 3), is_grid(rgb)
             for i, which in enumerate((~grid, grid)):
                 kept[i] = _line_set((ends[which], rgb[which])) if which.any() else None
         objects, ground = kept
         return (
             replace(self, surface=surface, lines=objects),
-            replace(self, surface=None, lines=ground),
+            replace(self, surface=None, lines=ground, dots=None),
         )
 
     def parts(self, placement: ObjectTransform) -> tuple[tuple[Scene, Space], ...]:
@@ -341,16 +390,15 @@ class Scene:
         scene, so that an eye between two bars of a letter is outside all boxes.
         """
         boxes = []
-        for name in ("surface", "lines"):
+        for name in ("surface", "dots", "lines"):
             mesh, ends = self.__dict__[name], np.empty((0, 2, 3))
             if mesh is not None:
                 ends = np.array(mesh.bounds).reshape(1, 3, 2).swapaxes(1, 2)
                 if isinstance(mesh, _Later):
                     offsets, corners = mesh.cells
                 else:
-                    offsets, corners = cells_of(
-                        mesh.GetLines() if name == "lines" else mesh.GetPolys()
-                    )
+                    kind = {"surface": "Polys", "dots": "Verts", "lines": "Lines"}[name]
+                    offsets, corners = cells_of(getattr(mesh, f"Get{kind}")())
                 if 1 < len(offsets) <= MOST_IN_BOXES:
                     ends = boxes_by_size(np.asarray(mesh.points), offsets, corners)
             boxes.append(np.array([self._box(*pair) for pair in ends]).reshape(-1, 8, 3))
@@ -362,8 +410,8 @@ class Scene:
 
     @property
     def _meshes(self) -> list[Any]:
-        """The meshes of faces and lines that exist, made or not."""
-        held = (self.__dict__[name] for name in ("surface", "lines"))
+        """The meshes of faces, dots and lines that exist, made or not."""
+        held = (self.__dict__[name] for name in ("surface", "dots", "lines"))
         return [mesh for mesh in held if mesh is not None]
 
     @property
@@ -402,8 +450,8 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     Raises
     ------
     Refusal
-        For an unknown name, for a file that cannot be read or has no surface, and for a mesh with
-        a scene that accepts none.
+        For an unknown name, for a file that cannot be read or has nothing to draw, and for a mesh
+        with a scene that accepts none.
     Cancelled
         When `progress` returned False.
     """
@@ -512,6 +560,17 @@ def _line_set(lines: Coloured) -> _Later:
     return _Later(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
 
 
+def dot_set(points: NDArray[np.floating], rgb: Colours) -> pv.PolyData | None:
+    """Make dots for VTK; None without any."""
+    import pyvista as pv
+
+    if not len(points):
+        return None
+    dots: pv.PolyData = pv.PolyData(points)
+    dots.point_data["rgb"] = rgb
+    return dots
+
+
 # --------------------------------------------------------------------------- built-in scenes
 
 
@@ -549,8 +608,14 @@ def _read_mesh(path: Path, progress: Progress | None) -> Finished:
     return read(path, progress)
 
 
+def _notes(path: str, mesh: Finished) -> tuple[Refusal, ...]:
+    return tuple(Refusal.saying(template, path, *parts) for template, *parts in mesh.notes)
+
+
 def _drawn_edges(mesh: Finished) -> Coloured:
-    return mesh.edges, flat(EDGE_RGB, len(mesh.edges))
+    """Return the faces' edges, then the file's own lines."""
+    lines = mesh.lines, flat(DRAWN_RGB, len(mesh.lines))
+    return joined((mesh.edges, flat(EDGE_RGB, len(mesh.edges))), lines)
 
 
 def _scene_of_phenomenon(
@@ -562,6 +627,8 @@ def _scene_of_phenomenon(
     if not mesh_path:
         return scene
     mesh = _read_mesh(Path(mesh_path), progress)
+    if not len(mesh.corners):
+        raise Refusal.saying(NO_SURFACE, mesh_path, phenomenon.name)
     lower, upper = mesh.bounds
     room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
     held, place = np.array(_centre(lower, upper)), np.array(scene.centre)
@@ -574,7 +641,7 @@ def _scene_of_phenomenon(
     extended = (sides > 0.0) & (room > 0.0)
     fallback = scene.size / math.dist(lower, upper)
     scale = float((room[extended] / sides[extended]).min()) if extended.any() else fallback
-    for ends in (mesh.points, mesh.edges):
+    for ends in (mesh.points, mesh.edges, mesh.lines, mesh.dots):
         ends -= held
         ends *= scale
         ends += place
@@ -586,6 +653,8 @@ def _scene_of_phenomenon(
         lower=vector(mesh.points.min(axis=0)),
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
+        dots=dot_set(mesh.dots, mesh.dot_rgb),
+        notes=_notes(mesh_path, mesh),
     )
     _ = scene.subject  # do it now: the first drawing would wait for it
     report(progress, 1.0)
@@ -598,16 +667,21 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that lies around the origin.
     origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
-    for ends in (mesh.points, mesh.edges):
+    for ends in (mesh.points, mesh.edges, mesh.lines, mesh.dots):
         ends -= np.array(origin)
+    surface = None
+    if len(mesh.corners):
+        surface = _poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb)
     scene = Scene(
         name=name,
         origin=origin,
-        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
+        surface=surface,
+        dots=dot_set(mesh.dots, mesh.dot_rgb),
         lines=_line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
         lower=lower,
         upper=upper,
         start=frame_camera(lower, upper),
+        notes=_notes(name, mesh),
     )
     report(progress, 1.0)
     return scene

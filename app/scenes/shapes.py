@@ -41,6 +41,7 @@ SIDE_RGB = np.array(
 EDGE_RGB = (72, 72, 78)  # dark on a face, and still visible on a dark background
 GRID_RGB = (158, 158, 158)
 GRID_AXIS_RGB = (105, 105, 105)
+DRAWN_RGB = (86, 122, 168)  # lines and dots of a file: seen on a light and on a dark background
 OUTLINE_RGB = (96, 96, 96)
 PLATE_RGB = (245, 242, 230)
 

@@ -669,6 +669,17 @@ def test_latin_1_is_read_with_a_warning(tmp_path: Path, caplog: pytest.LogCaptur
     assert caplog.messages == [f"{path} {LATIN_1}."]
 
 
+@pytest.mark.parametrize("size", [10, 2**21])
+@pytest.mark.parametrize("name", ["scan.las", "SCAN.PCD", "scan.xyz"])
+def test_a_cloud_of_another_kind_is_refused_by_its_kind_however_large(
+    name: str, size: int, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(b"LASF 1 2 3\n" * size)
+    said = sentence(read, tmp_path / name)
+    assert f"cloud of points of another kind ({name[-4:].lower()}): convert it to .ply" in said
+    assert sentence(read, tmp_path / "no.xyz").endswith("no.xyz does not exist.")
+
+
 def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:
     path = tmp_path / "large.json"
     path.write_bytes(WRITTEN.encode() + b" " * (2**20 - len(WRITTEN)))

@@ -557,7 +557,8 @@ def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
     """Float32 can draw the trees of this avenue, but not the lines of its ground."""
     scene = load("far-plane-popping")
     faces_px, lines_px = (
-        drawing_bound_px(scene.start, boxes, scene.origin) for boxes in scene.boxes
+        drawing_bound_px(scene.start, boxes, scene.origin)
+        for boxes in (scene.boxes.faces, scene.boxes.lines)
     )
     assert faces_px < lines_px
     pictures = []

@@ -18,6 +18,7 @@ from app.document.document import Document
 from app.lessons.course import CONTENT as LESSONS
 from app.scenes.scene import load
 from tests.fuzz.catalogue import a_viewed_tree
+from tests.support.gltf import SQUARE, GltfSquare
 from tests.support.meshes import (
     PYRAMID,
     QUAD_AND_TRIANGLES,
@@ -62,14 +63,18 @@ ADDRESSES = [
 # --------------------------------------------------------------------------- sound files
 
 
+_ODD_FACES = [[0, 1, 2, 3, 0, 4, 1, 4, 0], [0, 1], [2, 2, 3, 2], [0, 2, 1, 3], [0, 4, 3, 1, 2]]
+"""A spike, two faces of too few corners, and two that cross themselves."""
+
+
 def _obj(path: Path, rng: random.Random) -> None:
     colours = rng.random() < 0.3
     corner = rng.choice(["{0}", "{0}/{0}", "{0}//{0}", "{0}/{0}/{0}", "-{0}", "{0}/", "{0}//"])
     lines = ["mtllib a.mtl", "o name", *([f"vt {i} 0" for i in range(5)] if "/" in corner else [])]
     lines += [f"v {x} {y} {z}{' 1 0.5 0' * colours}" for x, y, z in PYRAMID.tolist()]
     lines += ["vn 0 1 0"] * rng.choice([0, 1, 5])
-    lines += ["usemtl", "g a b", "s off", "# comment", "l 1 2", "p 1"][: rng.randrange(7)]
-    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist()]):
+    lines += ["usemtl", "g a b", "s off", "l 1 2 3/3 -1", "p 1 5"][: rng.randrange(7)]
+    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), _ODD_FACES, []]):
         lines.append("f " + " ".join(corner.format(i + 1) for i in face))
     path.write_bytes((rng.choice(["\n", "\r\n", "\r"]).join(lines) + "\n").encode())
 
@@ -80,19 +85,25 @@ def _ply(path: Path, rng: random.Random) -> None:
     real, letter = rng.choice([("double", "d"), ("float", "f"), ("float64", "d")])
     rgb, face_rgb = rng.random() < 0.4, rng.random() < 0.3
     channels = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
-    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist()])
+    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), _ODD_FACES, []])
+    strips = rng.choice([[], [[0, 1, 2, 3, -1, 2, 3, 4], [0, 1, 4]]])
+    edges = rng.choice([[], [(0, 1), (3, 2)]])
     head = (
         f"ply\nformat {encoding} 1.0\ncomment {rng.choice(['', 'TextureFile a.png'])}\n"
         f"element vertex 5\nproperty {real} x\nproperty {real} y\nproperty {real} z\n"
         f"{channels * rgb}element face {len(faces)}\n"
         f"property list uchar int {rng.choice(['vertex_indices', 'vertex_index'])}\n"
-        f"{channels * face_rgb}end_header\n"
+        f"{channels * face_rgb}element edge {len(edges)}\n"
+        f"property int vertex1\nproperty int vertex2\nelement tristrips {len(strips)}\n"
+        "property list int int vertex_indices\nend_header\n"
     ).encode()
     rows = [(f"3{letter}" + "3B" * rgb, [*p, *[9, 8, 7] * rgb]) for p in PYRAMID.tolist()]
     rows += [
         (f"B{len(face)}i" + "3B" * face_rgb, [len(face), *face, *[60, 70, 80] * face_rgb])
         for face in faces
     ]
+    rows += [("2i", [*edge]) for edge in edges]
+    rows += [(f"{len(strip) + 1}i", [len(strip), *strip]) for strip in strips]
     if encoding == "ascii":
         body = "".join(" ".join(map(str, row)) + "\n" for _, row in rows).encode()
     else:
@@ -107,8 +118,31 @@ def _stl(path: Path, rng: random.Random) -> None:
         stl_text_file(path, PYRAMID, rng.choice(["", "the vertex loop of a facet", "x"]))
 
 
+def _moved_gltf(rng: random.Random) -> tuple[dict[str, Any], bytes]:
+    """A square that joints, morph targets, sparse values and instances move."""
+    square = GltfSquare()
+    square.primitive["mode"] = rng.choice([0, 1, 2, 3, 4, 4, 4, 4, 5, 6])
+    if rng.random() < 0.5:
+        square.content["accessors"][0]["sparse"] = square.sparse([2], [[3, 4, 0]])
+    if rng.random() < 0.5:
+        fractions = square.add(32767 * np.array(SQUARE), "<i2", normalized=True)
+        square.primitive["targets"] = [{"POSITION": 0}, {"POSITION": fractions}]
+        square.mesh["weights"] = [0.5, -1]
+    if rng.random() < 0.5:
+        places = {"TRANSLATION": square.add([[0, 0, 0], [4, 0, 0]])}
+        extension = {"EXT_mesh_gpu_instancing": {"attributes": places}}
+        square.content["nodes"][0]["extensions"] = extension
+    if rng.random() < 0.5:
+        joints = [{"translation": [0, 0, 7]}, {"scale": [2, 2, 2]}]
+        weights = np.tile([1, 254, 0, 0], (4, 1))
+        square.add_skin([[0, 1, 0, 0]] * 4, weights, joints, "u1", np.tile(np.eye(4), (2, 1, 1)))
+    return square.content, square.body
+
+
 def _gltf(rng: random.Random) -> tuple[dict[str, Any], bytes]:
     """A description with colours, a material, and a mesh in two nodes of a third."""
+    if rng.random() < 0.5:
+        return _moved_gltf(rng)
     content, body = gltf_parts(PYRAMID, [1, 2, 3], 2.0, rng.choice(["u1", "<u2", "<u4"]))
     body += b"\0" * (-len(body) % 4)
     colours = np.tile(np.float32([1, 0.5, 0]), (len(PYRAMID), 1)).tobytes()
@@ -252,17 +286,19 @@ def _place(rng: random.Random, content: dict[str, Any]) -> dict[str, Any]:
 def _bomb(rng: random.Random, content: dict[str, Any]) -> dict[str, Any]:
     """Few bytes that expand to many triangles, circles of nodes, or very deep trees."""
     what, many = rng.randrange(4), rng.choice([10, 300, 3000])
+    first = len(content["nodes"])
     if what == 0:
         content["meshes"][0]["primitives"] *= rng.choice([1, 30, 300])
         content["nodes"] += [{"mesh": 0}] * many
-        content["scenes"][0]["nodes"] += range(3, 3 + many)
+        content["scenes"][0]["nodes"] += range(first, first + many)
     elif what == 1:
-        content["nodes"] += [{"children": [4 + i], "mesh": 0} for i in range(many)] + [{}]
-        content["scenes"][0]["nodes"] = [3]
+        content["nodes"] += [{"children": [first + 1 + i], "mesh": 0} for i in range(many)]
+        content["nodes"].append({})
+        content["scenes"][0]["nodes"] = [first]
     elif what == 2:
-        content["nodes"][1]["children"] = [rng.choice([0, 1, 2])] * rng.choice([1, many])
+        content["nodes"][-1]["children"] = [rng.choice([0, 1, 2])] * rng.choice([1, many])
     else:
-        content["accessors"][rng.randrange(3)]["count"] = rng.choice([0, 10**6, 10**9, 2**62])
+        rng.choice(content["accessors"])["count"] = rng.choice([0, 10**6, 10**9, 2**62])
     return content
 
 

@@ -36,6 +36,7 @@ from pathlib import Path
 from typing import Any
 
 import psutil
+import shiboken6
 from PySide6 import QtCore, QtGui, QtWidgets
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -197,7 +198,7 @@ class Hands:
             return
         steps, minutes = self.options.steps, (time.monotonic() - self.began) / 60.0
         if self.findings.step >= steps if steps else minutes > self.options.minutes:
-            QApplication.quit()
+            QApplication.exit()  # not `quit`, which asks whether to save
             return
         QTimer.singleShot(self.rng.choice(PAUSES_MS), self.beat)  # first: the step may be long
         self._take_time()
@@ -308,11 +309,19 @@ class Hands:
             handle = self.window.windowHandle()
         QTest.mouseRelease(handle, button, NO_KEY, place)
 
+    def _move(self, handle: Any, place: QPoint) -> bool:
+        """Move the mouse; False if the window is gone, as a menu is while another one opens."""
+        if not shiboken6.isValid(handle):
+            return False
+        QTest.mouseMove(handle, place)
+        return True
+
     def click(self) -> None:
         (handle, place, what), button, key = self._target(), self._button(), self._modifier()
         twice = self.rng.random() < 0.15 and QApplication.activePopupWidget() is None
         self.note(f"{'double-' * twice}clicks {button.name} {key.name} on {what}")
-        QTest.mouseMove(handle, place)
+        if not self._move(handle, place):
+            return
         if twice:
             QTest.mouseDClick(handle, button, key, place)
         else:
@@ -322,7 +331,7 @@ class Hands:
     def hover(self) -> None:
         handle, place, what = self._target()
         self.note(f"moves the mouse to {what}")
-        QTest.mouseMove(handle, place)
+        self._move(handle, place)
 
     def wheel(self) -> None:
         (handle, place, what), key = self._target(), self._modifier()
@@ -335,7 +344,8 @@ class Hands:
         (handle, place, what), button, key = self._target(), self._button(), self._modifier()
         moves = self.rng.randint(1, 8)
         self.note(f"drags {button.name} {key.name} {moves} times from {what}")
-        QTest.mouseMove(handle, place)
+        if not self._move(handle, place):
+            return
         QTest.mousePress(handle, button, key, place)
         for _ in range(moves):
             if handle in QtGui.QGuiApplication.allWindows():

@@ -20,6 +20,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from app.picking import picking
 from app.picking.picking import Hit, Lines, Probe, Sight, Surface, dragged, pick, projector, stops
 from app.scenes.scene import Scene, load
 from tests.support.lenses import LENSES, free_matrix
@@ -473,3 +474,19 @@ def test_a_ray_is_drawn_where_it_is_in_front_though_the_volume_reaches_infinity(
     rows = (1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)
     singular = replace(projection, lens=FreeMatrix(rows))
     assert projector(singular, Probe(1, pixel=(640.0, 360.0)), [0.0, 1.0]) is None
+
+
+def test_the_lines_of_a_large_drawing_are_found_as_one_by_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    random = np.random.default_rng(4)
+    ends = random.uniform(-4.0, 4.0, (700, 1, 3)) + random.uniform(-0.5, 0.5, (700, 2, 3))
+    projection = Projection(Camera((1.0, 2.0, 5.0), (0.0, 0.0, 0.0)))
+    sight = Sight.of(projection)
+    pixels = random.uniform((0.0, 0.0), (1280.0, 720.0), (200, 2)).tolist()
+    found = []
+    for size in (1, 64, 1000):
+        monkeypatch.setattr(picking, "_CHUNK", size)
+        lines = Lines(ends, (0.0, 0.5, 0.0))
+        found.append([lines.near(sight, (x, y), 8.0, 4.0) for x, y in pixels])
+    assert found[0] == found[1] == found[2] and sum(map(len, found[0])) > 40

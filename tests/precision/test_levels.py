@@ -946,7 +946,7 @@ def test_no_point_of_an_edge_is_drawn_worse_than_the_bound_of_its_boxes(name: st
         camera = Camera(tuple(eye), tuple(random.uniform(lower, upper)))
         near = 10.0 ** random.uniform(-2, 0)
         projection = Projection(camera, Perspective(random.uniform(20, 90), near, 500.0), HD)
-        for local, boxes in zip(edges, scene.boxes, strict=True):
+        for local, boxes in zip(edges, (scene.boxes.faces, scene.boxes.lines), strict=True):
             chosen = local[random.integers(len(local), size=400)].astype(float)
             bound = drawing_bound_px(projection, boxes, scene.origin)
             boxed += bound < drawing_bound_px(projection, scene.corners, scene.origin)

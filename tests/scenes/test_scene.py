@@ -479,9 +479,12 @@ def test_each_face_and_each_line_lies_whole_in_a_box(name: str) -> None:
     scene = load(name)
     origin = np.array(scene.origin)
     assert scene.surface is not None and scene.lines is not None
-    things = scene.surface.regular_faces, scene.lines.lines.reshape(-1, 3)[:, 1:]
-    meshes = scene.surface, scene.lines
-    for mesh, cells, boxes in zip(meshes, things, scene.boxes, strict=True):
+    faces, dots, lines = scene.boxes
+    assert scene.dots is None and not len(dots)
+    for mesh, cells, boxes in (
+        (scene.surface, scene.surface.regular_faces, faces),
+        (scene.lines, scene.lines.lines.reshape(-1, 3)[:, 1:], lines),
+    ):
         points = mesh.points[cells].astype(float)[:, None] + origin
         low, high = boxes.min(axis=1)[:, None], boxes.max(axis=1)[:, None]
         inside = (points >= low - 1e-9) & (points <= high + 1e-9)

@@ -167,9 +167,9 @@ class Adaptive(QObject):
         coarser = (s for s in shares_for_dragging(self._scene) if s < share)
         levels += [Level(False, s) for s in coarser if is_made(self._scene, s)]
         first = 0
-        if self.software_rendering and self._target_ms > 0.0 and self._scene.faces:
-            faces = self._scene.faces
-            few = (i for i, level in enumerate(levels) if level.share * faces <= AT_FIRST)
+        if self.software_rendering and self._target_ms > 0.0 and self._scene.cells:
+            cells = self._scene.cells
+            few = (i for i, level in enumerate(levels) if level.share * cells <= AT_FIRST)
             first = next(few, len(levels) - 1)
         self.budget = FrameBudget(levels, self._target_ms, first)
 

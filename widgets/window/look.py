@@ -99,7 +99,7 @@ class Look(QObject):
             self.adaptive.show(shown.scene, quality)
             # A mesh that replaces the objects keeps their cameras.
             self._build(shown.document.view.panes if "view" in changed else cameras(self._panes))
-        if anew and shown.scene.faces > SORTED_AHEAD:
+        if anew and shown.scene.cells > SORTED_AHEAD:
             from app.drawings.probes import sort_ahead
 
             sort_ahead(shown.scene)
