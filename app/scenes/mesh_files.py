@@ -7,6 +7,7 @@ and keeps the coordinates for every format.
 
 from __future__ import annotations
 
+import codecs
 import re
 import warnings
 from array import array
@@ -42,6 +43,7 @@ from app.scenes.mesh import (
 )
 from app.scenes.shapes import distinct_rows
 
+_MARK = codecs.BOM_UTF8
 BLOCK = 1 << 24
 """Bytes of text in a block; progress is reported after each block."""
 
@@ -182,6 +184,8 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         while block and text.endswith((b"\\\n", b"\\\r\n"), 0, end):
             end = text.rfind(b"\n", 0, end - 1) + 1  # this line goes on in the next block
         text, rest = text[:end], text[end:]
+        if _MARK in text:  # of a file that was joined to another
+            text = text.replace(_MARK, b"")
         if b"\r" in text:
             text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
