@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
 from functools import lru_cache, partial
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -28,6 +28,8 @@ from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Proje
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
+Write: TypeAlias = Callable[[float], str]
+"""Writes a number in a sentence."""
 EDITABLE = ("view_from_world", "clip_from_view")
 """The matrices with editable cells."""
 
@@ -397,7 +399,7 @@ NEAREST_IS_USED = QT_TRANSLATE_NOOP(
     "Matrix", "the nearest camera is used; it moves the picture by at most {0} px"
 )
 NEAREST = QT_TRANSLATE_NOOP("Matrix", "the nearest camera would move the picture by at most {0} px")
-FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "a matrix for row vectors: its transpose is meant")
+FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "rows and columns are exchanged: its transpose is meant")
 CONVENTIONS = {
     (1, 1): QT_TRANSLATE_NOOP(
         "Matrix",
@@ -430,13 +432,11 @@ class Property(NamedTuple):
         return self.template.format(*self.figures)
 
 
-def _few(value: float) -> str:
+def few(value: float) -> str:
     return f"{value:.4g}".replace("-", "−")
 
 
-def properties(
-    projection: Projection, name: str, write: Callable[[float], str] = _few
-) -> list[Property]:
+def properties(projection: Projection, name: str, write: Write = few) -> list[Property]:
     """Return the properties of one of the `EDITABLE` matrices of a `FreeMatrix`.
 
     The list is empty for other matrices. `write` formats a number.
@@ -451,9 +451,7 @@ def properties(
     return []
 
 
-def _of_clip(
-    projection: Projection, matrix: Rationals, write: Callable[[float], str]
-) -> list[Property]:
+def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Property]:
     rank, determinant, _ = eliminate(matrix)
     if rank < 4:
         return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
@@ -478,9 +476,7 @@ def _is_regular_view(projection: Projection) -> bool:
     return eliminate(projection.exact_from_eye[0]).rank == 4
 
 
-def rounded_view(
-    projection: Projection, cells: Cells, write: Callable[[float], str] = _few
-) -> list[Property]:
+def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[Property]:
     """Say how a view matrix was rounded, and how far its nearest camera moves the picture.
 
     The list is empty if the matrix is exact, or belongs to no camera. The camera of `projection`
@@ -501,9 +497,7 @@ def rounded_view(
     return found
 
 
-def convention(
-    reading: Reading, projection: Projection, write: Callable[[float], str] = _few
-) -> list[Property]:
+def convention(reading: Reading, projection: Projection, write: Write = few) -> list[Property]:
     """Say what a projection matrix does: where it looks, its depth range, its lens."""
     lens, aspect = reading.lens, Fraction(*projection.image_size)
     left, right, bottom, top = lens.window(aspect)
@@ -516,7 +510,7 @@ def convention(
     return [Property(FOR_ROWS), *found] if reading.is_transposed else found
 
 
-def _of_view(projection: Projection, cells: Cells, write: Callable[[float], str]) -> list[Property]:
+def _of_view(projection: Projection, cells: Cells, write: Write) -> list[Property]:
     matrix = rationals(cells)
     rank = eliminate(matrix).rank
     rows = [row[:3] for row in matrix[:3]]
@@ -529,7 +523,7 @@ def _of_view(projection: Projection, cells: Cells, write: Callable[[float], str]
     return found + _of_last_row(matrix[3], write)
 
 
-def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Property]:
+def _of_last_row(last: list[Fraction], write: Write) -> list[Property]:
     """Return the properties of the last row, which determines w."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
@@ -541,7 +535,7 @@ def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Pr
     return [Property(template, (write(float(last[3])),))]
 
 
-def _sum(coefficients: Sequence[Fraction], write: Callable[[float], str]) -> str:
+def _sum(coefficients: Sequence[Fraction], write: Write) -> str:
     """``2 x - z + 1``."""
     text = ""
     for name, part in zip(("x", "y", "z", ""), coefficients, strict=True):

@@ -203,7 +203,7 @@ def test_a_left_handed_matrix_keeps_its_field_of_view_near_and_far(depth: Any) -
 def test_a_row_vector_matrix_is_said_to_be_one() -> None:
     typed = with_matrix(START, "clip_from_view", d3dx_lh().tolist())
     first, second, *_ = map(str, properties(typed, "clip_from_view"))
-    assert first == "a matrix for row vectors: its transpose is meant"
+    assert first == "rows and columns are exchanged: its transpose is meant"
     assert second.startswith("left-handed: looks along +z, y up; z from 0 at near to 1 at far; fov")
 
 
