@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Callable
 from fractions import Fraction
@@ -10,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+from app.lecture.conventions import in_convention, world_planes
 from app.lecture.rounded import moved_px
 from app.lecture.typed_matrix import (
     NOT_RIGID,
@@ -27,6 +29,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from app.model.refusal import Refusal
 
 FOV, ASPECT, NEAR, FAR = 60.0, 1.25, 0.1, 1000.0
 SIZE = (1000, 800)
@@ -291,3 +294,84 @@ def test_the_picture_moves_less_than_is_said(lens: Any, places: int) -> None:
         moved = (clip[:, :2] / clip[:, 3:] - found.trace(points).ndc[:, :2]) * np.array(SIZE) / 2
         furthest = np.hypot(*moved.T).max()
         assert furthest <= most <= 30.0 * furthest
+
+
+# --------------------------------------------------------------------------- ours in theirs
+
+
+def clip_of(found: dict[str, Any], point: Any, *, rows: bool) -> Any:
+    """Clip coordinates of a point of the other world."""
+    matrix = found["clip_from_world"]
+    return np.array([*point, 1.0]) @ (matrix if rows else matrix.T)
+
+
+@pytest.mark.parametrize("rows", [False, True], ids=["columns", "rows"])
+@pytest.mark.parametrize("name", ["opengl", "direct3d", "vulkan", "unity"])
+@pytest.mark.parametrize("lens", [SYMMETRIC, Orthographic(-5, 4, -4, 3, 0.1, 1000)])
+def test_another_program_sees_the_same_picture(lens: Any, name: str, rows: bool) -> None:
+    ours = Projection(Camera((3.0, 2.0, 4.0), (0.5, 0.25, -1.0), (0.1, 1.0, 0.2)), lens, SIZE)
+    found = in_convention(ours, name, rows=rows)
+    view, clip, whole = found.values()
+    assert np.abs((view @ clip if rows else clip @ view) - whole).max() < 1e-12
+    world_z = -1.0 if name in ("direct3d", "unity") else 1.0
+    down = -1.0 if name == "vulkan" else 1.0
+    points = np.array([(0.5, 0.25, -1.0), (-1.0, 0.5, 0.75), (0.0, 0.0, -8.0)])
+    trace = ours.trace(points)
+    for point, ndc, depth, seen in zip(points, trace.ndc, trace.depth, trace.view, strict=True):
+        x, y, z, w = clip_of(found, point * (1.0, 1.0, world_z), rows=rows)
+        assert (x / w, down * y / w) == pytest.approx(ndc[:2], abs=1e-12)
+        low = 0.0 if name in ("direct3d", "vulkan") else -1.0
+        assert z / w == pytest.approx(low + (1.0 - low) * depth, abs=1e-9)
+        there = view.T if rows else view
+        forward = -1.0 if name == "direct3d" else 1.0
+        assert (there @ [*(point * (1, 1, world_z)), 1.0])[2] == pytest.approx(forward * seen[2])
+    # What is printed for others is what is recognised of others.
+    cells = tuple(tuple(row) for row in found["clip_from_view"].tolist())
+    (best, *_) = readings(cells, SIZE, "opengl", lens)
+    if lens is SYMMETRIC:
+        assert best.lens == lens and best.is_transposed == rows
+
+
+def test_opencv_projects_to_our_pixels() -> None:
+    lens = Frustum(-0.1, 0.3, -0.2, 0.1, 0.2, 50.0)
+    ours = Projection(Camera((3.0, 2.0, 4.0), (0.5, 0.25, -1.0)), lens, SIZE)
+    pose, calibration, whole = in_convention(ours, "opencv", rows=False).values()
+    assert (pose.shape, calibration.shape, whole.shape) == ((3, 4), (3, 3), (3, 4))
+    points = np.array([(0.5, 0.25, -1.0), (-1.0, 0.5, 0.75)])
+    homogeneous = np.column_stack([points, [1.0, 1.0]]) @ whole.T
+    pixels = homogeneous[:, :2] / homogeneous[:, 2:]
+    assert np.abs(pixels + 0.5 - ours.trace(points).image).max() < 1e-9
+    assert (np.column_stack([points, [1.0, 1.0]]) @ pose.T)[:, 2].min() > 0.0
+    with pytest.raises(Refusal, match="perspective, frustum"):
+        in_convention(Projection(START.camera, Orthographic()), "opencv", rows=False)
+
+
+@pytest.mark.parametrize("depth", ["opengl", "direct3d", "reversed"])
+@pytest.mark.parametrize(
+    "lens",
+    [
+        SYMMETRIC, Frustum(-0.1, 0.3, -0.2, 0.1, 0.2, 50.0), Orthographic(-5, 4, -4, 3, -2, 9),
+        Oblique(-5, 4, -4, 3, 1, 9), Perspective(60.0, 0.1, math.inf),
+    ],
+)  # fmt: skip
+def test_the_planes_pass_through_the_corners(lens: Any, depth: Any) -> None:
+    ours = Projection(Camera((3.0, 2.0, 4.0), (0.5, 0.25, -1.0)), lens, SIZE, depth)
+    planes = world_planes(ours)
+    assert list(planes) == ["near", "far", "left", "right", "bottom", "top"]
+    is_infinite = lens.far == math.inf
+    assert (planes["far"] is None) == is_infinite
+    for corner in itertools.product((0, 1), repeat=3):  # of x, y, depth
+        x, y, away = corner
+        z = (
+            (1 - away if depth == "reversed" else away)
+            if not is_infinite
+            else float(depth == "reversed")
+        )
+        point = ours.world_from_image([x * SIZE[0], y * SIZE[1], z])
+        on = {("left", "right")[x], ("top", "bottom")[y], ("near", "far")[away]}
+        for name, plane in planes.items():
+            if plane is None or (is_infinite and name == "near"):
+                continue
+            distance = float(np.dot(plane[:3], point)) + plane[3]
+            assert np.linalg.norm(plane[:3]) == pytest.approx(1.0, abs=1e-14)
+            assert (abs(distance) < 1e-9) if name in on else (distance > 1e-3), (name, corner)

@@ -1438,5 +1438,5 @@ def test_a_pasted_matrix_fills_all_cells_of_an_answer(window: MainWindow, tmp_pa
         shown = " ".join(cell.text() for cell in view.cells)
         assert shown == cells if cells else shown.startswith(text[:8])  # as into any field
     view.cells[0].setText("1")
-    view.check()
+    press(KEY.Key_Return)
     assert "On the diagonal." in texts(view)
