@@ -25,6 +25,7 @@ from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 OF_A_CAMERA = QT_TRANSLATE_NOOP("Matrix", "eye ({0}), looks along ({1})")
+LENS_IS_USED = QT_TRANSLATE_NOOP("Matrix", "its lens is used, looking along −z")
 NO_CAMERA = QT_TRANSLATE_NOOP(
     "Refusal", "must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1"
 )
@@ -64,7 +65,10 @@ def pasted(
         if not projection.has_camera:
             cells_of_lens = shown.clip_from_view.tolist()
             shown = with_matrix(replace(projection, depth=reading.depth), name, cells_of_lens)
-        found.append(Pasted(shown, convention(reading, projection, write)))
+        said = convention(reading, projection, write)
+        if (reading.y, reading.z) != (1, 1):
+            said.append(Property(LENS_IS_USED))
+        found.append(Pasted(shown, said))
     return found or [Pasted(with_matrix(projection, name, cells), [])]
 
 

@@ -1083,11 +1083,10 @@ def test_a_direct3d_projection_brings_its_lens_and_depth_range(
     assert found.camera == OFF_AXIS.camera
     said = panel.explanation.text()
     assert "left-handed: looks along +z" in said and "fov 60°, near 0.1, far 1000" in said
+    assert said.endswith("its lens is used, looking along −z")
 
 
-def test_a_near_plane_that_two_depth_ranges_give_is_asked(
-    panel: MatrixPanel, qtbot: QtBot
-) -> None:
+def test_a_near_plane_that_two_depth_ranges_give_is_asked(panel: MatrixPanel, qtbot: QtBot) -> None:
     cells = [[1.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]]
     paste(panel, "clip_from_view", text_of(cells))
     first, second = meanings_of(panel, "clip_from_view")
@@ -1139,3 +1138,22 @@ def test_what_is_copied_can_be_pasted(
         else:
             assert found.camera.eye == OFF_AXIS.camera.eye and found.lens == other.lens
             assert np.abs(found.camera.frame - OFF_AXIS.camera.frame).max() < 1e-15
+
+
+def test_the_last_rounded_cell_makes_a_camera_and_says_so(panel: MatrixPanel, qtbot: QtBot) -> None:
+    turned: Any = ((0.9553365, -0.29552022, 0, 0), (0.29552022, 0.9553365, 0, 0), *VIEW[2:])
+    cells = [list(row) for row in turned]
+    cells[3][3], cells[1][1] = 1.0, 0.5
+    free = replace(
+        OFF_AXIS, lens=FreeMatrix(OFF_AXIS.clip_from_view.tolist(), cells, OFF_AXIS.lens)
+    )
+    shown_after(panel, qtbot, free)
+    panel.views["view_from_world"].edit_cell(1, 1)
+    field: Any = panel.views["view_from_world"].field
+    field.selectAll()
+    QTest.keyClicks(field, "0.9553365")
+    with qtbot.waitSignal(panel.edited) as edited:
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    assert edited.args[0].lens == OFF_AXIS.lens
+    assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
+    assert "rounded to float32; the nearest camera is used" in panel.explanation.text()

@@ -34,7 +34,14 @@ from app.lecture.notation import (
 )
 from app.lecture.pasting import Pasted, pasted
 from app.lecture.stages import NDC, REACHED_BY
-from app.lecture.typed_matrix import EDITABLE, Property, properties, with_cell
+from app.lecture.typed_matrix import (
+    EDITABLE,
+    Property,
+    properties,
+    rounded_view,
+    shown,
+    with_cell,
+)
 from app.model.formula import ARROW
 from app.model.matrix_text import read_matrix
 from app.model.projection import Projection
@@ -231,7 +238,13 @@ class MatrixPanel(ReadablePanel):
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
+        cells = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
+        cells[into][of] = sign * value
+        if name == "view_from_world" and projection.has_camera:
+            rounding = _words(rounded_view(projection, cells, read_text))
+            if rounding:
+                self._explain(rounding)
 
     def _edit(self, projection: Projection) -> None:
         if projection != self._projection:
