@@ -44,6 +44,7 @@ PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
+CONVENTIONS = ("opengl", "direct3d", "vulkan", "unity", "opencv")
 MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
 FULL_TURN = 360.0
@@ -472,6 +473,13 @@ def _matrices() -> Parser:
     text = "a document, picture or mesh whose camera is used (default: the letter F)"
     parser = Parser("matrices", "[FILE]", text)
     parser.add_choice("--format", MATRIX_FORMATS, "output format (default: text)", "text")
+    parser.add_choice("--convention", CONVENTIONS, "camera and lens as another program writes them")
+    parser.add_choice(
+        "--vectors", ("columns", "rows"), "after --convention (default: those of that program)"
+    )
+    parser.add_argument(
+        "--planes", action="store_true", help="the six planes of the view volume in world space"
+    )
     parser.add_argument(
         "--digits", type=_digits, metavar="COUNT",
         help="in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
