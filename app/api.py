@@ -41,6 +41,7 @@ from app.model.projection import (
     Camera,
     FreeMatrix,
     Frustum,
+    Intrinsics,
     Lens,
     ObjectTransform,
     Oblique,
@@ -65,9 +66,9 @@ from app.scenes.scene import BUILT_IN, Scene
 from app.scenes.scene import load as load_scene
 
 __all__ = [
-    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum", "Lens",
-    "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection", "Refusal", "Stage",
-    "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
+    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
+    "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection",
+    "Refusal", "Stage", "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
 ]  # fmt: skip
 
 Source: TypeAlias = Document | Projection

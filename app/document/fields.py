@@ -181,8 +181,14 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     )
 
 
+CALIBRATED = tuple(
+    Field("lens", name, NUMBER)
+    for name in ("fx", "fy", "cx", "cy", "focal_mm", "sensor_width_mm", "sensor_height_mm")
+)
+ANGLES = tuple(Field("lens", name, NUMBER) for name in ("fov_x_deg", "focal_length_mm"))
+"""Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
 CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
-LENS_CONTROLS = ("lens.fov_x_deg", "lens.focal_length_mm")
+LENS_CONTROLS = tuple(field.path for field in ANGLES)
 """Numbers that the controls show beside the fields of a document."""
 
 

@@ -6,28 +6,59 @@ import contextlib
 import difflib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from typing import Any, TypeAlias
 
-from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
+from app.document.codec import LONGEST_SHOWN, MISSING, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
-from app.document.fields import Field, controls_of, fields_of, lens_fields, numbers
+from app.document.fields import (
+    ANGLES,
+    CALIBRATED,
+    Field,
+    controls_of,
+    fields_of,
+    lens_fields,
+    numbers,
+)
 from app.document.view import AS_EVER, STRIP
 from app.lecture.equation import equation_of
-from app.model.limits import OTHER_SIDE
+from app.model.limits import OTHER_SIDE, positive
 from app.model.object_transform import NOT_MOVED
-from app.model.projection import kinds
+from app.model.projection import LENSES, Intrinsics, fov_y_from_focal_length_35mm, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
 from app.scenes.phenomena import PHENOMENA
 
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
 OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
+CONTRADICTS = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be set together with {0}: both decide what the lens sees"
+)
+NOT_SYMMETRIC = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be frustum, because the pixels are not square or the axis is not in the image's middle",
+)
+NO_SENSOR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is"
+    " lens.focal_length_mm",
+)
 COMPARED = QT_TRANSLATE_NOOP(
     "Refusal",
     "must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of"
     " a picture, | between pictures, and NAME: before a picture that has a name",
 )
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
+
+Values: TypeAlias = dict[str, Any]
+MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
+_SIDES = ("left", "right", "bottom", "top", "keep")
+_RIVALS = (
+    (tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
+     ("lens.fov_y_deg",), tuple(f"lens.{side}" for side in _SIDES)),
+    (("lens.fx", "lens.fy"), ("lens.focal_mm", "lens.sensor_width_mm", "lens.sensor_height_mm")),
+)  # fmt: skip
+"""Values of which only those of one group can be set together."""
 
 
 def set_values(document: Document, assignments: Iterable[str]) -> Document:
@@ -40,6 +71,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     - ``lens.kind`` comes next and keeps the picture similar. If sides of its window are given, they
     are used as typed: ``lens.keep`` is then ``stretch``, unless it is set too.
     - Settings come next. Camera and lens may follow them, but the lens keeps the requested kind.
+    - The measures of a lens that no document has (``lens.fx``, ``lens.fov_x_deg``) come last.
     - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
 
     Parameters
@@ -80,10 +112,11 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         texts.setdefault("lens.keep", "stretch")
     document = _with_lens(document, kind)
     known = {each.path: each for each in fields_of(document.scene, document.projection.lens.kind)}
+    measures = {path: texts.pop(path) for path in MEASURES if path in texts}
     paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
     for path in texts:
         if path not in paths:
-            raise _unknown_path(path, paths)
+            raise _unknown_path(path, [*paths, *MEASURES])
     beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
     values = {each.name: _read(each, text) for each, text in settings.items()}
@@ -97,7 +130,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
             section = tree.setdefault(each.section, {}) if each.section else tree
             section[each.name] = _read(each, text)
     try:
-        document = _beside(from_tree(tree), beside, dividers)
+        document = _measured(from_tree(tree), measures, texts, kind)
+        document = _beside(document, beside, dividers)
         with document_paths("view"):
             _check_slide(document, texts)
         return document
@@ -108,6 +142,70 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         # The other one of the two was set.
         limit, value = format_value(error.value), tree["lens"][side]
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def _measured(
+    document: Document, texts: dict[str, str], others: Collection[str], kind: str
+) -> Document:
+    """Return the document with the lens that its measures decide, for the final image size.
+
+    Parameters
+    ----------
+    texts : dict
+        The texts of `MEASURES`. One of fx and fy stands for both, and cx and cy stay as they are
+        without new ones.
+    others : collection of str
+        The paths that are set besides.
+    kind : str
+        The kind of lens that is set; empty for none.
+    """
+    if not texts:
+        return document
+    for rivals in _RIVALS:
+        given = [[path for path in paths if path in {*texts, *others}] for paths in rivals]
+        if len(both := list(filter(None, given))) > 1:
+            raise Refusal.in_document(CONTRADICTS, both[1][0], field=both[0][0])
+    values: Values = {MEASURES[path].name: _read(MEASURES[path], texts[path]) for path in texts}
+    projection = document.projection
+    by_angle = any(field.path in texts for field in ANGLES)
+    lenses = [
+        name for name, lens in LENSES.items() if (lens.symmetric if by_angle else lens.central)
+    ]
+    if projection.lens.kind not in lenses:
+        raise Refusal.in_document(OTHER_LENS, ", ".join(lenses), field=next(iter(texts)))
+    with document_paths("lens"):
+        if "fov_x_deg" in values:
+            projection = projection.with_fov_x(values["fov_x_deg"])
+        elif "focal_length_mm" in values:
+            fov_y_deg = fov_y_from_focal_length_35mm(values["focal_length_mm"], projection.aspect)
+            projection = replace(projection, lens=projection.lens.but(fov_y_deg=fov_y_deg))
+        else:
+            now = projection.intrinsics
+            focal = _focal_px(values, projection.image_size, now)
+            centre = values.get("cx", now.cx), values.get("cy", now.cy)
+            projection = projection.with_intrinsics((*focal, *centre))
+    if kind == "perspective" != projection.lens.kind:
+        raise Refusal.in_document(NOT_SYMMETRIC, field="lens.kind", value=kind)
+    return _with_lens(replace(document, projection=projection), kind)
+
+
+def _focal_px(values: Values, image: tuple[int, int], now: Intrinsics) -> tuple[float, float]:
+    """Return fx and fy in pixels, also of a focal length in mm; one of them stands for both."""
+    fx, fy = values.get("fx"), values.get("fy")
+    sides = "sensor_width_mm", "sensor_height_mm"
+    if values.keys() & {"focal_mm", *sides}:
+        if "focal_mm" not in values:
+            raise Refusal.in_document(MISSING, field="lens.focal_mm")
+        focal_mm = positive("focal_mm", values["focal_mm"])
+        if not values.keys() & {*sides}:
+            raise Refusal("focal_mm", focal_mm, NO_SENSOR)
+        fx, fy = (
+            focal_mm * pixels / positive(side, values[side]) if side in values else None
+            for side, pixels in zip(sides, image, strict=True)
+        )
+    if fx is None:
+        return (now.fx, now.fy) if fy is None else (abs(fy), fy)
+    return fx, abs(fx) if fy is None else fy
 
 
 def _check_slide(document: Document, paths: Collection[str]) -> None:

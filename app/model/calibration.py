@@ -1,0 +1,90 @@
+"""Calibrated cameras: what their numbers must be, and what is said of those of other conventions.
+
+K maps x right, y down, z forward to pixels that are counted from the centre of the first one, as
+`Intrinsics` describes.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.model.lenses.answers import Intrinsics
+from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, finite, positive, within
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+X_LEFT = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx",
+)
+Y_UP = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy",
+)
+NORMALISED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be in pixels, but the four numbers are in widths and heights of the image: multiply fx"
+    " and cx by {0}, fy and cy by {1}, then subtract 0.5 from cx and cy",
+)
+FOUR_OR_K = QT_TRANSLATE_NOOP(
+    "Refusal", "must be fx, fy, cx, cy, or the three rows of three numbers of a camera matrix K"
+)
+TRANSPOSED = QT_TRANSLATE_NOOP(
+    "Refusal", "is a transposed K, with cx and cy in the last row: swap rows and columns"
+)
+LAST_ROW = QT_TRANSLATE_NOOP("Refusal", "must have the last row 0, 0, 1, or a multiple of it")
+ZERO_BELOW = QT_TRANSLATE_NOOP("Refusal", "must be 0: below its diagonal, K has only zeros")
+SKEWED = QT_TRANSLATE_NOOP(
+    "Refusal", "is a skew of the pixels, which must be 0: the window of a lens is a rectangle"
+)
+_MOST_NORMALISED = 4.0  # a focal length in widths: a field of view of 14 degrees
+_FEW_PX = 16
+
+
+def intrinsics_of(given: Any) -> Intrinsics:
+    """Return fx, fy, cx, cy from these four numbers or from K, (3, 3), whose scale is free.
+
+    Raises
+    ------
+    Refusal
+        For anything else: a K that is transposed or has skew is named as such.
+    """
+    try:
+        shape = np.shape(given)
+    except ValueError:  # rows of different lengths
+        shape = ()
+    if shape == (4,):
+        parts = zip(Intrinsics._fields, given, strict=True)
+        return Intrinsics(*(finite(name, value) for name, value in parts))
+    if shape != (3, 3):
+        raise Refusal("intrinsics", given, FOUR_OR_K)
+    rows = [[finite(f"K[{i}, {j}]", given[i][j]) for j in range(3)] for i in range(3)]
+    if rows[0][2] == rows[1][2] == 0.0 and rows[2][2] != 0.0 and any(rows[2][:2]):
+        raise Refusal("K", rows, TRANSPOSED)
+    if any(rows[2][:2]) or rows[2][2] == 0.0:
+        raise Refusal("K", rows, LAST_ROW)
+    (fx, skew, cx), (below, fy, cy) = ([cell / rows[2][2] for cell in row] for row in rows[:2])
+    if below != 0.0:
+        raise Refusal("K[1, 0]", below, ZERO_BELOW)
+    if skew != 0.0:
+        raise Refusal("K[0, 1]", skew, SKEWED)
+    return Intrinsics(fx, fy, cx, cy)
+
+
+def checked_intrinsics(given: ArrayLike, image_size: tuple[int, int]) -> Intrinsics:
+    """Return fx, fy, cx, cy of a possible lens for an image of this size, or a `Refusal`."""
+    fx, fy, cx, cy = found = intrinsics_of(given)
+    width, height = image_size
+    for name, value, bound in (("fx", fx, X_LEFT), ("fy", fy, Y_UP)):
+        if value < 0.0:
+            raise Refusal(name, value, bound, -value)
+        positive(name, value)
+    in_first_pixel = 0.0 <= cx <= 1.0 and 0.0 <= cy <= 1.0
+    if in_first_pixel and max(fx, fy) <= _MOST_NORMALISED and min(image_size) >= _FEW_PX:
+        raise Refusal("fx", fx, NORMALISED, width, height)
+    for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
+        least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
+        within(name, value, least, side / (2.0 * SMALLEST_OPENING))
+    return found
