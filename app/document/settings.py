@@ -144,6 +144,12 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
 
 
+def with_size(document: Document, assignments: Iterable[str]) -> Document:
+    """Return the document with the image size of assignments: a camera file may lack its own."""
+    sizes = [each for each in assignments if each.strip().startswith("image.")]
+    return set_values(document, sizes) if sizes else document
+
+
 def _measured(
     document: Document, texts: dict[str, str], others: Collection[str], kind: str
 ) -> Document:

@@ -6,13 +6,23 @@ K maps x right, y down, z forward to pixels that are counted from the centre of 
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from app.model.lenses.answers import Intrinsics
-from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, finite, positive, within
+from app.model.limits import (
+    NOT_ZERO,
+    SMALLEST_FIELD,
+    SMALLEST_OPENING,
+    Array,
+    finite,
+    positive,
+    within,
+)
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 X_LEFT = QT_TRANSLATE_NOOP(
@@ -88,3 +98,37 @@ def checked_intrinsics(given: ArrayLike, image_size: tuple[int, int]) -> Intrins
         least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
         within(name, value, least, side / (2.0 * SMALLEST_OPENING))
     return found
+
+
+# --------------------------------------------------------------------------- poses
+
+
+def rotation_from_vector(vector: Sequence[float]) -> Array:
+    """Return the rotation about a vector by its length in radians, (3, 3): OpenCV's Rodrigues."""
+    angle = math.hypot(*vector)
+    half = math.sin(angle / 2.0) / angle if angle > 0.0 else 0.5
+    return rotation_from_quaternion([math.cos(angle / 2.0), *(half * part for part in vector)])
+
+
+def rotation_from_quaternion(wxyz: Sequence[float]) -> Array:
+    """Return the rotation of a quaternion of any length but 0, Hamilton's convention, (3, 3)."""
+    length = math.hypot(*wxyz)
+    if length == 0.0:
+        raise Refusal("quaternion", tuple(wxyz), NOT_ZERO)
+    w, x, y, z = (part / length for part in wxyz)
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
+
+
+def world_from_opencv(rotation: Array, translation: Sequence[float]) -> Array:
+    """Return the columns right, up, backward and eye of a pose ``x_camera = R x + t``, (3, 4).
+
+    The camera's axes are OpenCV's and COLMAP's: x right, y down, z forward.
+    """
+    axes = rotation.T * (1.0, -1.0, -1.0)
+    return np.column_stack([axes, -rotation.T @ translation])
