@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.view import View
 from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.matrix_text import read_matrix
 from app.model.object_transform import ObjectTransform
 from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, Orbit, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -40,7 +41,7 @@ class Kind(NamedTuple):
     Attributes
     ----------
     read : callable
-        Converts the text to the JSON value; returns None if it cannot.
+        Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot.
     bound : tuple
         The bound that an invalid text violates, and the bound's limits.
     """
@@ -109,6 +110,16 @@ def _looks(text: str) -> dict[str, Any] | None:
     return found
 
 
+def _matrix(text: str) -> list[list[float]] | None:
+    """Read a 4x4 matrix, or a 3x4 one to which the row 0 0 0 1 is added; None for 3x3."""
+    rows = read_matrix(text).rows
+    if len(rows[0]) == 3:
+        rows = [list(column) for column in zip(*rows, strict=True)]
+    if len(rows[0]) == 3:
+        return None
+    return rows if len(rows) == 4 else [*rows, [0.0, 0.0, 0.0, 1.0]]
+
+
 def _number_or_word(text: str) -> float | str:
     value = number(text)
     return text if value is None else value
@@ -120,7 +131,7 @@ NUMBER_OR_WORD = Kind(_number_or_word)
 PIXELS = Kind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
 SWITCH = Kind(lambda text: {"true": True, "false": False}.get(text, text))
 VECTOR = Kind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
-MATRIX = Kind(lambda text: _rows(text, 4, 4, 4), (FOUR_BY_FOUR,))
+MATRIX = Kind(_matrix, (FOUR_BY_FOUR,))
 PROBES = Kind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
 PANES = Kind(_looks, (LOOKS,))
 NAMES = Kind(lambda text: [name.strip() for name in text.split(",") if name.strip()])

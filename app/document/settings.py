@@ -232,9 +232,13 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 def _read(field: Field, text: str) -> object:
     assert field.kind is not None
-    value = field.kind.read(text)
+    bound = field.kind.bound
+    try:
+        value = field.kind.read(text)
+    except Refusal as error:  # it says what in the text is not a value
+        value, bound = None, (error.bound, *error.limits)
     if value is None:
-        raise Refusal.in_document(*field.kind.bound, field=field.path, value=text)
+        raise Refusal.in_document(*bound, field=field.path, value=text)
     return value
 
 

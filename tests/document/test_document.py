@@ -10,6 +10,7 @@ import math
 import os
 import pickle
 import random
+import re
 import struct
 import subprocess
 import sys
@@ -1351,7 +1352,11 @@ def test_set_makes_and_changes_a_free_matrix() -> None:
     for path in ("clip_from_view", "view_from_world"):
         for text in ("1,2,3", "nan" + ",0" * 15, "1e400" + ",0" * 15, "x"):
             said = sentence(set_value, made, f"lens.{path}", text)
-            assert said.startswith(f"lens.{path} = ") and said.endswith(f": {FOUR_ROWS}.")
+            assert said.startswith(f"lens.{path} = '")
+            assert re.search("numbers, but has (3|nan|1e400|0)[.]$", said)
+        said = sentence(set_value, made, f"lens.{path}", "1,0,0,0,1,0,0,0,1")
+        assert said.endswith(f": {FOUR_ROWS}.")
+        set_values(made, [f"lens.{path}=[1 0 0 5; 0 1 0 0; 0 0 1 0]"])
     said = sentence(set_value, made, "lens.near", "2")
     assert "belongs to another lens" in said
     said = sentence(set_value, Document(), "lens.clip_from_view", cells)
