@@ -27,9 +27,8 @@ from numpy.typing import ArrayLike
 from app import __version__
 from app.document.codec import picture_json
 from app.document.document import Document, is_mesh
-from app.document.files import read
 from app.document.lengths import PX_PER, Size, parse_size
-from app.document.settings import set_values, with_size
+from app.document.settings import open_with, set_values
 from app.document.view import MOST_PROBES, PANES
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
@@ -104,7 +103,7 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
     if is_mesh(name):
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
-        return set_values(read(os.path.abspath(name), with_size(Document(), values)), values)
+        return set_values(open_with(os.path.abspath(name), Document(), values), values)
     return set_values(Document(name, load_scene(name).start), values)
 
 

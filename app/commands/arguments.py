@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 from app import bootstrap
 from app.commands.options import CANNOT_DRAW, CliError, check_file
 from app.document.document import Document, is_mesh
-from app.document.files import UNREADABLE, blamed_on, read
-from app.document.settings import set_values, with_size
+from app.document.files import UNREADABLE, blamed_on
+from app.document.settings import open_with, set_values
 from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
@@ -94,7 +94,7 @@ def document_before(
         course = course_of(file)
         return state_at(course, place_of(course, step))
     before = Document() if scene is None else _opened(scene)
-    return before if file is None else _open(file, with_size(before, assignments))
+    return before if file is None else _open(file, before, assignments)
 
 
 def with_values(document: Document, assignments: Sequence[str]) -> Document:
@@ -156,7 +156,7 @@ def _start(scene: str) -> Projection:
     return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
 
 
-def _open(file: str, over: Document) -> Document:
+def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:
     if is_mesh(file):
         return _opened(file)
     if not os.path.lexists(file):
@@ -165,7 +165,7 @@ def _open(file: str, over: Document) -> Document:
         if file in BUILT_IN:
             raise CliError(f"{file} is a scene: write --set scene={file}.")
     check_file(file)
-    return read(file, over)
+    return open_with(file, over, assignments)
 
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:

@@ -24,7 +24,6 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any, TypeAlias
-from xml.etree import ElementTree
 
 import numpy as np
 
@@ -33,6 +32,8 @@ from app.document.fields import Tree, number
 from app.model.calibration import (
     rotation_from_quaternion,
     rotation_from_vector,
+    straightened,
+    taken_apart,
     world_from_opencv,
 )
 from app.model.limits import Array, positive
@@ -40,8 +41,8 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.strangers import printable
 
-View: TypeAlias = Callable[[Projection], Projection]
-"""Puts a camera in the place of a projection's; a `Refusal` if it is not possible."""
+View: TypeAlias = Callable[[Projection, bool], Projection]
+"""Puts a camera in the place of a projection's, whose image size was chosen for it if true."""
 Views: TypeAlias = dict[str, View]
 Group: TypeAlias = Mapping[str, tuple[str, Any]]
 """The values of a camera by their names in lower case without signs, each with its own name."""
@@ -74,8 +75,8 @@ NO_POSE = QT_TRANSLATE_NOOP(
 )
 NO_SIZE = QT_TRANSLATE_NOOP(
     "Refusal",
-    "is in pixels of an image whose size the file does not have, and which is not {0} x {1}: set"
-    " image.width and image.height",
+    "is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width"
+    " and image.height as well",
 )
 NO_MATRIX = QT_TRANSLATE_NOOP(
     "Refusal", "has no camera matrix: camera_matrix, K, or fx, fy, cx and cy"
@@ -100,6 +101,7 @@ _MIDDLE = 0.3, 0.7
 """Where the principal point is in an image of the right size, in widths and heights."""
 
 _K = ("cameramatrix", "k", "m", "mtx", "intrinsics", "intrinsic", "intrinsicmatrix")
+_P = ("p", "projectionmatrix", "cameraprojectionmatrix")
 _FOUR = ("fx", "fy", "cx", "cy")
 _DISTORTION = (
     ("distortioncoefficients", "distcoeffs", "distortion", "dist", "d"),
@@ -174,7 +176,17 @@ def _named(views: Iterable[tuple[str, View]]) -> Views:
 # --------------------------------------------------------------------------- a camera of ours
 
 
-def _seen(group: Group, pose: Array | None, half: float, projection: Projection) -> Projection:
+def seen_through(p: Any, projection: Projection, is_sized: bool) -> Projection:
+    """Return the projection of a camera matrix P, (3, 4), as `_seen` does."""
+    found = taken_apart(p)
+    k, _ = straightened(found, projection.image_size)
+    pose = world_from_opencv(found.rotation, found.translation)
+    return _seen({"k": ("P", k.tolist())}, pose, 0.0, projection, is_sized)
+
+
+def _seen(
+    group: Group, pose: Array | None, half: float, projection: Projection, is_sized: bool
+) -> Projection:
     """Return the projection of a camera over the scene of another one.
 
     What the file does not have stays: the camera, and the image size if the principal point is
@@ -217,7 +229,7 @@ def _seen(group: Group, pose: Array | None, half: float, projection: Projection)
     lens = Perspective(near=near, far=far)
     made = Projection(camera, lens, image, projection.depth, projection.placement)
     made = made.with_intrinsics(k)
-    if image is not sides and not is_angle:
+    if not (is_sized or is_angle or image is sides):
         at = made.intrinsics[2:]
         low, high = _MIDDLE
         if not all(low < part / side < high for part, side in zip(at, image, strict=True)):
@@ -286,14 +298,14 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 # --------------------------------------------------------------------------- NeRF and OpenCV
 
 
-def _frame(group: Group, projection: Projection) -> Projection:
+def _frame(group: Group, projection: Projection, is_sized: bool) -> Projection:
     for name in ("isfisheye", "equirectangular", "latlong", "fthetap0", "fromna", "cameramodel"):
         key, value = group.get(name, ("", None))
         if value and not (name == "cameramodel" and value in _PARAMETERS):
             raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
     if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
         raise Refusal.in_document(MISSING, field="transform_matrix")
-    return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
+    return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection, is_sized)
 
 
 def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
@@ -310,6 +322,8 @@ def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
             for count, pose in enumerate(poses or [None], 1):
                 words = (name, suffix, f"{count}" if len(poses) > 1 else "")
                 yield " ".join(filter(None, words)), partial(_seen, group, pose, 0.0)
+        elif not suffix and (cells := _numbers(group, _P, 12)):
+            yield name, partial(seen_through, np.reshape(cells, (3, 4)))
     for key, part in tree.items():
         if isinstance(part, dict) and levels:
             yield from _cameras(part, key, levels - 1)
@@ -331,7 +345,8 @@ def _poses(group: Group) -> list[Array]:
         pairs = [(turns[i * each :][:each], moves[i * 3 :][:3]) for i in range(count)]
     return [
         world_from_opencv(
-            rotation_from_vector(turn) if len(turn) == 3 else np.reshape(turn, (3, 3)), move
+            rotation_from_vector(turn) if len(turn) == 3 else np.reshape(turn, (3, 3)),
+            np.array(move),
         )
         for turn, move in pairs
     ]
@@ -364,6 +379,8 @@ def _yaml(text: str) -> Tree:
 
 
 def _xml(text: str) -> Tree:
+    from xml.etree import ElementTree
+
     try:
         if "<!DOCTYPE" in text or "<!ENTITY" in text:
             raise ValueError("<!DOCTYPE")
@@ -376,7 +393,7 @@ def _xml(text: str) -> Tree:
     return tree
 
 
-def _element(element: ElementTree.Element, levels: int) -> Any:
+def _element(element: Any, levels: int) -> Any:
     if len(element) == 0 or levels == 0:
         return element.text or ""
     return {child.tag: _element(child, levels - 1) for child in element}
@@ -419,16 +436,21 @@ def _lines(text: str, file: str = "", skipped: int = 0) -> Iterator[Line]:
                 next(lines, None)
 
 
-def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> Projection:
+def _image(
+    cameras: Mapping[str, Line], line: Line, projection: Projection, is_sized: bool
+) -> Projection:
     where, parts = line[0], line[1].split(maxsplit=9)
     values = _floats(parts[1:8], where, "IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME", 7)
     if len(parts) < 9 or parts[8] not in cameras:
         raise Refusal.in_document(NO_CAMERA, field=where)
     rotation = rotation_from_quaternion(values[:4])
-    return _of_camera(cameras[parts[8]], world_from_opencv(rotation, values[4:]), projection)
+    pose = world_from_opencv(rotation, np.array(values[4:]))
+    return _of_camera(cameras[parts[8]], pose, projection, is_sized)
 
 
-def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projection:
+def _of_camera(
+    line: Line, pose: Array | None, projection: Projection, is_sized: bool
+) -> Projection:
     """Return the projection of a line of cameras.txt."""
     where, (_, model, *rest) = line[0], (line[1] + " ?").split()[:-1]
     if model not in _PARAMETERS:
@@ -440,7 +462,7 @@ def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projec
     names = "w", "h", *_FOUR, "dist"
     group = {n: (n, value) for n, value in zip(names, [*values[:6], values[6:]], strict=True)}
     group["dist"] = (f"{where}: {model}", values[6:])
-    return _seen(group, pose, 0.5, projection)
+    return _seen(group, pose, 0.5, projection, is_sized)
 
 
 def _floats(texts: Sequence[str], where: str, form: str, count: int) -> list[float]:

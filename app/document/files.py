@@ -99,7 +99,11 @@ def content_of(path: Path, largest: int) -> bytes:
 
 
 def read(
-    path: Path, over: Document | None = None, choose: Callable[[list[str]], str] | None = None
+    path: Path,
+    over: Document | None = None,
+    choose: Callable[[list[str]], str] | None = None,
+    *,
+    is_sized: bool = False,
 ) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
@@ -114,6 +118,8 @@ def read(
     over : Document, optional
     choose : callable, optional
         Chooses one of the names of the views; without it, a file with several is refused.
+    is_sized : bool
+        Whether `over` has the image size of the camera, which the file may lack.
 
     Raises
     ------
@@ -141,7 +147,8 @@ def read(
             if not _has_mark(content):
                 document = over or Document()
                 if cameras := _views(file, content):
-                    projection = cameras[_chosen(cameras, view, choose)](document.projection)
+                    seen = cameras[_chosen(cameras, view, choose)]
+                    projection = seen(document.projection, is_sized)
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
                 raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)

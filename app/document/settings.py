@@ -8,18 +8,21 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
 
-from app.document.codec import LONGEST_SHOWN, MISSING, document_paths, from_tree, to_tree
+from app.document.camera_files import seen_through
+from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
 from app.document.fields import (
     ANGLES,
     CALIBRATED,
+    CAMERA_P,
     Field,
     controls_of,
     fields_of,
     lens_fields,
     numbers,
 )
+from app.document.files import read
 from app.document.view import AS_EVER, STRIP
 from app.lecture.equation import equation_of
 from app.model.limits import OTHER_SIDE, positive
@@ -52,11 +55,16 @@ NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 Values: TypeAlias = dict[str, Any]
 MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
-_SIDES = ("left", "right", "bottom", "top", "keep")
+_DECIDING = (
+    tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
+    ("lens.fov_y_deg",),
+    tuple(f"lens.{name}" for name in ("left", "right", "bottom", "top", "keep")),
+)  # fmt: skip
 _RIVALS = (
-    (tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
-     ("lens.fov_y_deg",), tuple(f"lens.{side}" for side in _SIDES)),
-    (("lens.fx", "lens.fy"), ("lens.focal_mm", "lens.sensor_width_mm", "lens.sensor_height_mm")),
+    _DECIDING,
+    (("lens.K",), ("lens.fx", "lens.fy"), ("lens.focal_mm", "lens.sensor_width_mm",
+                                           "lens.sensor_height_mm")),
+    (("lens.K",), ("lens.cx", "lens.cy")),
 )  # fmt: skip
 """Values of which only those of one group can be set together."""
 
@@ -71,6 +79,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     - ``lens.kind`` comes next and keeps the picture similar. If sides of its window are given, they
     are used as typed: ``lens.keep`` is then ``stretch``, unless it is set too.
     - Settings come next. Camera and lens may follow them, but the lens keeps the requested kind.
+    - ``camera.P`` is a camera and its lens.
     - The measures of a lens that no document has (``lens.fx``, ``lens.fov_x_deg``) come last.
     - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
 
@@ -111,12 +120,14 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
         texts.setdefault("lens.keep", "stretch")
     document = _with_lens(document, kind)
+    if CAMERA_P.path in texts:
+        document = _through(document, texts, kind)
     known = {each.path: each for each in fields_of(document.scene, document.projection.lens.kind)}
     measures = {path: texts.pop(path) for path in MEASURES if path in texts}
     paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
     for path in texts:
         if path not in paths:
-            raise _unknown_path(path, [*paths, *MEASURES])
+            raise _unknown_path(path, [*paths, *MEASURES, CAMERA_P.path])
     beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
     values = {each.name: _read(each, text) for each, text in settings.items()}
@@ -144,10 +155,24 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
 
 
-def with_size(document: Document, assignments: Iterable[str]) -> Document:
-    """Return the document with the image size of assignments: a camera file may lack its own."""
+def open_with(path: Path, over: Document, assignments: Iterable[str]) -> Document:
+    """Read a file; a camera without an image size has that of assignments. They come later."""
     sizes = [each for each in assignments if each.strip().startswith("image.")]
-    return set_values(document, sizes) if sizes else document
+    return read(path, set_values(over, sizes), is_sized=bool(sizes))
+
+
+def _through(document: Document, texts: dict[str, str], kind: str) -> Document:
+    """Return the document seen through the camera matrix P of a path that it takes from `texts`."""
+
+    cells = _read(CAMERA_P, texts.pop(CAMERA_P.path))
+    for path in [*texts, *(["lens.kind"] if kind else [])]:
+        if path.startswith(("camera.", "lens.kind")) or any(path in each for each in _DECIDING):
+            raise Refusal.in_document(CONTRADICTS, CAMERA_P.path, field=path)
+    sizes = [f"{path}={text}" for path, text in texts.items() if path.startswith("image.")]
+    document = set_values(document, sizes)
+    with document_paths():
+        projection = seen_through(cells, document.projection, bool(sizes))
+    return replace(document, projection=projection)
 
 
 def _measured(
@@ -189,7 +214,7 @@ def _measured(
             now = projection.intrinsics
             focal = _focal_px(values, projection.image_size, now)
             centre = values.get("cx", now.cx), values.get("cy", now.cy)
-            projection = projection.with_intrinsics((*focal, *centre))
+            projection = projection.with_intrinsics(values.get("K", (*focal, *centre)))
     if kind == "perspective" != projection.lens.kind:
         raise Refusal.in_document(NOT_SYMMETRIC, field="lens.kind", value=kind)
     return _with_lens(replace(document, projection=projection), kind)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,6 +21,7 @@ from app.model.limits import (
     Array,
     finite,
     positive,
+    read_only,
     within,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -49,6 +50,13 @@ ZERO_BELOW = QT_TRANSLATE_NOOP("Refusal", "must be 0: below its diagonal, K has 
 SKEWED = QT_TRANSLATE_NOOP(
     "Refusal", "is a skew of the pixels, which must be 0: the window of a lens is a rectangle"
 )
+AT_INFINITY = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is",
+)
+MOST_SKEW_PX = 0.5
+"""Most that a picture may move when the skew of a rounded P is left out."""
+SINGULAR = 1e-12
 _MOST_NORMALISED = 4.0  # a focal length in widths: a field of view of 14 degrees
 _FEW_PX = 16
 
@@ -125,10 +133,70 @@ def rotation_from_quaternion(wxyz: Sequence[float]) -> Array:
     )
 
 
-def world_from_opencv(rotation: Array, translation: Sequence[float]) -> Array:
+def world_from_opencv(rotation: Array, translation: Array) -> Array:
     """Return the columns right, up, backward and eye of a pose ``x_camera = R x + t``, (3, 4).
 
     The camera's axes are OpenCV's and COLMAP's: x right, y down, z forward.
     """
     axes = rotation.T * (1.0, -1.0, -1.0)
     return np.column_stack([axes, -rotation.T @ translation])
+
+
+# --------------------------------------------------------------------------- a 3x4 matrix
+
+
+class TakenApart(NamedTuple):
+    """``P = scale K [R | t]`` in OpenCV's axes.
+
+    P is the same camera at every scale and sign. Here K has a positive diagonal and the last cell
+    1, R is a rotation, and the sign of `scale` is that of P's left determinant.
+    """
+
+    scale: float
+    k: Array
+    rotation: Array
+    translation: Array
+
+
+def taken_apart(p: ArrayLike) -> TakenApart:
+    """Take a camera matrix P apart, (3, 4): RQ, by Gram and Schmidt from the last row up.
+
+    Raises
+    ------
+    Refusal
+        For a singular left 3x3 block, as a parallel projection has.
+    """
+    cells = np.asarray(p, dtype=np.float64)
+    size = float(np.abs(cells).max())
+    m = cells[:, :3] / size if size else cells[:, :3]
+    rows = np.linalg.norm(m, axis=1)
+    determinant = float(np.linalg.det(m))
+    if abs(determinant) <= SINGULAR * float(rows.prod()):
+        raise Refusal("P", cells.tolist(), AT_INFINITY)
+    scale = math.copysign(float(rows[2]), determinant)
+    m = m / scale
+    k, rotation = np.eye(3), np.zeros((3, 3))
+    rotation[2] = m[2]
+    for i in (1, 0):
+        rest = m[i].copy()
+        for j in range(i + 1, 3):
+            k[i, j] = m[i] @ rotation[j]
+            rest -= k[i, j] * rotation[j]
+        k[i, i] = np.linalg.norm(rest)
+        rotation[i] = rest / k[i, i]
+    translation = np.linalg.solve(k, cells[:, 3] / size / scale)
+    return TakenApart(scale * size, k, rotation, read_only(translation))
+
+
+def straightened(found: TakenApart, image_size: tuple[int, int]) -> tuple[Array, float]:
+    """Return K without skew, and by how many pixels that moves the picture at most.
+
+    Raises a `Refusal` if it is more than `MOST_SKEW_PX`, which no rounding of P explains.
+    """
+    k = found.k.copy()
+    reach = max(abs(k[1, 2] + 0.5), abs(image_size[1] - 0.5 - k[1, 2])) / k[1, 1]
+    moved = abs(float(k[0, 1])) * float(reach)
+    if moved > MOST_SKEW_PX:
+        raise Refusal("K[0, 1]", float(k[0, 1]), SKEWED)
+    k[0, 1] = 0.0
+    return k, moved

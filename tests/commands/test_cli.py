@@ -1142,7 +1142,7 @@ def test_the_help_names_what_exists() -> None:
     paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
-    assert set(options.SETTABLE) == paths | {*MEASURES}
+    assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
     assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)

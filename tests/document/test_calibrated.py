@@ -11,8 +11,10 @@ import pytest
 
 from app.document.document import Document
 from app.document.settings import set_values
+from app.model.calibration import taken_apart
 from app.model.projection import Camera, Frustum, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
+from tests.support.commands import run_here
 
 IMAGE = ("image.width=1280", "image.height=720")
 K = ("lens.fx=912.3", "lens.fy=905.1", "lens.cx=633.2", "lens.cy=371.9")
@@ -179,3 +181,102 @@ def test_a_wrong_k_is_refused(k: Any, sentence: str) -> None:
     with pytest.raises(Refusal) as caught:
         UPRIGHT.with_intrinsics(k)
     assert str(caught.value) == sentence
+
+
+# --------------------------------------------------------------------------- K and P as matrices
+
+
+def test_k_is_set_as_a_matrix() -> None:
+    plain = set_to(*IMAGE, *K)
+    for text in ("912.3 0 633.2; 0 905.1 371.9; 0 0 1", "[[912.3,0,633.2],[0,905.1,371.9],[0,0,1]]",
+                 "1824.6, 0, 1266.4, 0, 1810.2, 743.8, 0, 0, 2"):  # fmt: skip
+        assert set_to(*IMAGE, f"lens.K={text}").intrinsics == pytest.approx(plain.intrinsics)
+    transposed = refusal("lens.K=912 0 0; 0 905 0; 633 371 1")
+    assert transposed.startswith("lens.K = [[912, 0, 0], [0, 905, 0], [633, 371, 1]]: is a transp")
+    assert refusal("lens.K=1 0 0 1; 0 1 0 1; 0 0 1 1").endswith(
+        ": must be three rows of three finite numbers."
+    )
+    for other in ("lens.fx=9", "lens.cy=9", "lens.fov_y_deg=9", "lens.focal_mm=9"):
+        assert "cannot be set together with" in refusal("lens.K=9 0 1; 0 9 1; 0 0 1", other)
+
+
+# OpenCV 5.0.0: P = K [R | t] of K = [[800, 0, 330], [0, 790, 250], [0, 0, 1]] and
+# R = cv2.Rodrigues((0.3, -0.5, 0.2)), t = (0.4, -1.2, 6); then cv2.decomposeProjectionMatrix(P).
+P = [[851.9643260578948, -131.31738702461146, -76.23995664837093, 2300.0],
+     [215.28227786046023, 798.4859165261944, -51.70862547520438, 552.0],
+     [0.497991537002922, 0.23292116428443663, 0.8353156052067086, 6.0]]  # fmt: skip
+P_R = [[0.8595338985586632, -0.2602267140480945, -0.43986763295823095],
+       [0.11491695393636675, 0.9370324372849179, -0.32979433769225514],
+       [0.4979915370029221, 0.23292116428443665, 0.8353156052067087]]  # fmt: skip
+P_EYE = (-3.193862436717357, -0.16899737534548032, -5.231699783287665)
+SIZE = ("image.width=640", "image.height=480")
+
+
+def p_text(scale: float = 1.0, digits: int = 17) -> str:
+    rows = ["  ".join(f"{scale * cell:.{digits}g}" for cell in row) for row in P]
+    return f"camera.P={'; '.join(rows)}"
+
+
+@pytest.mark.parametrize("scale", [1.0, -2.5, 1e-30, 1e30])
+def test_p_is_taken_apart_as_opencv_does(scale: float) -> None:
+    """At every scale and sign it is one camera: x_pixel = P x_world, divided."""
+    projection = set_to(*SIZE, p_text(scale))
+    assert projection.intrinsics == pytest.approx((800, 790, 330, 250), rel=1e-13)
+    assert projection.camera.eye == pytest.approx(P_EYE, rel=1e-13)
+    axes = np.array(P_R) * np.array([[1.0], [-1.0], [-1.0]])
+    np.testing.assert_allclose(projection.camera.frame, axes, atol=1e-14)
+    for x in ((0.0, 0.0, 0.0), (1.0, -2.0, 3.0)):
+        u, v, w = np.array(P) @ (*x, 1.0)
+        np.testing.assert_allclose(projection.trace(x).image - 0.5, (u / w, v / w), atol=1e-10)
+    found = taken_apart(np.array(P) * scale)
+    assert found.scale == pytest.approx(scale, rel=1e-14)
+    again = found.scale * found.k @ np.column_stack([found.rotation, found.translation])
+    np.testing.assert_allclose(again, np.array(P) * scale, rtol=1e-12, atol=1e-12 * abs(scale))
+    assert np.linalg.det(found.rotation) == pytest.approx(1.0, rel=1e-14)
+
+
+def test_what_p_does_not_say_may_be_set() -> None:
+    planes = set_to(p_text(), "lens.near=2", *SIZE, "lens.far=50")
+    assert (planes.lens.near, planes.lens.far) == (2.0, 50.0)
+    wide = set_to(p_text(), "image.height=480", "image.width=3000")
+    assert wide.intrinsics == pytest.approx((800, 790, 330, 250), rel=1e-13)
+    # With six digits K has a skew, which does not move the picture by a pixel.
+    rounded = set_to(*SIZE, p_text(digits=6)).intrinsics
+    assert rounded == pytest.approx((800, 790, 330, 250), abs=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("assignments", "sentence"),
+    [
+        ([p_text()],
+         "cx, cy = [330.00000000000006, 250.00000000000006]: is in pixels of an image whose size is"
+         " not known, and which is not 1280 x 720: set image.width and image.height as well."),
+        (["camera.P=1 0 0 0; 0 1 0 0; 0 0 0 1"],
+         "P = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 0, 1]]: must have a left 3 x 3 block with an"
+         " inverse: the camera is at infinity, as a parallel one is."),
+        (["camera.P=0 0 0 0; 0 0 0 0; 0 0 0 0"], "the camera is at infinity"),
+        (["camera.P=800 30 320 0; 0 800 240 0; 0 0 1 5", *SIZE], "K[0, 1] = 30: is a skew of the"),
+        (["camera.P=1 2 3"], "must be 9, 12 or 16 numbers, but has 3."),
+        (["camera.P=1 0 0; 0 1 0; 0 0 1"], ": must be three rows of four finite numbers."),
+        ([p_text(), *SIZE, "camera.up=0,1,0"],
+         "camera.up cannot be set together with camera.P: both decide what the lens sees."),
+        ([p_text(), *SIZE, "lens.cx=3"], "lens.cx cannot be set together with camera.P: both"),
+        ([p_text(), *SIZE, "lens.kind=frustum"], "lens.kind cannot be set together with camera.P"),
+    ],
+)  # fmt: skip
+def test_a_wrong_p_is_refused(assignments: list[str], sentence: str) -> None:
+    for given in (assignments, assignments[::-1]):
+        assert sentence in refusal(*given)
+
+
+def test_the_command_matrices_says_what_p_is_and_does_not_say() -> None:
+    size = [word for each in SIZE for word in ("--set", each)]
+    done = run_here("matrices", "--set", p_text(-2.0, 6), *size)
+    *_, said = done.stdout.split("\nP = scale K [R | t]\n")
+    assert "  (P has w > 0 behind the camera: perhaps y points up in its image)\n" in said
+    assert "is free, and so is its sign)\n" in said
+    assert "the skew of K is left out, which moves the picture by up to " in said
+    assert "  (P does not say near, far and the size of the image)\n" in said
+    exact = run_here("matrices", "--set", p_text(), *size).stdout
+    assert "skew" not in exact and "behind" not in exact
+    assert "P = scale" not in run_here("matrices").stdout

@@ -162,8 +162,8 @@ def test_a_nerf_camera_has_its_own_numbers_before_those_of_the_file() -> None:
 
 
 NO_SIZE = (
-    "is in pixels of an image whose size the file does not have, and which is not 1280 x 720: set"
-    " image.width and image.height."
+    "is in pixels of an image whose size is not known, and which is not 1280 x 720: set image.width"
+    " and image.height as well."
 )
 DISTORTED = (
     "is a lens with distortion, and here straight lines stay straight: undistort the pictures, and"
@@ -347,6 +347,17 @@ def test_a_calibration_without_a_pose_keeps_the_camera() -> None:
     assert refusal("stereo.yml#1", both).endswith(f"cx, cy = [320, 240]: {NO_SIZE}")
     given = api.load("stereo.yml#1", "image.width=640", "image.height=480").projection
     assert given.intrinsics == pytest.approx((500, 500, 320, 240), rel=1e-14)
+    off = api.load("stereo.yml#2", "image.width=3000", "image.height=300").projection
+    assert off.intrinsics == pytest.approx((500, 500, 330, 240), rel=1e-13)
+
+
+def test_a_file_may_have_p_alone() -> None:
+    """P = K [I | t] for t = (0, 0, 5), so that the eye is at z = -5."""
+    text = "P: [500, 0, 320, 1600, 0, 500, 240, 1200, 0, 0, 1, 5]\n"
+    Path("p.yml").write_text(text, encoding="utf-8")
+    found = api.load("p.yml", "image.width=640", "image.height=480").projection
+    assert found.intrinsics == pytest.approx((500, 500, 320, 240), rel=1e-13)
+    assert found.camera.eye == pytest.approx((0, 0, -5), abs=1e-13)
 
 
 @pytest.mark.parametrize(
