@@ -351,9 +351,9 @@ def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
         "page that phones show), and the document, picture, mesh, camera, lesson or talk to draw "
-        "(default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages "
-        "or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider "
-        "(.html), or a name with %%03d for a figure of each frame"
+        "(default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, "
+        "--stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a "
+        "slider (.html), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -455,9 +455,9 @@ def _export() -> Parser:
 
 def _project() -> Parser:
     text = (
-        "a document, picture, mesh or camera file whose camera is used (default: the letter F), and "
-        "the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be "
-        "0 for a point at infinity; any other w divides x, y and z"
+        "a document, picture, mesh or camera file whose camera is used (default: the letter F), "
+        "and the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, "
+        "may be 0 for a point at infinity; any other w divides x, y and z"
     )
     parser = Parser("project", "[FILE] POINTS", text)
     parser.add_choice("--format", PROJECT_FORMATS, "output format (default: table)", "table")

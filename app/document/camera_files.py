@@ -1,17 +1,9 @@
 """Camera files of other programs: NeRF's transforms.json, COLMAP's text, OpenCV's K, R, t.
 
-A file has views by name: functions that put a camera in the place of a projection's.
-
-================  =====================================  ==========================================
-file              pose                                   principal point, counted from
-================  =====================================  ==========================================
-transforms.json   world from camera; x right, y up,      the corner of the first pixel: W/2 is the
-                  z backward (OpenGL), as our view       middle
-COLMAP            camera from world; x right, y down,    the corner of the first pixel
-                  z forward
-OpenCV            as COLMAP                              the centre of the first pixel, as in
-                                                         `Intrinsics`: (W - 1)/2 is the middle
-================  =====================================  ==========================================
+A file has views by name: functions that put a camera in the place of a projection's. The poses of
+transforms.json are world from camera, with x right, y up, z backward, as our view (OpenGL);
+COLMAP's and OpenCV's are camera from world, with x right, y down, z forward. OpenCV counts the
+principal point from the centre of the first pixel, as `Intrinsics`; the others from its corner.
 
 Of YAML only names with numbers, and groups of them, are read: no object is made, no alias followed.
 """
@@ -32,7 +24,6 @@ from app.document.fields import Tree, number
 from app.model.calibration import (
     rotation_from_quaternion,
     rotation_from_vector,
-    straightened,
     taken_apart,
     world_from_opencv,
 )
@@ -41,8 +32,8 @@ from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.strangers import printable
 
-View: TypeAlias = Callable[[Projection, bool], Projection]
-"""Puts a camera in the place of a projection's, whose image size was chosen for it if true."""
+View: TypeAlias = Callable[[Projection], Projection]
+"""Puts a camera in the place of a projection's; a `Refusal` if it is not possible."""
 Views: TypeAlias = dict[str, View]
 Group: TypeAlias = Mapping[str, tuple[str, Any]]
 """The values of a camera by their names in lower case without signs, each with its own name."""
@@ -68,23 +59,20 @@ DISTORTED = QT_TRANSLATE_NOOP(
 )
 NO_PERSPECTIVE = QT_TRANSLATE_NOOP("Refusal", "is no perspective camera, and is not read")
 NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be {0} finite numbers")
-ROTATION = QT_TRANSLATE_NOOP("Refusal", "must have three equally long axes at right angles")
-MIRRORED = QT_TRANSLATE_NOOP("Refusal", "is a mirrored camera: its determinant is negative")
+ROTATION = QT_TRANSLATE_NOOP(
+    "Refusal", "must be a rotation: equally long axes at right angles, not mirrored"
+)
 NO_POSE = QT_TRANSLATE_NOOP(
-    "Refusal", "must have three numbers of translation for three or nine of rotation: {0} for {1}"
+    "Refusal", "must have three numbers for each rotation, which has three or nine"
 )
 NO_SIZE = QT_TRANSLATE_NOOP(
     "Refusal",
     "is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width"
-    " and image.height as well",
+    " and image.height, or add image_width and image_height to the file",
 )
-NO_MATRIX = QT_TRANSLATE_NOOP(
-    "Refusal", "has no camera matrix: camera_matrix, K, or fx, fy, cx and cy"
-)
+NO_VIEW = QT_TRANSLATE_NOOP("Refusal", "has no camera: no camera_matrix, K or fx, and no frame")
 NO_XML = QT_TRANSLATE_NOOP("Refusal", "is not XML as OpenCV writes it: {0}")
-OF_COLMAP = QT_TRANSLATE_NOOP("Refusal", "must be {0}")
 NO_CAMERA = QT_TRANSLATE_NOOP("Refusal", "has a CAMERA_ID that is not in cameras.txt")
-NO_VIEW = QT_TRANSLATE_NOOP("Refusal", "has no view")
 
 _OTHERS = {
     ".nvm": "VisualSFM", ".out": "Bundler", ".sfm": "Meshroom", ".blend": "Blender",
@@ -95,6 +83,7 @@ _OTHER_KEYS = {
     "sfm_data_version": "OpenMVG", "featuresFolders": "Meshroom", "shots": "OpenSfM",
     "img_name": "Gaussian Splatting",
 }  # fmt: skip
+MOST_SKEW_PX = 0.5
 _TURNED = 3e-3
 """Most that the axes of a pose may miss right angles: three digits are enough to be read."""
 _MIDDLE = 0.3, 0.7
@@ -129,27 +118,22 @@ def views_of(path: Path, text: str, beside: Callable[[str], str]) -> Views | Non
     `beside` returns the text of a file in the same folder, or an empty one if there is none.
     """
     ending = os.path.splitext(path)[1].lower()
+    begin = text.lstrip("\ufeff \t\r\n")[:1]
     if ending in (".yml", ".yaml", ".xml"):
-        is_xml = text.lstrip("\ufeff \t\r\n").startswith("<")
-        if views := list(_cameras(_xml(text) if is_xml else _yaml(text), "", DEEPEST)):
-            return _named(views)
-        raise Refusal.in_document(NO_MATRIX)
-    if ending != ".json" and not text.lstrip("\ufeff \t\r\n").startswith("{"):
+        return _named(_cameras(_xml(text) if begin == "<" else _yaml(text), "", DEEPEST))
+    if ending != ".json" and begin != "{":
         return _colmap(text, beside)
     tree = tree_of(text, MOST_VALUES)
     first = tree[0] if isinstance(tree, list) and tree else tree
-    for key, program in _OTHER_KEYS.items():
-        if isinstance(first, dict) and key in first:
-            raise Refusal.in_document(OTHER, program)
+    for key in _OTHER_KEYS.keys() & (first if isinstance(first, dict) else {}):
+        raise Refusal.in_document(OTHER, _OTHER_KEYS[key])
     if not isinstance(tree, dict):
         return None
-    if not isinstance(frames := tree.get("frames"), list):
-        views = list(_cameras(tree, "", DEEPEST))
-        return _named(views) if views else None
-    own = [frame if isinstance(frame, dict) else {} for frame in frames]
+    if not isinstance(tree.get("frames"), list):
+        return _named(_cameras(tree, "", DEEPEST), is_sure=False)
+    frames = [frame if isinstance(frame, dict) else {} for frame in tree["frames"]]
     return _named(
-        (str(frame.get("file_path") or ""), partial(_frame, _group({**tree, **frame})))
-        for frame in own
+        (str(each.get("file_path") or ""), partial(_frame, tree, each)) for each in frames
     )
 
 
@@ -162,13 +146,13 @@ def refuse_others(path: Path) -> None:
         raise Refusal.in_document(OTHER, program)
 
 
-def _named(views: Iterable[tuple[str, View]]) -> Views:
+def _named(views: Iterable[tuple[str, View]], *, is_sure: bool = True) -> Views:
     """Return views by their names; those without one, or with that of another, are numbered."""
     named: Views = {}
     for count, (name, view) in enumerate(views, 1):
         shown = printable(name[:LONGEST_NAME])
         named[shown if shown and shown not in named else f"{shown} ({count})".strip()] = view
-    if not named:
+    if is_sure and not named:
         raise Refusal.in_document(NO_VIEW)
     return named
 
@@ -176,16 +160,20 @@ def _named(views: Iterable[tuple[str, View]]) -> Views:
 # --------------------------------------------------------------------------- a camera of ours
 
 
-def seen_through(p: Any, projection: Projection, is_sized: bool) -> Projection:
-    """Return the projection of a camera matrix P, (3, 4), as `_seen` does."""
+def seen_through(p: Any, projection: Projection, *, is_sized: bool = False) -> Projection:
+    """Return the projection of a camera matrix P, (3, 4), for an image of its size if `is_sized`.
+
+    A skew that the rounding of P explains is left out.
+    """
     found = taken_apart(p)
-    k, _ = straightened(found, projection.image_size)
+    k = found.k.copy()
+    k[0, 1] = 0.0 if abs(k[0, 1]) <= MOST_SKEW_PX else k[0, 1]
     pose = world_from_opencv(found.rotation, found.translation)
     return _seen({"k": ("P", k.tolist())}, pose, 0.0, projection, is_sized)
 
 
 def _seen(
-    group: Group, pose: Array | None, half: float, projection: Projection, is_sized: bool
+    group: Group, pose: Array | None, half: float, projection: Projection, is_sized: bool = False
 ) -> Projection:
     """Return the projection of a camera over the scene of another one.
 
@@ -251,10 +239,9 @@ def _placed(pose: Array, before: Camera) -> Camera:
     lengths = np.linalg.norm(axes, axis=0)
     axes = axes / np.where(lengths > 0.0, lengths, 1.0)
     error = np.abs(axes.T @ axes - np.eye(3)).max()
-    if error > _TURNED or lengths.max() > lengths.min() * (1.0 + _TURNED):
-        raise Refusal.in_document(ROTATION, field="rotation", value=pose[:, :3].tolist())
-    if np.linalg.det(axes) < 0.0:
-        raise Refusal.in_document(MIRRORED, field="rotation", value=pose[:, :3].tolist())
+    is_uneven = lengths.max() > lengths.min() * (1.0 + _TURNED)
+    if error > _TURNED or is_uneven or np.linalg.det(axes) < 0.0:
+        raise Refusal.in_document(ROTATION, field="the pose", value=pose[:, :3].tolist())
     distance = math.dist(eye.tolist(), before.target) or before.distance
     return Camera(eye.tolist(), (eye - distance * axes[:, 2]).tolist(), axes[:, 1].tolist())
 
@@ -298,26 +285,26 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 # --------------------------------------------------------------------------- NeRF and OpenCV
 
 
-def _frame(group: Group, projection: Projection, is_sized: bool) -> Projection:
+def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
+    group = _group({**tree, **frame})
     for name in ("isfisheye", "equirectangular", "latlong", "fthetap0", "fromna", "cameramodel"):
         key, value = group.get(name, ("", None))
         if value and not (name == "cameramodel" and value in _PARAMETERS):
             raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
     if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
         raise Refusal.in_document(MISSING, field="transform_matrix")
-    return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection, is_sized)
+    return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
 
 
 def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
     """Yield the views of OpenCV's calibrations; a stereo pair has the names M1, D1 and M2, D2."""
     whole = _group(tree)
+    sizes = {key: whole[key] for names in _SIZES for key in names if key in whole}
     for suffix in ("", "1", "2"):
-        group = {key: whole[key] for names in _SIZES for key in names if key in whole}
-        group |= {key.removesuffix(suffix): whole[key] for key in whole if key.endswith(suffix)}
-        # K1 is a matrix, but k1 a distortion.
-        is_k = [key in group and len(_tokens(group[key][1])) >= 4 for key in _K]
-        if any(is_k) or {*_FOUR} <= group.keys():
-            group = {key: group[key] for key in group if key not in _K or is_k[_K.index(key)]}
+        # k1 and p1 are no matrices, but distortion.
+        ours = whole if not suffix else [k for k in whole if k[-1:] == suffix and k[0] not in "kp"]
+        group = {**sizes, **{key.removesuffix(suffix): whole[key] for key in ours}}
+        if any(key in group for key in _K) or {*_FOUR} <= group.keys():
             poses = [] if suffix else _poses(group)
             for count, pose in enumerate(poses or [None], 1):
                 words = (name, suffix, f"{count}" if len(poses) > 1 else "")
@@ -341,7 +328,7 @@ def _poses(group: Group) -> list[Array]:
         count = max(1, len(moves) // 3)
         each = len(turns) // count
         if each not in (3, 9) or len(moves) != 3 * count or len(turns) != each * count:
-            raise Refusal.in_document(NO_POSE, len(moves), len(turns))
+            raise Refusal.in_document(NO_POSE, field="t", value=moves)
         pairs = [(turns[i * each :][:each], moves[i * 3 :][:3]) for i in range(count)]
     return [
         world_from_opencv(
@@ -389,14 +376,10 @@ def _xml(text: str) -> Tree:
             raise ValueError(f"<{root.tag}>")
     except (ElementTree.ParseError, ValueError) as error:
         raise Refusal.in_document(NO_XML, str(error)) from error
-    tree: Tree = _element(root, DEEPEST) or {}
-    return tree
-
-
-def _element(element: Any, levels: int) -> Any:
-    if len(element) == 0 or levels == 0:
-        return element.text or ""
-    return {child.tag: _element(child, levels - 1) for child in element}
+    return {
+        child.tag: {part.tag: part.text or "" for part in child} or child.text or ""
+        for child in root
+    }
 
 
 # --------------------------------------------------------------------------- COLMAP
@@ -417,56 +400,41 @@ def _colmap(text: str, beside: Callable[[str], str]) -> Views | None:
     cameras = {line.split(maxsplit=1)[0]: (where, line) for where, line in rows}
     if not images:
         return _named((key, partial(_of_camera, line, None)) for key, line in cameras.items())
-    return _named(
-        ((line.split(maxsplit=9)[9:] or [""])[0], partial(_image, cameras, (where, line)))
-        for where, line in _lines(images, "images.txt, " if is_cameras else "", skipped=1)
-    )
+    views = list[tuple[str, View]]()
+    lines = _lines(images, "images.txt, " if is_cameras else "", are_empty=True)
+    for where, line in lines:  # the points of an image follow it, and may be an empty line
+        if line:
+            name = line.split(maxsplit=9)[9:]
+            views.append(("".join(name), partial(_image, cameras, (where, line))))
+            next(lines, None)
+    return _named(views)
 
 
-def _lines(text: str, file: str = "", skipped: int = 0) -> Iterator[Line]:
-    """Yield the lines that are no comment and not empty, and where they are.
-
-    The line after each is skipped if `skipped` is 1: the points of an image, even if it is empty.
-    """
-    lines = iter(enumerate(text.splitlines(), 1))
-    for count, line in lines:
-        if (line := line.strip("\ufeff \t")) and not line.startswith("#"):
+def _lines(text: str, file: str = "", *, are_empty: bool = False) -> Iterator[Line]:
+    """Yield the lines that are no comment, and where they are; empty ones only if they count."""
+    for count, line in enumerate(text.splitlines(), 1):
+        line = line.strip("\ufeff \t")
+        if not line.startswith("#") and (line or are_empty):
             yield f"{file}line {count}", line
-            if skipped:
-                next(lines, None)
 
 
-def _image(
-    cameras: Mapping[str, Line], line: Line, projection: Projection, is_sized: bool
-) -> Projection:
+def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> Projection:
     where, parts = line[0], line[1].split(maxsplit=9)
-    values = _floats(parts[1:8], where, "IMAGE_ID QW QX QY QZ TX TY TZ CAMERA_ID NAME", 7)
+    values = _numbers({"": (where, parts[1:8])}, [""], 7)
     if len(parts) < 9 or parts[8] not in cameras:
         raise Refusal.in_document(NO_CAMERA, field=where)
     rotation = rotation_from_quaternion(values[:4])
     pose = world_from_opencv(rotation, np.array(values[4:]))
-    return _of_camera(cameras[parts[8]], pose, projection, is_sized)
+    return _of_camera(cameras[parts[8]], pose, projection)
 
 
-def _of_camera(
-    line: Line, pose: Array | None, projection: Projection, is_sized: bool
-) -> Projection:
+def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projection:
     """Return the projection of a line of cameras.txt."""
     where, (_, model, *rest) = line[0], (line[1] + " ?").split()[:-1]
     if model not in _PARAMETERS:
         raise Refusal.in_document(NO_PERSPECTIVE, field=where, value=model)
-    form = f"CAMERA_ID {model} WIDTH HEIGHT PARAMS[]"
-    values = _floats(rest, where, form, _PARAMETERS[model] + 2)
+    values = _numbers({"": (where, rest)}, [""], _PARAMETERS[model] + 2)
     if model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL"):  # with one focal length
         values.insert(2, values[2])
-    names = "w", "h", *_FOUR, "dist"
-    group = {n: (n, value) for n, value in zip(names, [*values[:6], values[6:]], strict=True)}
-    group["dist"] = (f"{where}: {model}", values[6:])
-    return _seen(group, pose, 0.5, projection, is_sized)
-
-
-def _floats(texts: Sequence[str], where: str, form: str, count: int) -> list[float]:
-    values = [value for value in map(number, texts) if value is not None]
-    if len(texts) != count or len(values) != count:
-        raise Refusal.in_document(OF_COLMAP, form, field=where, value=" ".join(texts))
-    return values
+    group = {name: (name, value) for name, value in zip(("w", "h", *_FOUR), values, strict=False)}
+    return _seen({**group, "d": (f"{where}: {model}", values[6:])}, pose, 0.5, projection)

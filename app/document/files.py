@@ -14,7 +14,7 @@ import struct
 import sys
 import time
 import zlib
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING, BinaryIO
@@ -59,10 +59,9 @@ NEITHER = QT_TRANSLATE_NOOP(
     "is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a"
     " camera file (.json, .yml, .xml, cameras.txt, images.txt)",
 )
-SEVERAL = QT_TRANSLATE_NOOP(
+VIEWS = QT_TRANSLATE_NOOP(
     "Refusal", "has {0} views: write #1 to #{0}, or # and a name, after the file: {1}"
 )
-NO_VIEW = QT_TRANSLATE_NOOP("Refusal", "has no view {0}: write #1 to #{1}, or # and a name: {2}")
 NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 
@@ -99,11 +98,7 @@ def content_of(path: Path, largest: int) -> bytes:
 
 
 def read(
-    path: Path,
-    over: Document | None = None,
-    choose: Callable[[list[str]], str] | None = None,
-    *,
-    is_sized: bool = False,
+    path: Path, over: Document | None = None, choose: Callable[[list[str]], str] | None = None
 ) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
@@ -118,8 +113,6 @@ def read(
     over : Document, optional
     choose : callable, optional
         Chooses one of the names of the views; without it, a file with several is refused.
-    is_sized : bool
-        Whether `over` has the image size of the camera, which the file may lack.
 
     Raises
     ------
@@ -147,8 +140,7 @@ def read(
             if not _has_mark(content):
                 document = over or Document()
                 if cameras := _views(file, content):
-                    seen = cameras[_chosen(cameras, view, choose)]
-                    projection = seen(document.projection, is_sized)
+                    projection = cameras[_chosen(cameras, view, choose)](document.projection)
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
                 raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)
@@ -164,11 +156,10 @@ def read(
 def split_view(path: Path) -> tuple[str, str]:
     """Split ``FILE#VIEW``; the view is empty if there is none, or a file has the whole name."""
     name = os.fspath(path)
-    file, mark, view = name.partition("#")
-    while mark and not os.path.isfile(file):
-        more, mark, view = view.partition("#")
-        file = f"{file}#{more}"
-    return (file, view) if mark and not os.path.lexists(name) else (name, "")
+    file, mark, view = name.rpartition("#")
+    return (
+        (file, view) if mark and not os.path.lexists(name) and os.path.isfile(file) else (name, "")
+    )
 
 
 def _has_mark(content: bytes) -> bool:
@@ -180,40 +171,30 @@ def _views(path: str, content: bytes) -> Views:
     """Return the views of a camera file by name; none if it is no such file."""
     from app.document import camera_files
 
-    camera_files.refuse_others(path)
-
     def beside(name: str) -> str:
         other = os.path.join(os.path.dirname(path), name)
         with blamed_on(other, UNREADABLE):
             return _decode(content_of(other, LARGEST_CAMERAS)) if os.path.isfile(other) else ""
 
+    camera_files.refuse_others(path)
     return camera_files.views_of(path, _decode(content), beside) or {}
 
 
 def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) -> str:
+    """Return the name of the view that a name, a number or a person chooses, or the only one."""
     names = list(views)
-    if not view and len(names) > 1:
-        if choose is not None:
-            return choose(names)
-        raise Refusal.in_document(SEVERAL, len(names), _some(names))
-    alike = [name for name in names if view in _short(name)]
-    if view in views or not view:
+    if not view and len(names) > 1 and choose is not None:
+        return choose(names)
+    if view in names or (not view and len(names) == 1):
         return view or names[0]
-    if len(alike) == 1:
-        return alike[0]
     if re.fullmatch("[0-9]{1,7}", view) and 1 <= int(view) <= len(names):
         return names[int(view) - 1]
-    raise Refusal.in_document(NO_VIEW, repr(view), len(names), _some(names))
-
-
-def _short(name: str) -> tuple[str, str]:
-    """Return the name of a view without its folder, and without its ending as well."""
-    last = re.split(r"[/\\]", name)[-1]
-    return last, os.path.splitext(last)[0]
-
-
-def _some(names: Sequence[str]) -> str:
-    return ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
+    last = [re.split(r"[/\\]", name)[-1] for name in names]
+    alike = [view in (each, os.path.splitext(each)[0]) for each in last]
+    if sum(alike) == 1:
+        return names[alike.index(True)]
+    some = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
+    raise Refusal.in_document(VIEWS, len(names), some)
 
 
 def holds_document(path: Path) -> bool:

@@ -8,7 +8,6 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
 
-from app.document.camera_files import seen_through
 from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
@@ -36,10 +35,6 @@ OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kin
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
 CONTRADICTS = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be set together with {0}: both decide what the lens sees"
-)
-NOT_SYMMETRIC = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be frustum, because the pixels are not square or the axis is not in the image's middle",
 )
 NO_SENSOR = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -158,11 +153,12 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
 def open_with(path: Path, over: Document, assignments: Iterable[str]) -> Document:
     """Read a file; a camera without an image size has that of assignments. They come later."""
     sizes = [each for each in assignments if each.strip().startswith("image.")]
-    return read(path, set_values(over, sizes), is_sized=bool(sizes))
+    return read(path, set_values(over, sizes))
 
 
 def _through(document: Document, texts: dict[str, str], kind: str) -> Document:
-    """Return the document seen through the camera matrix P of a path that it takes from `texts`."""
+    """Return the document seen through the camera matrix P, which is taken out of `texts`."""
+    from app.document.camera_files import seen_through
 
     cells = _read(CAMERA_P, texts.pop(CAMERA_P.path))
     for path in [*texts, *(["lens.kind"] if kind else [])]:
@@ -171,24 +167,17 @@ def _through(document: Document, texts: dict[str, str], kind: str) -> Document:
     sizes = [f"{path}={text}" for path, text in texts.items() if path.startswith("image.")]
     document = set_values(document, sizes)
     with document_paths():
-        projection = seen_through(cells, document.projection, bool(sizes))
+        projection = seen_through(cells, document.projection, is_sized=bool(sizes))
     return replace(document, projection=projection)
 
 
 def _measured(
     document: Document, texts: dict[str, str], others: Collection[str], kind: str
 ) -> Document:
-    """Return the document with the lens that its measures decide, for the final image size.
+    """Return the document with the lens of the `MEASURES` in `texts`, for the final image size.
 
-    Parameters
-    ----------
-    texts : dict
-        The texts of `MEASURES`. One of fx and fy stands for both, and cx and cy stay as they are
-        without new ones.
-    others : collection of str
-        The paths that are set besides.
-    kind : str
-        The kind of lens that is set; empty for none.
+    One of fx and fy stands for both, and what is not given stays; `others` are the paths that are
+    set besides, and `kind` the kind of lens.
     """
     if not texts:
         return document
@@ -216,7 +205,7 @@ def _measured(
             centre = values.get("cx", now.cx), values.get("cy", now.cy)
             projection = projection.with_intrinsics(values.get("K", (*focal, *centre)))
     if kind == "perspective" != projection.lens.kind:
-        raise Refusal.in_document(NOT_SYMMETRIC, field="lens.kind", value=kind)
+        raise Refusal.in_document(CONTRADICTS, next(iter(texts)), field="lens.kind")
     return _with_lens(replace(document, projection=projection), kind)
 
 
