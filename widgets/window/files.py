@@ -9,7 +9,14 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QInputDialog, QMainWindow, QMessageBox
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QListWidget,
+    QMainWindow,
+    QMessageBox,
+)
 
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
@@ -18,10 +25,11 @@ from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
+from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import message_box
+from widgets.parts.plain import Label, message_box
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -136,12 +144,23 @@ class Files(QObject):
         self._remember(f"{path}#{chosen}" if chosen else path)
         return True
 
-    def _ask_for_view(self, views: list[str]) -> str:
-        title, asked = self.tr("Open a camera"), self.tr("View of the file:")
-        view, is_wanted = QInputDialog.getItem(self._window, title, asked, views, 0, False)
-        if not is_wanted:
+    def _ask_for_view(self, names: list[str]) -> str:
+        dialog, views = QDialog(self._window), QListWidget()
+        dialog.setWindowTitle(self.tr("Open a camera"))
+        views.addItems(names)
+        views.setCurrentRow(0)
+        views.itemActivated.connect(dialog.accept)
+        asked = Label(self.tr("The file has {0} views:").format(len(names)))
+        asked.setBuddy(views)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(dialog.accept)
+        buttons.rejected.connect(dialog.reject)
+        in_column(asked, views, buttons, on=dialog)
+        if not dialog.exec():
             raise Cancelled
-        return view
+        return views.currentItem().text()
 
     def open_step(self, document: Document, scene: Scene, lesson: Path | None) -> bool:
         """Show the first state of a lesson; the student's changes to it are not unsaved work."""
