@@ -81,7 +81,7 @@ _OTHERS = {
 }  # fmt: skip
 _OTHER_KEYS = {
     "sfm_data_version": "OpenMVG", "featuresFolders": "Meshroom", "shots": "OpenSfM",
-    "img_name": "Gaussian Splatting",
+    "img_name": "Gaussian Splatting", "class_name": "Open3D",
 }  # fmt: skip
 MOST_SKEW_PX = 0.5
 _TURNED = 3e-3
@@ -92,10 +92,8 @@ _MIDDLE = 0.3, 0.7
 _K = ("cameramatrix", "k", "m", "mtx", "intrinsics", "intrinsic", "intrinsicmatrix")
 _P = ("p", "projectionmatrix", "cameraprojectionmatrix")
 _FOUR = ("fx", "fy", "cx", "cy")
-_DISTORTION = (
-    ("distortioncoefficients", "distcoeffs", "distortion", "dist", "d"),
-    *((name,) for name in ("k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2")),
-)
+_DISTORTION = ("d", "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2")
+_NO_PERSPECTIVE = ("isfisheye", "equirectangular", "latlong", "fthetap0", "fromna")
 _ROTATIONS = (
     "rvec", "rvecs", "rotationvector", "rotationvectors", "r", "rotation", "rotationmatrix",
 )  # fmt: skip
@@ -107,6 +105,7 @@ _PARAMETERS = {
     "FULL_OPENCV": 12,
 }  # fmt: skip
 """The perspective models of COLMAP, which also transforms.json names, and their parameters."""
+_MODELS = (*_PARAMETERS, "PLUMB_BOB", "RADTAN", "RATIONAL_POLYNOMIAL", "NONE", "")
 
 
 # --------------------------------------------------------------------------- the file
@@ -187,12 +186,15 @@ def _seen(
     half : float
         What the centre of the first pixel has as coordinates.
     """
-    for names in _DISTORTION:
-        if any(values := _numbers(group, names)):
-            key = next(group[name][0] for name in names if name in group)
-            value = values[0] if len(values) == 1 else values
+    for name, (key, node) in group.items():
+        value = " ".join(map(str, _tokens(node)))
+        is_model = name in ("cameramodel", "distortionmodel") and value.upper() not in _MODELS
+        if is_model or (name in _NO_PERSPECTIVE and value.upper() != "FALSE"):
+            raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
+        is_distortion = name.startswith("dist") and not name.endswith("model")
+        if (is_distortion or name in _DISTORTION) and any(_numbers(group, [name])):
             raise Refusal.in_document(DISTORTED, field=key, value=value)
-    size = _numbers(group, ("imagesize", "cameraresolution"), 2)
+    size = _numbers(group, ("imagesize", "cameraresolution", "resolution"), 2)
     size = size or [side for names in _SIZES for side in _numbers(group, names, 1)]
     sides: Any = tuple(int(side) if side.is_integer() else side for side in size)
     image = sides if len(sides) == 2 else projection.image_size
@@ -218,10 +220,10 @@ def _seen(
     made = Projection(camera, lens, image, projection.depth, projection.placement)
     made = made.with_intrinsics(k)
     if not (is_sized or is_angle or image is sides):
-        at = made.intrinsics[2:]
+        at = [round(part, 6) for part in made.intrinsics[2:]]
         low, high = _MIDDLE
         if not all(low < part / side < high for part, side in zip(at, image, strict=True)):
-            raise Refusal.in_document(NO_SIZE, *image, field="cx, cy", value=list(at))
+            raise Refusal.in_document(NO_SIZE, *image, field="cx, cy", value=at)
     return made
 
 
@@ -287,10 +289,6 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 
 def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
     group = _group({**tree, **frame})
-    for name in ("isfisheye", "equirectangular", "latlong", "fthetap0", "fromna", "cameramodel"):
-        key, value = group.get(name, ("", None))
-        if value and not (name == "cameramodel" and value in _PARAMETERS):
-            raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
     if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
         raise Refusal.in_document(MISSING, field="transform_matrix")
     return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
@@ -430,10 +428,11 @@ def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> P
 
 def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projection:
     """Return the projection of a line of cameras.txt."""
-    where, (_, model, *rest) = line[0], (line[1] + " ?").split()[:-1]
+    where, parts = line[0], line[1].split()
+    model = "".join(parts[1:2])
     if model not in _PARAMETERS:
         raise Refusal.in_document(NO_PERSPECTIVE, field=where, value=model)
-    values = _numbers({"": (where, rest)}, [""], _PARAMETERS[model] + 2)
+    values = _numbers({"": (where, parts[2:])}, [""], _PARAMETERS[model] + 2)
     if model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL"):  # with one focal length
         values.insert(2, values[2])
     group = {name: (name, value) for name, value in zip(("w", "h", *_FOUR), values, strict=False)}

@@ -176,11 +176,11 @@ TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
 @pytest.mark.parametrize(
     ("content", "sentence"),
     [
-        (nerf(k1=-0.2), f"k1 = -0.2: {DISTORTED}"),
-        (nerf({"p1": 1e-3}), f"p1 = 0.001: {DISTORTED}"),
+        (nerf(k1=-0.2), f"k1 = '-0.2': {DISTORTED}"),
+        (nerf({"p1": 1e-3}), f"p1 = '0.001': {DISTORTED}"),
         (nerf(camera_model="OPENCV_FISHEYE"),
          "camera_model = 'OPENCV_FISHEYE': is no perspective camera, and is not read."),
-        (nerf(is_fisheye=True), "is_fisheye = true: is no perspective camera, and is not read."),
+        (nerf(is_fisheye=True), "is_fisheye = 'True': is no perspective camera, and is not read."),
         ({"frames": NERF["frames"]}, "fl_x is missing."),
         (nerf(fl_x=500, cx=300), f"cx, cy = [299.5, 359.5]: {NO_SIZE}"),
         (nerf(fl_x=-500, w=640, h=480),
@@ -212,6 +212,7 @@ TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
         ('{"frames": [' + "[" * 100_000, "has more than 50 levels of brackets."),
         ('{"frames": [1, 2', "is broken or cut short"),
         ('{"frames": [' + "0," * 1_000_000 + "0]}", "has more than 1000000 values."),
+        ('{"class_name": "PinholeCameraParameters"}', "is a file of Open3D, which is not read"),
         ('[{"img_name": "a", "fx": 3}]', "is a file of Gaussian Splatting, which is not read"),
     ],
 )  # fmt: skip
@@ -302,6 +303,11 @@ def opencv_views() -> dict[str, str]:
                  "</opencv_storage>\n",
         "nested.yml": "".join(f"  {line}\n" for line in f"k: [{rows}]\n{size}{pose}".splitlines())
                       .join(["%YAML 1.2\n---\nleft:\n", "other: 3\n"]),
+        "kalibr.yaml": "cam0:\n  camera_model: pinhole\n  distortion_coeffs: [0.0, 0.0, 0, 0]\n"
+                       "  distortion_model: radtan\n  intrinsics: [535.91573396163199,"
+                       " 535.91573396163199, 342.28315473308373, 235.57082909788173]\n"
+                       "  is_fisheye: false\n  resolution: [640, 480]\n"
+                       f"  rvec: {list(RVEC)}\n  tvec: {list(TVEC)}\n",
         "orb.yaml": "%YAML:1.0\nCamera.type: PinHole\nCamera.fx: 535.91573396163199\n"
                     "Camera.fy: 535.91573396163199\nCamera.cx: 342.28315473308373\n"
                     "Camera.cy: 235.57082909788173\nCamera.k1: 0.0\nCamera.width: 640\n"
@@ -365,8 +371,8 @@ def test_a_file_may_have_p_alone() -> None:
     ("content", "sentence"),
     [
         (f"K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\n{DISTORTION}",
-         "left.yml: distortion_coefficients = [-0.2663726090966068, -0.03858889892230465, "),
-        ("fx: 5\nfy: 5\ncx: 3\ncy: 3\nk2: 0.1\n", f"left.yml: k2 = 0.1: {DISTORTED}"),
+         "left.yml: distortion_coefficients = '-2.6637260909660682e-01 -3.8588898922304653e-02 "),
+        ("fx: 5\nfy: 5\ncx: 3\ncy: 3\nk2: 0.1\n", f"left.yml: k2 = '0.1': {DISTORTED}"),
         ("K: [500, 0, 320, 0, 500, 240, 0, 0]\n",
          "left.yml: K = '500 0 320 0 500 240 0 0': must be 9 finite numbers."),
         ("K: [500, 0, .Nan, 0, 500, 240, 0, 0, 1]\n", "0 1': must be 9 finite numbers."),
@@ -381,6 +387,9 @@ def test_a_file_may_have_p_alone() -> None:
          "R: [1, 0, 0, 0, 1, 0, 0, 0, -1]\n", TURNED),
         ("camera_matrix: !!python/object/apply:os.system ['echo 1 2 3 4']\n",
          "left.yml: camera_matrix = \"!!python/object/apply:os.system 'echo 1 2 3 4'\": must be"),
+        ("fx: 5\nfy: 5\ncx: 3\ncy: 3\ndist_coeff: [0, 0.1]\n", "left.yml: dist_coeff = '0 0.1': "),
+        ("fx: 5\nfy: 5\ncx: 3\ncy: 3\ndistortion_model: equidistant\n",
+         "left.yml: distortion_model = 'equidistant': is no perspective camera, and is not read."),
         ("flags: 3\n", "left.yml has no camera: no camera_matrix, K or fx, and no frame."),
         ("", "left.yml has no camera: "),
         ("\n".join(f"{' ' * i}a:" for i in range(60)), "has more than 20 levels of brackets."),
@@ -428,12 +437,14 @@ def test_the_case_of_a_colmap_camera_alone() -> None:
     ("name", "cameras", "images", "sentence"),
     [
         ("images.txt#2", CAMERAS, IMAGES,
-         f"images.txt: cameras.txt, line 6: SIMPLE_RADIAL = -0.0218531: {DISTORTED}"),
+         f"images.txt: cameras.txt, line 6: SIMPLE_RADIAL = '-0.0218531': {DISTORTED}"),
         ("cameras.txt", "1 OPENCV_FISHEYE 8 6 7 7 4 3 0 0 0 0", "",
          "cameras.txt: line 1 = 'OPENCV_FISHEYE': is no perspective camera, and is not read."),
         ("cameras.txt", "1 PINHOLE 800 600 750 400 300", "",
          "cameras.txt: line 1 = '800 600 750 400 300': must be 6 finite numbers."),
         ("cameras.txt", "1 PINHOLE 800 600 750 nan 400 300", "", "line 1 = '800 600 750 nan 400"),
+        ("images.txt#1", "1 PINHOLE 8 6 7 7 4 3\n1", IMAGES,
+         "images.txt: cameras.txt, line 2 = '': is no perspective camera, and is not read."),
         ("images.txt", "", IMAGES, "images.txt has 2 views"),
         ("images.txt#1", "", IMAGES, "images.txt: line 5 has a CAMERA_ID that is not"),
         ("images.txt#1", CAMERAS, "1 0 0 0 0 1 2 3 1 a.png",

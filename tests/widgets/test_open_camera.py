@@ -63,4 +63,4 @@ def test_a_view_of_a_camera_file_is_chosen_over_the_current_scene(
     # One that is not possible changes nothing, and says why.
     path.write_text(json.dumps({"k1": 0.5, "frames": frames[:1]}), encoding="utf-8")
     assert not window.files.open(path) and window.store.document == document
-    assert "transforms.json: k1 = 0.5: is a lens with distortion" in window.messages.text
+    assert "transforms.json: k1 = '0.5': is a lens with distortion" in window.messages.text
