@@ -11,14 +11,19 @@ import numpy as np
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
 from app.commands.options import CliError, parser_of, write_out
+from app.document.fields import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.notation import Letters, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
+from app.model.calibration import taken_apart
+from app.model.matrix_text import read_matrix
 from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
 
 _DIGITS = 4
+NOTICED_PX = 1e-9
+"""Least skew that is no rounding of float64."""
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -44,8 +49,30 @@ def run(arguments: Sequence[str]) -> int:
     elif found.format == "latex":
         write_out([_latex(projection, found, found.letters or document.view.letters)])
     else:
-        write_out([(_text if found.format == "text" else _json)(projection)])
+        parts = _of_p(found.set) if found.format == "text" else ""
+        write_out([(_text if found.format == "text" else _json)(projection), parts])
     return 0
+
+
+def _of_p(assignments: Sequence[str]) -> str:
+    """Return the parts of a camera matrix that was set, and what it does not say."""
+    pairs = (each.partition("=") for each in assignments)
+    texts = [text for name, _, text in pairs if name.strip() == CAMERA_P.path]
+    if not texts:
+        return ""
+    scale, k, rotation, translation = taken_apart(read_matrix(texts[-1]).rows)
+    notes = [
+        "for x right, y down, z forward; pixels from the centre of the first one",
+        f"scale = {format_value(scale)} is free, and so is its sign",
+        "P has w > 0 behind the camera: perhaps y points up in its image" * (scale < 0.0),
+        f"the skew {k[0, 1]:.1g} of K is left out: so many px at 45 degrees above or below"
+        * bool(abs(k[0, 1]) > NOTICED_PX),
+        "P does not say near, far and the size of the image",
+    ]
+    said = "".join(f"  ({note})\n" for note in filter(None, notes))
+    parts = {"K": k, "R": rotation, "t": translation[:, None]}
+    blocks = (f"  {name}\n{_rows(values)}" for name, values in parts.items())
+    return "\n".join([f"\nP = scale K [R | t]\n{said}{next(blocks)}", *blocks])
 
 
 def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:

@@ -24,6 +24,8 @@ from app.scenes.phenomena import PHENOMENA
 
 Tree: TypeAlias = dict[str, Any]
 
+THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
+THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 LOOKS = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -115,6 +117,12 @@ def _matrix(text: str) -> list[list[float]] | None:
     return rows if len(rows) == 4 else [*rows, [0.0, 0.0, 0.0, 1.0]]
 
 
+def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
+    """Read a matrix of this size; None for another one."""
+    rows = read_matrix(text).rows
+    return rows if (len(rows), len(rows[0])) == (height, width) else None
+
+
 def _number_or_word(text: str) -> float | str:
     value = number(text)
     word = "inf" if text.lower() in ("∞", "infinity") else text
@@ -191,8 +199,18 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     )
 
 
+CAMERA_P = Field("camera", "P", Kind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
+CALIBRATED = (
+    Field("lens", "K", Kind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
+    *(
+        Field("lens", name, NUMBER)
+        for name in ("fx", "fy", "cx", "cy", "focal_mm", "sensor_width_mm", "sensor_height_mm")
+    ),
+)
+ANGLES = tuple(Field("lens", name, NUMBER) for name in ("fov_x_deg", "focal_length_mm"))
+"""Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
 CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
-LENS_CONTROLS = ("lens.fov_x_deg", "lens.focal_length_mm")
+LENS_CONTROLS = tuple(field.path for field in ANGLES)
 """Numbers that the controls show beside the fields of a document."""
 
 

@@ -637,7 +637,8 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
                      " column 32 on is not JSON."),
         "photo.json": (b"\xff\xd8\xff\xe0\0\x10JFIF", f" {no_text}"),
         "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
-                      f" (.md), an exported picture (.png) nor a mesh ({meshes})."),
+                      f" (.md), an exported picture (.png), a mesh ({meshes}) nor a camera file"
+                      " (.json, .yml, .xml, cameras.txt, images.txt)."),
         "other.json": (b'{"a": 1}', " is not a Frustum Lab document."),
         "fake.png": (b"no picture at all", f" {no_picture}"),
         "cut.png": (carrier(WRITTEN)[:-5], f" {no_picture}"),

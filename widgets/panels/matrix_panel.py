@@ -43,6 +43,7 @@ from app.lecture.typed_matrix import (
     with_cell,
 )
 from app.model.formula import ARROW
+from app.model.limits import finite_matrix
 from app.model.matrix_text import read_matrix
 from app.model.projection import Projection
 from app.model.refusal import Refusal
@@ -242,7 +243,7 @@ class MatrixPanel(ReadablePanel):
         self._edit(projection)
         cells[into][of] = sign * value
         if name == "view_from_world" and projection.has_camera:
-            rounding = _words(rounded_view(projection, cells, read_text))
+            rounding = _words(rounded_view(projection, finite_matrix(name, cells), read_text))
             if rounding:
                 self._explain(rounding)
 
