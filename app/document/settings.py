@@ -122,7 +122,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
     for path in texts:
         if path not in paths:
-            raise _unknown_path(path, [*paths, *MEASURES, CAMERA_P.path])
+            raise _unknown_path(path, [*paths, *MEASURES])
     beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
     values = {each.name: _read(each, text) for each, text in settings.items()}
