@@ -31,13 +31,14 @@ LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
 _COVERS_PX = 0.25
 """Half the drawn width of a line, which hides the points behind it."""
+CHUNK = 128
+"""Lines that follow one another in a file, and are near one another."""
 
 _BLOCK = 16_384  # triangles: arrays of this size stay in the processor's cache
 _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which numpy sorts by radix
 _PER_CELL = 100.0  # triangles, roughly, for a surface that fills the cells along a plane
 _TRIED = 16  # vertices: if more are hidden, the mesh is denser than the pixels
 _LOOKED_AT = 8_000  # triangles: if more are within the margin, a smaller margin has enough vertices
-_CHUNK = 128  # lines that follow one another in a file, and are near one another
 _LEAST_PX = 0.02  # margin
 _END_ON_PX = 1e-6  # a shorter line on the screen counts as a point
 _STOPS = 200  # a held key reaches each of them within seconds
@@ -427,8 +428,8 @@ class Lines:
     def __init__(self, ends: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)) -> None:
         self._ends = ends = np.asarray(ends, dtype=np.float64)
         self._origin = np.array(origin, dtype=np.float64)
-        self._chunk = np.arange(len(ends)) // _CHUNK
-        starts = np.arange(0, len(ends), _CHUNK)
+        self._chunk = np.arange(len(ends)) // CHUNK
+        starts = np.arange(0, len(ends), CHUNK)
         low, high = np.empty((2, 0, 3))
         if len(ends):
             low = np.minimum.reduceat(ends.min(axis=1), starts)
@@ -455,7 +456,8 @@ class Lines:
         tests = _tests(sight, pixel, max(end_px, line_px))
         most = (self._middles + offset) @ tests[:, :3].T + tests[:, 3]
         most += self._halves @ np.abs(tests[:, :3]).T
-        ends = self._ends[(most >= 0.0).all(axis=1)[self._chunk]]
+        is_near: NDArray[np.bool_] = most.min(axis=1) >= 0.0
+        ends = self._ends[is_near[self._chunk]]
         local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))
