@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Sequence
+
+if not __package__:  # started by the path of its folder
+    sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 
 TYPE_CHECKING = False
 """As in `typing`, which is not imported here: Ctrl-C could interrupt that."""
@@ -28,6 +32,12 @@ def need_of(arguments: Sequence[str]) -> bootstrap.Need:
 def main() -> int:
     """Set up, run the command line, return its exit status."""
     try:  # from the first import on: Ctrl-C is no error
+        from app import modules
+
+        if modules.prefer_own():
+            from app import bootstrap
+
+            bootstrap.again(sys.executable)
         arguments = sys.argv[1:]
         if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
             from app.commands import options  # which takes its time
@@ -37,7 +47,12 @@ def main() -> int:
         from app import bootstrap
 
         bootstrap.start(need_of(arguments), before=lambda: _check(arguments))
-        from app.commands.cli import main as run  # only now are its imports sure to be there
+        try:
+            from app.commands.cli import main as run  # only now are its imports sure to be there
+        except ImportError as error:
+            if sentence := bootstrap.damage(error):
+                bootstrap.fail(sentence)
+            raise
     except KeyboardInterrupt:
         return 130
     return run(arguments)

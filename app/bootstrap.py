@@ -40,7 +40,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, Literal, NoReturn, Self
 
-ROOT = Path(os.path.realpath(__file__)).parent.parent
+from app import modules
+
+ROOT = Path(modules.ROOT)
 #: The command that starts the program: an installed one has no checkout around it.
 PROGRAM = "python3 -m app" if os.path.exists(ROOT / "pyproject.toml") else "frustum-lab"
 EXIT_NOT_SET_UP = 3
@@ -293,10 +295,16 @@ class Requirement:
         from importlib import metadata
 
         try:
-            version = metadata.version(self.name)
+            found = metadata.distribution(self.name)
         except metadata.PackageNotFoundError:
             return False
-        return self.admits(version) and self.is_importable()
+        if not self.admits(found.version) or not self.is_importable():
+            return False
+        # Another folder, which a .pth file puts first for example, may hide it.
+        own = os.path.realpath(str(found.locate_file(self.import_name))) + os.sep
+        spec = importlib.util.find_spec(self.import_name)
+        assert spec is not None and spec.origin is not None
+        return not os.path.exists(own) or os.path.realpath(spec.origin).startswith(own)
 
 
 def _release(version: str) -> tuple[int, ...]:
@@ -796,8 +804,20 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
         return True
     may_go = _AGAIN not in os.environ and not environment.is_running()
     if may_go and (environment.is_complete() or environment.serves()):
-        _again(environment.python)
+        again(environment.python)
     return False
+
+
+def damage(error: ImportError) -> str:
+    """Name the package that lacks a module, and what to do; empty if no package is to blame."""
+    name = (error.name or "").partition(".")[0]
+    of_package = next((each for each in requirements(ROOT) if each.import_name == name), None)
+    if of_package is None or not isinstance(error, ModuleNotFoundError):
+        return ""
+    environment = Environment(ROOT)
+    words = [sys.executable, "-m", "pip", "install", "--force-reinstall", of_package.text]
+    how = _remove(environment.folder) if environment.is_running() else command_line(words)
+    return f"the package {of_package.name} is damaged ({error}); replace it, and start again: {how}"
 
 
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
@@ -828,7 +848,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
                 f"{environment.folder} lacks {names or 'a part'}; start again: "
                 f"{command_line([str(outside), *sys.orig_argv[1:]])}"
             )
-        _again(outside)
+        again(outside)
     if missing := [*venv_module(), *missing_system(need)]:
         _ensure_system(missing)
     how = "made"
@@ -842,7 +862,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         _say(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
         how = _AS_IT_IS
     os.environ[_AGAIN] = how
-    _again(environment.python)
+    again(environment.python)
 
 
 @contextlib.contextmanager
@@ -878,12 +898,13 @@ def fail(sentence: str) -> NoReturn:
     raise SystemExit(EXIT_NOT_SET_UP)
 
 
-def _again(python: Path) -> NoReturn:
-    """Replace this process by the same command under another interpreter."""
+def again(python: str | Path) -> NoReturn:
+    """Replace this process by the same command, perhaps under another interpreter."""
     command = [str(python), *sys.orig_argv[1:]]
     for stream in (sys.stdout, sys.stderr):
         if stream is not None:  # both are None in pythonw
             stream.flush()
+    modules.set_aside("PYTHONHOME")  # it leads to another Python's modules
     if sys.platform == "win32":  # Windows' exec returns to the shell before the program has ended
         with subprocess.Popen(command) as process:
             while process.poll() is None:

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import codecs
 import errno
 import json
 import os
+import re
 import stat
 from typing import BinaryIO
 
 LARGEST_FILE = 2 * 2**30
 """Most bytes of a file that is opened."""
 LATIN_1 = "is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong"
-"""The note beside a text whose encoding `decode` could not tell."""
+DAMAGED = "is damaged UTF-16 or UTF-32 text; what cannot be read is shown as \ufffd"
 
 
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
@@ -47,17 +49,35 @@ def _check_regular(status: os.stat_result) -> None:
         raise OSError(errno.EFBIG, f"it is larger than {LARGEST_FILE >> 30} GiB")
 
 
-def decode(content: bytes) -> tuple[str, bool]:
-    """Return the text of a file, and whether its encoding is certain.
+def decode(content: bytes) -> tuple[str, str]:
+    """Return the text of a file, and a note to show beside it; empty if the encoding is certain.
 
-    UTF-8, UTF-16 and UTF-32 are known by their byte-order mark, or by their zero bytes. What is
-    none of them is read as Latin-1, which has a letter for every byte.
+    What is not Unicode is read as Latin-1, which has a letter for every byte.
     """
-    encoding = json.detect_encoding(content[:4])
+    encoding = encoding_of(content)
     try:
-        return content.decode(encoding), True
+        return content.decode(encoding), ""
     except UnicodeDecodeError:
-        return content.decode("latin-1"), False
+        if encoding.startswith("utf-8"):
+            return content.removeprefix(codecs.BOM_UTF8).decode("latin-1"), LATIN_1
+        return content.decode(encoding, "replace"), DAMAGED
+
+
+def text_of(content: bytes, path: str | os.PathLike[str]) -> str:
+    """Return the text of a file, and log the note on its encoding, if there is one."""
+    text, note = decode(content)
+    if note:
+        import logging  # seldom: not at the start
+
+        logging.getLogger(__name__).warning("%s %s.", printable(os.fspath(path)), note)
+    return text
+
+
+def encoding_of(content: bytes) -> str:
+    """Return the Unicode encoding of a text by its byte-order mark, or else by its zero bytes."""
+    encoding, first = json.detect_encoding(content[:4]), content[:4].replace(b"\0", b"")
+    is_marked = encoding[-2:] not in ("le", "be")
+    return encoding if is_marked or re.fullmatch(rb"[\t\n\r -~]+", first) else "utf-8"
 
 
 def printable(text: str) -> str:

@@ -9,13 +9,22 @@ own, and so is the last line. ruff and mypy are tests like the others (``test_qu
 
 from __future__ import annotations
 
+import os
+import sys
+
+if __name__ == "__main__":  # before anything is imported that a file beside this folder could hide
+    if not __package__:  # started by the path of its folder
+        sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+        __import__("tests")
+    from app import modules
+
+    modules.prefer_own()
+
 import contextlib
 import importlib.util
-import os
 import shutil
 import signal
 import subprocess
-import sys
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -102,8 +111,19 @@ def _stop(_signal: int, _frame: FrameType | None) -> None:
     raise SystemExit(128 + signal.SIGTERM)
 
 
+def hides(path: Path) -> bool:
+    """Whether pytest, which looks in the checkout first, would take it for another module."""
+    if path.suffix != ".py" and not (path / "__init__.py").exists():
+        return False
+    others = {each.import_name for each in bootstrap.requirements(bootstrap.ROOT, ("test",))}
+    return path.stem in others | sys.stdlib_module_names
+
+
 def main() -> int:
     """Run pytest in a process of its own, so that a crash in it is still tidied up after."""
+    if hidden := sorted(path for path in bootstrap.ROOT.iterdir() if hides(path)):
+        names = ", ".join(map(str, hidden))
+        bootstrap.fail(f"{names}: hides a module that the tests need; rename it, and start again")
     bootstrap.start("tests", extras=("test",))
     signal.signal(signal.SIGTERM, _stop)
     # A job in the background has Ctrl-C ignored, and so would all that the tests start and stop.

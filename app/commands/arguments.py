@@ -15,7 +15,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
-from app.commands.options import CANNOT_DRAW, CliError, check_file
+from app.commands.options import CANNOT_DRAW, CliError, check_file, complain
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, read
 from app.document.settings import set_values
@@ -185,7 +185,10 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
 
 @functools.lru_cache(maxsize=8)  # of a list of large meshes not all
 def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
-    return load(scene, mesh=mesh)
+    loaded = load(scene, mesh=mesh)
+    for note in loaded.notes:
+        complain(str(note), 0)
+    return loaded
 
 
 # pyvista's meshes need its modules when they are deleted, and Python clears modules at its end.

@@ -7,7 +7,6 @@ figures. A line that cannot be drawn does not keep the others from it.
 from __future__ import annotations
 
 import argparse
-import codecs
 import contextlib
 import csv
 import difflib
@@ -43,7 +42,7 @@ from app.document.files import (
 )
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal, shown_name
-from app.strangers import open_regular, printable
+from app.strangers import decode, open_regular, printable
 
 LARGEST_LIST = 2**20
 """Most bytes of a list: some ten thousand figures."""
@@ -137,7 +136,7 @@ def _is_drawn(path: str) -> bool:
     if not is_lesson(path):
         return path.lower().endswith(".json") or is_mesh(path)
     with contextlib.suppress(OSError, Refusal), open_regular(path) as file:
-        return file.read(6).removeprefix(codecs.BOM_UTF8).startswith(b"---")
+        return decode(file.read(64))[0].startswith("---")
     return True
 
 
@@ -173,10 +172,9 @@ def _of_steps(lesson: str, line: Line, ending: str = "") -> Iterator[Line]:
 def _of_list(source: str) -> Iterator[Line]:
     with blamed_on(source, UNREADABLE):
         content = content_of(source, LARGEST_LIST)
-    try:
-        text = content.decode("utf-8-sig")
-    except UnicodeDecodeError as error:
-        raise CliError(f"{source} is not UTF-8 text.") from error
+    text, note = decode(content)
+    if note:
+        complain(f"{source} {note}.", 0)
     rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
     columns, begin, is_empty = list[str](), 1, True
     try:
@@ -293,7 +291,7 @@ def _about(figure: str) -> str:
             return extract(content, "Description") or ""
     except Refusal:
         return ""
-    _, _, rest = content.decode(errors="replace").partition("<desc>")
+    _, _, rest = decode(content)[0].partition("<desc>")
     about, end, _ = rest.partition("</desc>")
     return html.unescape(about) if end else ""
 

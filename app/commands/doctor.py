@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app import __version__, bootstrap
+from app import __version__, bootstrap, modules
 from app.commands.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
@@ -52,6 +52,8 @@ def examine() -> Iterator[Finding]:
     yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
     yield Finding("Platform", platform.platform())
+    if aside := os.environ.get(modules.SET_ASIDE):
+        yield Finding("Set aside", f"{aside}; Frustum Lab prefers its own packages")
     if set_up:
         yield from _packages()
     else:
@@ -91,9 +93,14 @@ def _packages() -> Iterator[Finding]:
     try:
         from PySide6.QtCore import qVersion
     except ImportError as error:
-        yield Finding("Qt", f"cannot be loaded: {error}", "see the system libraries above")
+        yield _not_loaded("Qt", error)
     else:
         yield Finding("Qt", qVersion())
+
+
+def _not_loaded(name: str, error: ImportError) -> Finding:
+    remedy = bootstrap.damage(error) or "see the system libraries above"
+    return Finding(name, f"cannot be loaded: {error}", remedy)
 
 
 def _pip(requirement: str) -> str:
@@ -103,9 +110,8 @@ def _pip(requirement: str) -> str:
 def _folders() -> Iterator[Finding]:
     try:
         from widgets.window.settings import data_folder, log_path, settings_path
-    except ImportError as error:
-        yield Finding("Window", f"cannot be loaded: {error}", "see the system libraries above")
-        return
+    except ImportError:
+        return  # `_display` says so
     for name, folder in (
         ("Settings folder", settings_path().parent),
         ("Recovery folder", data_folder()),
@@ -127,13 +133,12 @@ def _display() -> Iterator[Finding]:
         import widgets.program.application  # noqa: F401 -- with all that a window needs
         from widgets.program.display import display
         from widgets.program.opengl import DisplayError
-    except ImportError:
-        return  # already reported
+    except ImportError as error:
+        yield _not_loaded("Window", error)
+        return
     try:
         with display():
-            answer, problem = _try(
-                [sys.executable, "-m", "widgets.program.opengl"], dict(os.environ)
-            )
+            answer, problem = _try("widgets.program.opengl", dict(os.environ))
     except DisplayError as error:
         yield Finding("Display", "none", str(error))
         return
@@ -163,18 +168,20 @@ def _off_screen() -> Finding:
     environment = dict(os.environ)
     for name in ("DISPLAY", "WAYLAND_DISPLAY"):
         environment.pop(name, None)
-    answer, problem = _try([sys.executable, "-m", "app.commands.doctor"], environment)
+    answer, problem = _try("app.commands.doctor", environment)
     if answer is None:
         remedy = "install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver"
+        if problem.startswith(ModuleNotFoundError.__name__):
+            remedy = "see Window"
         return Finding("Export", problem, remedy)
     return Finding("Export", f"without a display through {answer['window']}, {answer['renderer']}")
 
 
-def _try(command: list[str], environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
+def _try(module: str, environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
     """Run a trial that prints JSON as its last line; return None and the reason if it fails."""
     try:
         done = subprocess.run(
-            command, cwd=bootstrap.ROOT, env=environment, capture_output=True, text=True,
+            modules.command(module), env=environment, capture_output=True, text=True,
             errors="replace", stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
         )  # fmt: skip
     except subprocess.TimeoutExpired:

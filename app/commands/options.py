@@ -17,6 +17,7 @@ from typing import NoReturn, TextIO, TypeVar
 
 from app import __version__, bootstrap
 from app.document.lengths import PX_PER, Size, parse_size
+from app.model.numerals import number
 from app.model.refusal import counted
 from app.strangers import printable
 
@@ -223,10 +224,11 @@ def one_of(option: str, value: str, values: Sequence[str]) -> str:
 
 
 def parse_number(text: str) -> float:
-    """Parse a number in the C locale, without Python's own notation such as 1_000."""
-    if "_" in text:
+    """Parse a number as `number` does, or what is not finite."""
+    value = number(text)
+    if value is None and "_" in text:
         raise ValueError(text)
-    return float(text)
+    return float(text) if value is None else value
 
 
 def _is_number(text: str) -> bool:

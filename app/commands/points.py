@@ -19,7 +19,7 @@ from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.projection import FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal, counted
-from app.strangers import LATIN_1, decode
+from app.strangers import decode
 
 LARGEST_INPUT = 2**30
 """Most bytes read as points."""
@@ -72,7 +72,7 @@ def read(source: str) -> Read:
     """
     name = "Standard input" if source == "-" else source
     try:
-        text, is_certain = decode(_read_input(source))
+        text, note = decode(_read_input(source))
     except ValueError as error:  # a NUL in the file's name
         raise CliError(f"{name!r} is not a name that a file can have.") from error
     except OSError as error:
@@ -102,8 +102,8 @@ def read(source: str) -> Read:
         raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
     if layout is None or not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
-    if not is_certain:
-        complain(f"{name} {LATIN_1}.", 0)
+    if note:
+        complain(f"{name} {note}.", 0)
     names = layout.names_of_others(max(map(len, kept)))
     for others in kept:
         others.extend([""] * (len(names) - len(others)))
@@ -221,7 +221,7 @@ def _number(cell: str, separator: str) -> float | None:
     if separator != ",":
         cell = cell.replace(",", ".")
     try:
-        return parse_number(cell.replace("\u2212", "-"))
+        return parse_number(cell)
     except ValueError:
         return None
 

@@ -23,9 +23,10 @@ from app.commands.arguments import (
     state_at,
     with_values,
 )
-from app.commands.options import FULL_TURN, CliError, parse_number
+from app.commands.options import FULL_TURN, CliError
 from app.document.document import Document
 from app.lecture.stages import IMAGE
+from app.model.numerals import numbers
 from app.model.projection import Camera
 
 MOTIONS = ("sweep", "orbit", "stages", "transition")
@@ -271,10 +272,10 @@ def _standing(
 def _ends(sweep: str) -> tuple[str, list[float], list[float]]:
     path, _, ends = sweep.partition("=")
     try:
-        first, last = ([parse_number(part) for part in end.split(",")] for end in ends.split(":"))
+        first, last = map(numbers, ends.split(":"))
     except ValueError:
-        first, last = [], [0.0]
-    if len(first) != len(last) or not all(map(math.isfinite, [*first, *last])):
+        first = last = None
+    if not first or not last or len(first) != len(last):
         raise CliError(
             f"--sweep = {sweep!r}: must be NAME=FIRST:LAST with finite numbers, such as"
             " lens.near=0.5:8 or camera.eye=3,2,4:0,2,5."

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.view import View
 from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.numerals import number, numbers
 from app.model.object_transform import ObjectTransform
 from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, Orbit, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -29,9 +30,6 @@ LOOKS = QT_TRANSLATE_NOOP(
     " ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)",
 )
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
-
-# What float() accepts but a document does not: 1_000, nan, infinity, digits of other scripts.
-_NUMBER = re.compile(r"[+-]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 
 class Kind(NamedTuple):
@@ -60,32 +58,29 @@ class Field(NamedTuple):
         None if ``--set`` cannot set the field.
     required : bool
         Whether its section must have it.
+    unit : str
+        May be typed after each of its numbers, as the window shows it.
     """
 
     section: str
     name: str
     kind: Kind | None
     required: bool = False
+    unit: str = ""
 
     @property
     def path(self) -> str:
         return f"{self.section}.{self.name}" if self.section else self.name
 
+    def read(self, text: str) -> Any:
+        """Convert a text to the field's JSON value; return None if that is impossible."""
+        assert self.kind is not None
+        if self.unit and self.kind in (NUMBER, VECTOR, PIXELS, NUMBER_OR_WORD):
+            text = re.sub(rf"(?<=[0-9.])\s{{0,2}}{re.escape(self.unit)}(?=[\s,)\]]|$)", "", text)
+        return self.kind.read(text)
+
 
 # --------------------------------------------------------------------------- how values are typed
-
-
-def number(text: str) -> float | None:
-    """Parse a number in the C locale; return None for any other text and beyond float64."""
-    value = float(text) if _NUMBER.fullmatch(text) else math.inf
-    return value if math.isfinite(value) else None
-
-
-def numbers(text: str) -> list[float] | None:
-    """Parse numbers separated by commas; return None if one of them is not a number."""
-    found = [number(part.strip()) for part in text.split(",")] if text else []
-    values = [value for value in found if value is not None]
-    return values if len(values) == len(found) else None
 
 
 def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] | None:
@@ -111,7 +106,8 @@ def _looks(text: str) -> dict[str, Any] | None:
 
 def _number_or_word(text: str) -> float | str:
     value = number(text)
-    return text if value is None else value
+    word = "inf" if text.lower() in ("∞", "infinity") else text
+    return word if value is None else value
 
 
 TEXT = Kind(str)
@@ -138,14 +134,15 @@ def _fields(section: str, owner: type, required: bool, **kinds: Kind | None) -> 
     for each in fields(owner):
         kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
         needed = required and each.type in _BY_TYPE
-        found.append(Field(section, each.name, kinds.get(each.name, kind), needed))
+        unit = "°" if each.name.endswith("_deg") else "units"
+        found.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
     return tuple(found)
 
 
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
 OBJECT = _fields("object", ObjectTransform, required=False)
 CAMERA = _fields("camera", Camera, required=True)
-IMAGE = tuple(Field("image", name, PIXELS, required=True) for name in ("width", "height"))
+IMAGE = tuple(Field("image", name, PIXELS, True, "px") for name in ("width", "height"))
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
@@ -168,7 +165,9 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     return (
         *TOP,
         *(
-            Field("settings", each.name, _BY_DEFAULT.get(type(each.default), NUMBER))
+            Field(
+                "settings", each.name, _BY_DEFAULT.get(type(each.default), NUMBER), False, each.unit
+            )
             for each in settings
         ),
         *OBJECT,

@@ -21,7 +21,7 @@ from typing import BinaryIO
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
-from app.strangers import open_regular
+from app.strangers import decode, open_regular, text_of
 
 if sys.platform != "win32":
     import fcntl
@@ -33,7 +33,7 @@ LARGEST_PICTURE = 2**30
 STALE_S = 60.0
 """On Windows, the age at which an unfinished file is considered left by a killed program."""
 
-NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not UTF-8 text")
+NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not text")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
 FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
@@ -116,7 +116,7 @@ def read(path: Path) -> Document:
             return parse(text, folder)
         ending = os.path.splitext(path)[1].lower()
         try:
-            return parse(_decode(content), folder)
+            return parse(_decode(content, path), folder)
         except Refusal as error:
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
@@ -133,11 +133,11 @@ def holds_document(path: Path) -> bool:
         return file.read(len(_PNG)) != _PNG
 
 
-def _decode(content: bytes) -> str:
-    try:
-        return content.decode()
-    except UnicodeDecodeError as error:
-        raise Refusal.in_document(NOT_TEXT) from error
+def _decode(content: bytes, path: Path) -> str:
+    text, note = decode(content)
+    if note and not text.lstrip().startswith("{"):
+        raise Refusal.in_document(NOT_TEXT)
+    return text_of(content, path)
 
 
 def _read_bytes(path: Path) -> bytes:

@@ -10,10 +10,11 @@ from dataclasses import replace
 from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
-from app.document.fields import Field, controls_of, fields_of, lens_fields, numbers
+from app.document.fields import Field, controls_of, fields_of, lens_fields
 from app.document.view import AS_EVER, STRIP
 from app.lecture.equation import equation_of
 from app.model.limits import OTHER_SIDE
+from app.model.numerals import numbers
 from app.model.object_transform import NOT_MOVED
 from app.model.projection import kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
@@ -127,9 +128,9 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 
 def _read(field: Field, text: str) -> object:
-    assert field.kind is not None
-    value = field.kind.read(text)
+    value = field.read(text)
     if value is None:
+        assert field.kind is not None
         raise Refusal.in_document(*field.kind.bound, field=field.path, value=text)
     return value
 

@@ -8,6 +8,7 @@ blocks.
 from __future__ import annotations
 
 import difflib
+import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -37,7 +38,7 @@ from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import open_regular
+from app.strangers import decode, open_regular, text_of
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
@@ -59,7 +60,9 @@ TOP = QT_TRANSLATE_NOOP(
 TOP_UNCLOSED = QT_TRANSLATE_NOOP(
     "Refusal", "lacks a line --- above it, which ends the lines like “title: ...”"
 )
-NOT_UTF8 = QT_TRANSLATE_NOOP("Refusal", "is not UTF-8 text: save the file in that encoding")
+NOT_UTF8 = QT_TRANSLATE_NOOP(
+    "Refusal", "is not UTF-8 text, some letters may be wrong: save the file in that encoding"
+)
 NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
 NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -182,10 +185,11 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
     """
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
-        try:
-            text = content.decode("utf-8-sig")
-        except UnicodeDecodeError as error:
-            raise refused(content[: error.start].count(b"\n") + 1, NOT_UTF8) from error
+        text, note = decode(content)
+        if note and complain is not None:
+            complain(Refusal.in_document(NOT_UTF8, file=os.fspath(path)))
+        else:
+            text = text_of(content, path)
         return parse_lesson(text, Path(path), complain)
 
 
@@ -202,7 +206,7 @@ def head_of(path: Path) -> Head:
     """Read only the data for a list of lessons."""
     with blamed_on(path, UNREADABLE):
         with open_regular(path) as file:
-            text = file.read(LARGEST).decode("utf-8-sig", "replace")
+            text, _ = decode(file.read(LARGEST))
         top, _ = _top(text.split("\n"))
         is_talk = re.search(r"^(```+|~~~+)\s*note\b", text, re.MULTILINE) is not None
         about = (top["lecture"],) if is_talk else top["topics"]
@@ -218,7 +222,7 @@ def parse_lesson(text: str, path: Path, complain: Complain | None = None) -> Les
 
 def _lines(text: str) -> list[str]:
     text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\0", "\ufffd")
-    lines = text.removeprefix("\ufeff").split("\n")
+    lines = text.split("\n")
     for number, line in enumerate(lines, 1):  # before a regular expression reads it
         if len(line) > LONGEST_LINE:
             raise refused(number, LONG_LINE, len(line), LONGEST_LINE)

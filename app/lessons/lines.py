@@ -12,8 +12,8 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
-from app.document import fields
 from app.lessons.quantities import Condition, read_formula
+from app.model import numerals
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
@@ -69,7 +69,7 @@ def continued(above: str, text: str, line: int) -> str:
 
 
 def number_in(text: str, line: int, low: float, high: float) -> float:
-    value = fields.number(text)
+    value = numerals.number(text)
     if value is None or not low <= value <= high:
         raise refused(line, A_NUMBER, low, high, value=text)
     return value

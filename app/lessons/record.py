@@ -28,7 +28,7 @@ from app.document.files import UNREADABLE, UNWRITABLE, blamed_on
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import open_regular
+from app.strangers import decode, open_regular
 
 RIGHT, WRONG, SHOWN = "right", "wrong", "shown"
 """The verdicts."""
@@ -209,7 +209,7 @@ def _lines(path: Path) -> list[bytes]:
 
 def _attempt(line: bytes) -> Attempt | None:
     try:
-        return attempt_from(json.loads(line))
+        return attempt_from(json.loads(decode(line)[0]))
     except (ValueError, RecursionError):  # a Refusal is a ValueError
         return None
 

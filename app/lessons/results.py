@@ -26,6 +26,7 @@ from app.lessons.practice import Mark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, mended, one_line
 from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.strangers import text_of
 
 FORMAT, VERSION = "frustum-lab-results", 1
 LARGEST = 4 * 2**20
@@ -111,7 +112,7 @@ def read(path: AnyPath) -> Results:
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
         try:
-            tree = json.loads(content)
+            tree = json.loads(text_of(content, path))
         except (ValueError, RecursionError) as error:
             raise Refusal.in_document(NO_RESULTS) from error
         if not isinstance(tree, dict) or tree.get("format") != FORMAT:

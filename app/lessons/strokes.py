@@ -10,6 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.strangers import decode
 
 LARGEST = 8 * 2**20
 """Most bytes of a file."""
@@ -65,7 +66,7 @@ def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
         try:
-            tree = json.loads(content.decode("utf-8"))["strokes"]
+            tree = json.loads(decode(content)[0])["strokes"]
             return {str(step): tuple(map(_stroke, drawn)) for step, drawn in tree.items()}
         except (ValueError, TypeError, LookupError, ArithmeticError,
                 AttributeError, RecursionError) as error:  # fmt: skip

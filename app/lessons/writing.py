@@ -27,6 +27,7 @@ from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
 from app.lessons.state import BESIDE
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena import PHENOMENA
+from app.strangers import decode
 
 NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
 OURS = QT_TRANSLATE_NOOP(
@@ -184,7 +185,7 @@ def add_step(
     _check_own(path)
     before = read(path)
     with blamed_on(path, UNREADABLE):
-        text = Path(path).read_bytes().decode()
+        text, _ = decode(Path(path).read_bytes())
         names = [step.name for step in before.steps]
         name = _free(slug(title), names.__contains__)
         step = _step(before, title, name, document, panes)

@@ -430,7 +430,7 @@ class Lines:
         self._origin = np.array(origin, dtype=np.float64)
         self._chunk = np.arange(len(ends)) // CHUNK
         starts = np.arange(0, len(ends), CHUNK)
-        low, high = np.empty((2, 0, 3))
+        low = high = np.empty((0, 3))
         if len(ends):
             low = np.minimum.reduceat(ends.min(axis=1), starts)
             high = np.maximum.reduceat(ends.max(axis=1), starts)
@@ -456,8 +456,7 @@ class Lines:
         tests = _tests(sight, pixel, max(end_px, line_px))
         most = (self._middles + offset) @ tests[:, :3].T + tests[:, 3]
         most += self._halves @ np.abs(tests[:, :3]).T
-        is_near: NDArray[np.bool_] = most.min(axis=1) >= 0.0
-        ends = self._ends[is_near[self._chunk]]
+        ends = self._ends[np.all(most >= 0.0, axis=1)[self._chunk]]
         local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from functools import partial
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -74,6 +74,8 @@ class Finished(NamedTuple):
         Ends of the file's own lines.
     dots : (d, 3) float64
     dot_rgb : (d, 3) uint8
+    notes : list of tuples
+        As in `app.scenes.mesh.Mesh`.
     """
 
     points: Floats
@@ -84,6 +86,7 @@ class Finished(NamedTuple):
     lines: Floats
     dots: Floats
     dot_rgb: Colours
+    notes: list[tuple[Any, ...]]
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:
@@ -108,7 +111,8 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
     lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
     dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
-    return Finished(mesh.points, *_divided(mesh, rgb, progress), edges, lines, dots, dot_rgb)
+    divided_faces = _divided(mesh, rgb, progress)
+    return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
 
 
 def vector(values: ArrayLike) -> Vector:
@@ -171,7 +175,8 @@ def _normals(mesh: Mesh, which: slice) -> Floats:
     areas = area_vectors(mesh.points, offsets - offsets[0], corners)
     lengths = np.sqrt((areas**2).sum(axis=1))
     lengths[lengths == 0.0] = 1.0
-    return areas / lengths[:, None]
+    normals: Floats = areas / lengths[:, None]
+    return normals
 
 
 def _feature_edges(mesh: Mesh) -> Floats:

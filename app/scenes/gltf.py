@@ -1,4 +1,4 @@
-"""Read the triangles, lines and points of a glTF 2.0 scene: a .gltf file, or a .glb file.
+"""Read a glTF 2.0 scene: a .gltf file with its parts beside it, or a .glb file.
 
 The shape is that of the file at rest: default morph weights, joints where their nodes are, and no
 animation. Section numbers are those of the glTF 2.0 specification.
@@ -32,9 +32,10 @@ from app.scenes.mesh import (
     rgb_bytes,
 )
 from app.scenes.shapes import DRAWN_RGB, flat
+from app.strangers import decode
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
-"""The turn, scale and move of a node that says nothing of them."""
+"""The default turn, scale and move of a node, and of a copy of a mesh."""
 _READ = re.compile(
     "KHR_mesh_quantization|KHR_node_visibility|EXT_mesh_gpu_instancing"
     r"|[A-Z]+_(animation|image|lights|materials|techniques?|texture|xmp)\w*"
@@ -44,7 +45,7 @@ _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
 _OVERHEAD = 400
-"""Vertices that take as long to read as one primitive without any."""
+"""Vertices that take as long to read as a primitive takes without any."""
 _INFLUENCES = 1 << 18
 """Joints of vertices that are applied at a time."""
 
@@ -53,7 +54,7 @@ _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 
 
 def read_gltf(source: Source) -> Mesh:
-    """Join all that the scene draws. Each shape is read once, however many nodes use it."""
+    """Join all shapes of the scene. Each is read once, however many nodes use it."""
     path, data, body = source.path, source.file.read(), b""
     if data[:4] == b"glTF":
         data, body = _chunks(source, data)
@@ -62,7 +63,7 @@ def read_gltf(source: Source) -> Mesh:
     if data.count(b"[") + data.count(b"{") > _MOST_BRACKETS:
         raise Refusal.saying(NO_MEMORY, path)
     try:
-        return _Gltf(source, json.loads(data), body).mesh()
+        return _Gltf(source, json.loads(decode(data)[0]), body).mesh()
     except json.JSONDecodeError as error:
         raise Refusal.saying(DAMAGED_LINE, path, error.lineno, "JSON") from None
     except Refusal:
@@ -92,6 +93,8 @@ class _Size(NamedTuple):
 
     Attributes
     ----------
+    elements : int
+        Most triangles, lines and points.
     targets, sets : int
         Most morph targets and most sets of four joints of a primitive.
     weights : int
@@ -101,7 +104,7 @@ class _Size(NamedTuple):
     """
 
     vertices: int
-    triangles: int
+    elements: int
     targets: int
     sets: int
     weights: int
@@ -253,6 +256,8 @@ class _Gltf:
         world_from_bind: Floats = self._world_from_node[skin["joints"]]
         if "inverseBindMatrices" in skin:
             columns = self._data.numbers(skin["inverseBindMatrices"], "MAT4")
+            if len(columns) < len(world_from_bind):
+                self._source.fail("inverseBindMatrices")
             joint_from_bind = columns[: len(world_from_bind)].reshape(-1, 4, 4).swapaxes(1, 2)
             world_from_bind = world_from_bind @ joint_from_bind
         return world_from_bind
@@ -262,18 +267,18 @@ class _Gltf:
     def _check_size(self, uses: dict[_Use, list[int]]) -> None:
         """Refuse a scene that grows too large, before any data is read."""
         sizes = {mesh: self._size(mesh) for mesh in {mesh for mesh, _, _ in uses}}
-        vertices = triangles = 0
+        vertices = elements = 0
         for (mesh, skin, weights), users in uses.items():
             size, copies = sizes[mesh], sum(self._copies(user)[1] for user in users)
             applied = size.weights if weights is None else sum(map(bool, weights))
             work = min(applied, size.targets) + (2 * size.sets if skin is not None else 0)
             vertices += size.vertices * (copies + work) + size.overhead
-            triangles += size.triangles * copies
-        self._source.check_size(vertices, triangles, 3 * triangles)
+            elements += size.elements * copies
+        self._source.check_size(vertices, elements, 3 * elements)
 
     def _size(self, index: int) -> _Size:
         mesh = self._data.item("meshes", index)
-        vertices = triangles = targets = sets = overhead = 0
+        vertices = elements = targets = sets = overhead = 0
         for primitive in _drawn(mesh):
             attributes, position = primitive["attributes"], primitive["attributes"]["POSITION"]
             is_packed = "bufferView" not in self._data.item("accessors", position)
@@ -286,12 +291,12 @@ class _Gltf:
             mode = primitive.get("mode", 4)
             if mode not in range(7):
                 self._source.fail("mode")
-            triangles += corners // 3 if mode == 4 else corners
+            elements += corners // {1: 2, 4: 3}.get(mode, 1)
             targets = max(targets, len(primitive.get("targets", ())))
             sets = max(sets, sum(name.startswith("JOINTS_") for name in attributes))
             overhead += _OVERHEAD + targets + sets
         weights = sum(map(bool, mesh.get("weights", ())))
-        return _Size(vertices, triangles, targets, sets, weights, overhead)
+        return _Size(vertices, elements, targets, sets, weights, overhead)
 
     # ----------------------------------------------------------------------- shapes
 
@@ -313,21 +318,20 @@ class _Gltf:
             order = np.arange(count)
         points = self._attribute("POSITION", primitive, used, weights, "VEC3")
         mode = primitive.get("mode", 4)
+        triangles = _triangles(order, mode)
         if order.max() >= len(points):  # not a vertex of the next mesh
             raise Refusal.saying(NO_SUCH_VERTEX, self._source.path, len(points))
-        triangles = _triangles(order, mode)
         if joints is not None:
             mirrored = self._move_by_joints(points, primitive, used, joints)
             triangles = _turned_over(triangles, mirrored[triangles[:, :1]])
-        offsets, lines = np.arange(0, triangles.size + 1, 3), _lines(order, mode)
-        dots = order if mode == 0 else order[:0]
-        mesh = Mesh(points, offsets, triangles.ravel(), lines=lines, dots=dots)
+        mesh = Mesh(points, np.arange(0, triangles.size + 1, 3), triangles.ravel())
+        mesh.lines, mesh.dots = _lines(order, mode), order[: len(order) if mode == 0 else 0]
+        paint = self._paint(primitive)
+        mesh.rgb = flat(PAINT_RGB if paint is None else paint, len(triangles))
+        mesh.dot_rgb = None if paint is None else flat(paint, len(mesh.dots))
         if "COLOR_0" in primitive["attributes"]:
             linear = self._attribute("COLOR_0", primitive, used, weights, "VEC3", "VEC4")
             mesh.paint(_srgb(linear[:, :3]))
-        if mesh.rgb is None:
-            rgb = np.array(self._paint(primitive), dtype=np.uint8)
-            mesh.rgb = np.tile(rgb, (len(triangles), 1))
         return mesh
 
     def _attribute(
@@ -379,14 +383,14 @@ class _Gltf:
         return mirrored
 
     def _paint(self, primitive: dict[str, Any]) -> Any:
-        """Return the colour of a primitive's material."""
+        """Return the colour of a primitive's material, if it has one."""
         if "material" not in primitive:
-            return PAINT_RGB
+            return None
         material = self._data.item("materials", primitive["material"])
         factors = material.get("pbrMetallicRoughness", {}).get("baseColorFactor", (1, 1, 1))
         factor = np.array(factors[:3], dtype=np.float64)
         # A mesh without colours is white, as is one with a texture.
-        return PAINT_RGB if (factor.reshape(3) == 1.0).all() else rgb_bytes(_srgb(factor))
+        return None if (factor.reshape(3) == 1.0).all() else tuple(rgb_bytes(_srgb(factor)))
 
 
 def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
@@ -395,24 +399,24 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _joined(parts: list[Mesh]) -> Mesh:
-    """Join meshes of triangles, lines and dots, with colours."""
-    parts = [Mesh(rgb=np.empty((0, 3), dtype=np.uint8)), *parts]
-    at = np.cumsum([0] + [len(part.points) for part in parts])[:-1]
-    corners = np.concatenate([part.corners + i for part, i in zip(parts, at, strict=True)])
-    return Mesh(
-        np.concatenate([part.points for part in parts]),
-        np.arange(0, len(corners) + 1, 3),
-        corners,
-        np.concatenate([part.rgb for part in parts if part.rgb is not None]),
-        all(part.painted for part in parts if len(part.corners)),
-        np.concatenate([part.lines + i for part, i in zip(parts, at, strict=True)]),
-        np.concatenate([part.dots + i for part, i in zip(parts, at, strict=True)]),
-        None
-        if all(part.dot_rgb is None for part in parts)
-        else np.concatenate(
-            [flat(DRAWN_RGB, len(p.dots)) if p.dot_rgb is None else p.dot_rgb for p in parts]
-        ),
+    """Join meshes of triangles, lines and points, with colours."""
+    parts = [Mesh(rgb=flat(PAINT_RGB, 0)), *parts]
+    first = np.cumsum([0] + [len(part.points) for part in parts])
+    corners, lines, dots = (
+        np.concatenate([getattr(part, name) + at for part, at in zip(parts, first, strict=False)])
+        for name in ("corners", "lines", "dots")
     )
+    points, rgb = (
+        np.concatenate([getattr(part, name) for part in parts]) for name in ("points", "rgb")
+    )
+    dot_rgb = None
+    if any(len(part.dots) and part.dot_rgb is not None for part in parts):
+        dot_rgb = np.concatenate(
+            [flat(DRAWN_RGB, len(p.dots)) if p.dot_rgb is None else p.dot_rgb for p in parts]
+        )
+    painted = all(part.painted for part in parts if len(part.corners))
+    offsets = np.arange(0, len(corners) + 1, 3)
+    return Mesh(points, offsets, corners, rgb, painted, lines, dots, dot_rgb)
 
 
 def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
@@ -421,16 +425,16 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     turns = world_from_mesh[:, :3, :3]
     points = mesh.points @ turns.swapaxes(1, 2) + world_from_mesh[:, None, :3, 3]
     mirrored = np.linalg.det(turns)[:, None, None] < 0.0
-    corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     first = len(mesh.points) * np.arange(copies)[:, None, None]
+    corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     corners += first
-    offsets = np.arange(0, corners.size + 1, 3)
     rgb, dot_rgb = (
         None if each is None else np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb)
     )
-    lines, dots = (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel()
-    points = points.reshape(-1, 3)
-    return Mesh(points, offsets, corners.ravel(), rgb, mesh.painted, lines, dots, dot_rgb)
+    return Mesh(
+        points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,
+        mesh.painted, (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel(), dot_rgb,
+    )  # fmt: skip
 
 
 def _turned_over(triangles: Ints, mirrored: NDArray[np.bool_]) -> Ints:
@@ -451,14 +455,12 @@ def _triangles(order: Ints, mode: int) -> Ints:
 
 
 def _lines(order: Ints, mode: int) -> Ints:
-    """Return the segments (n, 2) of a list, a loop or a strip of vertices."""
+    """Return the ends (n, 2) of separate lines, of a closed path or of an open one."""
     if mode == 1:
         return order[: len(order) // 2 * 2].reshape(-1, 2)
-    if mode not in (2, 3):
-        return np.empty((0, 2), dtype=np.int64)
-    if mode == 2:  # back to the first vertex
-        order = np.append(order, order[:1])
-    return np.stack([order[:-1], order[1:]], axis=1)
+    if mode in (2, 3):
+        return np.stack([order, np.roll(order, -1)], axis=1)[: len(order) - (mode == 3)]
+    return np.empty((0, 2), dtype=np.int64)
 
 
 def _srgb(linear: Floats) -> Floats:

@@ -7,17 +7,18 @@ files come from strangers: a reader compares every claim of a file with the byte
 
 from __future__ import annotations
 
+import codecs
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, BinaryIO, NoReturn, TypeAlias
+from typing import Any, BinaryIO, NoReturn, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
-from app.strangers import open_regular
+from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Cancelled, Refusal
+from app.strangers import encoding_of, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
 Ints: TypeAlias = NDArray[np.int64]
@@ -51,6 +52,36 @@ NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
     "{0}: a face, line or point names a vertex that does not exist (there are {1}); "
     "export or download the file again.",
 )
+NO_SUCH_VERTEX_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: line {1} names a vertex that does not exist (there are {2}); "
+    "export or download the file again.",
+)
+FEW_CORNERS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: faces left out: {1} of {2}, because they have fewer than three different corners; "
+    "the first is number {3}.",
+)
+FEW_CORNERS_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: faces left out: {1} of {2}, because they have fewer than three different corners; "
+    "the first is on line {3}.",
+)
+UNUSED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or "
+    "line uses them; the first is number {3}.",
+)
+UNUSED_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or "
+    "line uses them; the first is on line {3}.",
+)
+NOT_FINITE_LINE = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: line {1} has a vertex that is not finite (nan or inf), and line {2} uses it; "
+    "repair the mesh and export it again.",
+)
 NOT_FINITE = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: some vertices are not finite (nan or inf: {1} of {2}); "
@@ -70,6 +101,14 @@ NOT_OF_KIND = QT_TRANSLATE_NOOP(
 )
 CUT_OFF = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: the file is cut off; export or download the file again."
+)
+CUT_OFF_TRIANGLES = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file is cut off: it has {1} of {2} triangles; export or download the file again.",
+)
+CUT_OFF_ROWS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.",
 )
 DAMAGED = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
@@ -110,6 +149,10 @@ class Mesh:
         Points that are drawn by themselves: indices into `points`.
     dot_rgb : (d, 3) uint8 or None
         Colour of each dot, if the file has colours.
+    rows : dict of (n,), (m,), (k,) and (d,) int64
+        For "points", "faces", "lines" and "dots" of a text: the line that each is on.
+    notes : list of tuples
+        Templates and parts of sentences, like those of a refusal, that say what was left out.
     """
 
     points: Floats = field(default_factory=lambda: np.empty((0, 3)))
@@ -120,21 +163,87 @@ class Mesh:
     lines: Ints = field(default_factory=lambda: np.empty((0, 2), dtype=np.int64))
     dots: Ints = field(default_factory=lambda: np.empty(0, dtype=np.int64))
     dot_rgb: Colours | None = None
+    rows: dict[str, Ints] = field(default_factory=dict)
+    notes: list[tuple[Any, ...]] = field(default_factory=list)
 
     def check(self, path: Path) -> None:
         """Refuse a mesh with nothing to draw, or with something that cannot be drawn."""
         vertices, sizes = len(self.points), np.diff(self.offsets)
-        if not (len(sizes) or self.lines.size or self.dots.size):
-            raise Refusal.saying(NO_FACES, path, vertices)
         for size in (int(sizes.min()), int(sizes.max())) if len(sizes) else ():
             if not 3 <= size <= MOST_CORNERS:
                 raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
-        for named in filter(np.size, (self.corners, self.lines, self.dots)):
-            if named.min() < 0 or named.max() >= vertices:
+        for kind, named in self._named.items():
+            wrong = np.flatnonzero((named < 0) | (named >= vertices))
+            if wrong.size and kind in self.rows:
+                line = self._line_of(kind, int(wrong[0]))
+                raise Refusal.saying(NO_SUCH_VERTEX_LINE, path, line, vertices)
+            if wrong.size:
                 raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
-        not_finite = int(np.count_nonzero(~np.isfinite(self.points).all(axis=1)))
-        if not_finite:
-            raise Refusal.saying(NOT_FINITE, path, not_finite, vertices)
+        is_lost = np.asarray(~np.isfinite(self.points).all(axis=1))
+        if is_lost.any():
+            self._drop_lost_points(path, is_lost)
+        if not (len(sizes) or self.lines.size or self.dots.size):
+            raise Refusal.saying(NO_FACES, path, vertices)
+
+    @property
+    def _named(self) -> dict[str, Ints]:
+        """The points that faces, lines and dots name."""
+        return {"faces": self.corners, "lines": self.lines.ravel(), "dots": self.dots}
+
+    def _line_of(self, kind: str, place: int) -> int:
+        """Return the line of a text to which a place in `_named` belongs."""
+        if kind == "faces":
+            place = int(np.searchsorted(self.offsets, place, side="right")) - 1
+        return int(self.rows[kind][place // (1 + (kind == "lines"))])
+
+    def _drop_lost_points(self, path: Path, is_lost: NDArray[np.bool_]) -> None:
+        """Drop dots that are not finite; refuse faces and lines with such vertices."""
+        for kind in ("faces", "lines"):
+            uses = np.flatnonzero(is_lost[self._named[kind]])
+            if uses.size and kind in self.rows:
+                line = int(self.rows["points"][self._named[kind][uses[0]]])
+                raise Refusal.saying(NOT_FINITE_LINE, path, line, self._line_of(kind, int(uses[0])))
+            if uses.size or is_lost.all():
+                raise Refusal.saying(NOT_FINITE, path, int(is_lost.sum()), len(is_lost))
+        is_kept = ~is_lost[self.dots]
+        self.dots = self.dots[is_kept]
+        self.dot_rgb = None if self.dot_rgb is None else self.dot_rgb[is_kept]
+        self._note(UNUSED, UNUSED_LINE, "points", is_lost)
+
+    def drop_small_faces(self, path: Path) -> None:
+        """Drop the faces of fewer than three different corners."""
+        sizes = np.diff(self.offsets)
+        is_small = np.asarray(sizes < 3)
+        which = np.flatnonzero(~is_small)
+        if which.size:
+            # What is left of a face without its first corner, and without one other corner.
+            starts, kept = np.cumsum(sizes[which]) - sizes[which], np.repeat(~is_small, sizes)
+            corners = self.corners[kept]
+            one = np.repeat(corners[starts], sizes[which])
+            others = np.where(corners == one, np.iinfo(np.int64).max, corners)
+            other = np.repeat(np.minimum.reduceat(others, starts), sizes[which])
+            is_third = (corners != one) & (corners != other)
+            is_small[which] = ~np.logical_or.reduceat(is_third, starts)
+        if not is_small.any():
+            return
+        self._note(FEW_CORNERS, FEW_CORNERS_LINE, "faces", is_small)
+        if is_small.all() and not (self.lines.size or self.dots.size):
+            template, *parts = self.notes[-1]
+            raise Refusal.saying(template, path, *parts)
+        self.corners = self.corners[np.repeat(~is_small, sizes)]
+        self.offsets = np.concatenate([[0], np.cumsum(sizes[~is_small])])
+        if self.rgb is not None:
+            self.rgb = self.rgb[~is_small]
+        if "faces" in self.rows:
+            self.rows["faces"] = self.rows["faces"][~is_small]
+
+    def _note(self, numbered: Bound, on_line: Bound, kind: str, which: NDArray[np.bool_]) -> None:
+        """Note that some points or faces are left out, and which is the first."""
+        first = int(which.argmax())
+        template, place = numbered, first + 1
+        if kind in self.rows:
+            template, place = on_line, int(self.rows[kind][first])
+        self.notes.append((template, int(which.sum()), len(which), place))
 
     def drop_unused_points(self) -> None:
         """Drop the vertices that are not drawn: they would move the first camera away."""
@@ -206,7 +315,7 @@ def report(progress: Progress | None, fraction: float) -> None:
 
 
 def open_mesh(path: Path) -> BinaryIO:
-    """Open a file that is not empty, or raise a `Refusal`."""
+    """Open a file that is not empty, a text as UTF-8 without a mark; or raise a `Refusal`."""
     try:
         file = open_regular(path)
     except FileNotFoundError:
@@ -218,7 +327,12 @@ def open_mesh(path: Path) -> BinaryIO:
     if os.fstat(file.fileno()).st_size == 0:
         file.close()
         raise Refusal.saying(EMPTY, path)
-    return file
+    head = file.read(4096)
+    file.seek(0)
+    encoding = encoding_of(head)
+    if encoding == "utf-8" or (encoding == "utf-8-sig" and b"\0" in head):
+        return file
+    return cast(BinaryIO, codecs.EncodedFile(file, "utf-8", encoding, "replace"))
 
 
 def rgb_bytes(colours: NDArray[np.floating]) -> Colours:

@@ -12,7 +12,7 @@ import warnings
 from array import array
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any, BinaryIO, NamedTuple, TypeAlias
+from typing import Any, BinaryIO, NamedTuple, NoReturn, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,10 +21,13 @@ from app.model.refusal import Cancelled, Refusal
 from app.scenes.gltf import read_gltf
 from app.scenes.mesh import (
     CUT_OFF,
+    CUT_OFF_ROWS,
+    CUT_OFF_TRIANGLES,
     DAMAGED,
     DAMAGED_LINE,
     LARGEST,
     NO_MEMORY,
+    NOT_FINITE_LINE,
     NOT_OF_KIND,
     Colours,
     Floats,
@@ -113,13 +116,16 @@ def _read_obj(source: Source) -> Mesh:
     Vertices alone are a cloud of points.
     """
     points, colours = [], []
-    corners, counts = ({kind: [np.empty(0, dtype=np.int64)] for kind in "flp"} for _ in range(2))
+    corners, counts, lines_of = (
+        {kind: [np.empty(0, dtype=np.int64)] for kind in "vflp"} for _ in range(3)
+    )
     vertices = elements = cornered = lines_before = 0
     for text in _obj_blocks(source.file):
         try:
-            rows, named = _obj_mesh(text)
+            rows, named, lines_in = _obj_mesh(text)
         except ValueError:
-            wrong = lines_before + _wrong_line(text.splitlines(keepends=True))
+            lines = text.splitlines(keepends=True)
+            wrong = lines_before + _wrong_line(lines, lambda some: _obj_mesh(b"".join(some)))
             raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
         for kind, (indices, sizes, before) in named.items():
             from_start = indices - 1
@@ -129,25 +135,37 @@ def _read_obj(source: Source) -> Mesh:
             elements, cornered = elements + len(sizes), cornered + len(indices)
             corners[kind].append(from_start)
             counts[kind].append(sizes)
+        for kind, found in lines_in.items():
+            lines_of[kind].append(lines_before + found)
         vertices += len(rows)
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
+    line = {kind: np.concatenate(found) for kind, found in lines_of.items()}
     on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
     lasts = np.cumsum(lengths) - 1
     goes_on = np.ones(len(on_line), dtype=bool)
     goes_on[lasts[lengths > 0]] = False
     starts = np.flatnonzero(goes_on)
     dots = np.concatenate([*corners["p"], on_line[lasts[lengths == 1]]])
+    lines_of_p = np.repeat(line["p"], np.concatenate(counts["p"]))
+    lines_of_dots = np.append(lines_of_p, line["l"][lengths == 1])
     mesh = Mesh(
         np.concatenate([np.empty((0, 3)), *points]),
         np.concatenate([[0], np.cumsum(np.concatenate(counts["f"]))]),
         np.concatenate(corners["f"]),
         lines=on_line[np.stack([starts, starts + 1], axis=1)],
         dots=dots if elements else np.arange(vertices),
+        rows={
+            "points": line["v"],
+            "faces": line["f"],
+            "lines": np.repeat(line["l"], lengths)[starts],
+            "dots": lines_of_dots if elements else line["v"],
+        },
     )
+    mesh.drop_small_faces(source.path)
     rgb = [block for block in colours if len(block)]
     if rgb and all(block.shape[1] == 3 for block in rgb):
         mesh.paint(255.0 * np.concatenate(rgb))
@@ -167,7 +185,13 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         if b"\r" in text:
             text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
-            text = text.replace(b"\\\n", b" ")
+            # A joined line keeps its number, and those after it keep theirs.
+            text = re.sub(
+                rb"^(?:[^\n]*\\\n)+[^\n]*",
+                lambda m: m[0].replace(b"\\\n", b" ") + b"\n" * m[0].count(b"\\\n"),
+                text,
+                flags=re.MULTILINE,
+            )
         if b"#" in text:
             text = re.sub(rb"#[^\n]*", b"", text)
         if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
@@ -177,18 +201,19 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
             return
 
 
-def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]]]:
+def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]], dict[str, Ints]]:
     """Read a block of lines; raise `ValueError` if one of them cannot be read.
 
     Returns three numbers for each vertex (six if all have colours). For faces (f), lines (l) and
     points (p) it returns the vertex numbers of all corners, and for each element how many corners
-    it has and how many vertices precede it.
+    it has and how many vertices precede it. Last come the lines of all these, from 1.
     """
     letters = np.frombuffer(text, dtype=np.uint8)
     lengths = np.diff(np.flatnonzero(letters == ord("\n")) + 1, prepend=0)
     begins = np.cumsum(lengths) - lengths
     blank_after = np.isin(letters[np.minimum(begins + 1, len(letters) - 1)], (32, 9))
     is_a = {kind: blank_after & (letters[begins] == ord(kind)) for kind in "vflp"}
+    places = {kind: np.flatnonzero(which) + 1 for kind, which in is_a.items()}
     is_vertex = is_a.pop("v")
     numbers, words = _obj_numbers(letters, lengths, is_vertex, np.float64)
     if (words < 3).any():
@@ -196,11 +221,12 @@ def _obj_mesh(text: bytes) -> tuple[Floats, dict[str, tuple[Ints, Ints, Ints]]]:
     width = 6 if (words >= 6).all() else 3
     rows = numbers[(np.cumsum(words) - words)[:, None] + np.arange(width)]
     before = np.cumsum(is_vertex)
-    return rows, {
+    named = {
         kind: (*_obj_numbers(letters, lengths, which, np.int64), before[which])
         for kind, which in is_a.items()
         if which.any()
     }
+    return rows, named, places
 
 
 def _obj_numbers(
@@ -219,13 +245,13 @@ def _obj_numbers(
     return _numbers(text.tobytes(), kind, len(word_begins)), words
 
 
-def _wrong_line(lines: list[bytes]) -> int:
-    """Return the number, from 1, of the first line that cannot be read."""
+def _wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object]) -> int:
+    """Return the number, from 1, of the first line that `read_lines` cannot read."""
     before = 0
     while len(lines) > 1:
         half = lines[: len(lines) // 2]
         try:
-            _obj_mesh(b"".join(half))
+            read_lines(half)
         except ValueError:
             lines = half
         else:
@@ -239,20 +265,23 @@ _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("at
 
 
 def _read_stl(source: Source) -> Mesh:
-    head, length = source.file.read(4096), source.size
-    count = int.from_bytes(head[80:84], "little")
-    binary_length = 84 + _STL_TRIANGLE.itemsize * count
-    # Many binary files begin with "solid" like text files: the length decides first.
-    if len(head) >= 84 and length == binary_length:
+    """Read a binary file, even one that begins with “solid” as a text does, or a text.
+
+    The length decides: no text can hold as many triangles as its letters at the place of the count
+    would say. Some writers leave the count 0, or as large as possible.
+    """
+    head = source.file.read(4096)
+    count, present = int.from_bytes(head[80:84], "little"), (source.size - 84) // 50
+    if count in (0, 2**32 - 1):
+        count = max(present, 0)
+    if len(head) >= 84 and count <= present:
         corners = _stl_binary(source, count)
-    elif head.lstrip()[:5].lower() == b"solid":
+    elif b"\0" in head and len(head) >= 84 and count <= LARGEST[0]:
+        raise Refusal.saying(CUT_OFF_TRIANGLES, source.path, present, count)
+    elif re.match(rb"\s*(solid|facet\s)", head, re.IGNORECASE):
         corners = _stl_text(source)
-    elif len(head) < 84 or b"\0" not in head:
+    else:
         raise Refusal.saying(NOT_OF_KIND, source.path, "STL")
-    elif length < binary_length:
-        raise Refusal.saying(CUT_OFF, source.path)
-    else:  # some programs append data of their own
-        corners = _stl_binary(source, count)
     source.report(0.3)
     points, merged = distinct_rows(corners)
     source.report(0.4)
@@ -284,9 +313,13 @@ def _stl_text(source: Source) -> Floats:
         try:
             numbers = _numbers(b" ".join(loops).replace(b"vertex", b"").replace(b"end", b""))
         except ValueError:
+            _refuse_stl_line(source)
             source.fail("vertex")
         if len(numbers) != 9 * len(loops) or any(b"vertex" in words for words in between):
+            _refuse_stl_line(source)
             source.fail("facet")
+        if not np.isfinite(numbers).all():
+            _refuse_stl_line(source)
         triangles += len(loops)
         source.check_size(3 * triangles, triangles, 3 * triangles)
         blocks.append(numbers)
@@ -294,6 +327,24 @@ def _stl_text(source: Source) -> Floats:
     if b"vertex" in _without_stl_names(rest):
         raise Refusal.saying(CUT_OFF, source.path)
     return np.concatenate(blocks).reshape(-1, 3)
+
+
+def _refuse_stl_line(source: Source) -> None:
+    """Refuse the first line whose vertex is not three finite numbers, if there is one."""
+    source.file.seek(0)
+    facet = 0
+    for number, line in enumerate(source.file, 1):
+        words = line.lower().split()
+        facet = number if words[:1] == [b"facet"] else facet
+        if words[:1] == [b"vertex"]:
+            try:
+                numbers = _numbers(b" ".join(words[1:]))
+            except ValueError:
+                numbers = np.empty(0)
+            if len(numbers) != 3:
+                raise Refusal.saying(DAMAGED_LINE, source.path, number, "STL")
+            if not np.isfinite(numbers).all():
+                raise Refusal.saying(NOT_FINITE_LINE, source.path, number, facet)
 
 
 def _without_stl_names(text: bytes) -> bytes:
@@ -330,16 +381,18 @@ class _Element(NamedTuple):
 
 
 def _read_ply(source: Source) -> Mesh:
-    elements, body = _ply_header_and_body(source)
+    elements, body, lines_of = _ply_header_and_body(source)
     source.report(0.2)
     mesh = Mesh()
     at = 0
-    vertex_rgb = None
+    vertex_rgb, strips = None, np.empty((0, 3), dtype=np.int64)
+    kinds = {"vertex": "points", "face": "faces", "edge": "lines"}
+    mesh.rows = {kinds[name]: lines for name, lines in lines_of.items() if name in kinds}
     for element in elements:
         try:
             columns, lengths, at = _ply_columns(element, body, at)
-        except IndexError:
-            raise Refusal.saying(CUT_OFF, source.path) from None
+        except IndexError as error:
+            _refuse_cut_off(source, element, sum(error.args))
         scale = {p.name: 255.0 / p.full_scale for p in element.properties if p.counter is None}
         rgb = None
         if scale.keys() >= {"red", "green", "blue"}:
@@ -351,10 +404,13 @@ def _read_ply(source: Source) -> Mesh:
                 source.fail("vertex: x, y, z")
             mesh.points = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(np.float64)
             vertex_rgb = rgb
-        elif element.name == "face":
+        elif element.name in ("face", "tristrips"):
             name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
             if name is None:
-                source.fail("face: vertex_indices")
+                source.fail(f"{element.name}: vertex_indices")
+            if element.name == "tristrips":
+                strips = _strips(columns[name].astype(np.int64), lengths[name])
+                continue
             mesh.offsets = np.concatenate([[0], np.cumsum(lengths[name])])
             mesh.corners = columns[name].astype(np.int64)  # nan becomes an index out of range
             source.check_size(len(mesh.points), element.rows, len(mesh.corners))
@@ -364,6 +420,14 @@ def _read_ply(source: Source) -> Mesh:
             ends = [columns[end].astype(np.int64) for end in ("vertex1", "vertex2")]
             mesh.lines = np.stack(ends, axis=1)
         source.report(0.4)
+    if len(strips):
+        source.check_size(len(mesh.points), len(strips), strips.size)
+        ends = mesh.offsets[-1] + np.arange(3, strips.size + 1, 3)
+        mesh.offsets = np.concatenate([mesh.offsets, ends])
+        mesh.corners = np.concatenate([mesh.corners, strips.ravel()])
+        mesh.rgb = None
+        mesh.rows.pop("faces", None)
+    mesh.drop_small_faces(source.path)
     if len(mesh.offsets) == 1:  # a cloud of points
         is_alone = np.ones(len(mesh.points), dtype=bool)
         is_alone[mesh.lines[(mesh.lines >= 0) & (mesh.lines < len(is_alone))]] = False
@@ -374,13 +438,39 @@ def _read_ply(source: Source) -> Mesh:
     return mesh
 
 
-def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
-    """Return the elements up to the vertices, faces and edges, and the body.
+def _strips(named: Ints, lengths: Ints) -> Ints:
+    """Return the triangles (k, 3) of strips that -1 or the end of a row separates.
+
+    Every other triangle of a strip runs the other way round.
+    """
+    is_stop = np.isin(named, (-1, 2**32 - 1))
+    begins = np.zeros(len(named) + 1, dtype=bool)
+    begins[np.cumsum(lengths) - lengths] = True
+    begins[1:][is_stop] = True
+    strip, at = np.cumsum(begins[:-1]), np.arange(len(named))
+    first = np.maximum.accumulate(np.where(begins[:-1], at, 0))
+    goes_on = ~is_stop
+    goes_on[-2:] = False
+    goes_on[:-2] &= ~is_stop[1:-1] & ~is_stop[2:] & (strip[:-2] == strip[2:])
+    i = np.flatnonzero(goes_on)
+    odd = (i - first[i]) % 2
+    triangles = np.stack([named[i], named[i + 1 + odd], named[i + 2 - odd]], axis=1)
+    # A repeated corner turns to the next strip.
+    found: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return found
+
+
+def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[str, Ints]]:
+    """Return the elements up to the last one that is drawn, the body, and the lines of a text.
 
     A text body becomes a binary one in which every number is a float64.
     """
     data = source.file.read()
-    header = re.match(rb"ply\s.*?end_header[^\S\n]*\r?\n?", data[:1_000_000], re.DOTALL)
+    start = re.match(rb"ply[ \t]*(\r\n?|\n)", data[:100])
+    end = b"\r" if start is not None and start[1] == b"\r" else b"\r?\n"
+    header = re.match(
+        rb"ply\s.*?[\r\n]end_header[ \t]*(?:" + end + rb"|\Z)", data[:1_000_000], re.DOTALL
+    )
     if header is None:
         raise Refusal.saying(NOT_OF_KIND, source.path, "PLY")
     try:
@@ -390,22 +480,71 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes]:
     except (LookupError, TypeError, ValueError):
         source.fail("header")
     source.check_size(vertices, faces + lines, 3 * faces + 2 * lines)
-    body = data[header.end() :]
-    if is_text:
-        try:
-            body = _numbers(body).tobytes()
-        except ValueError:
-            source.fail("end_header ...")
-    drawn = ("vertex", "face", "edge")
+    drawn = ("vertex", "face", "edge", "tristrips")
     needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
-    return elements[:needed], body
+    body = data[header.end() :]
+    lines_of: dict[str, Ints] = {}
+    if is_text:
+        body, lines_of = _ply_text(source, body, len(header[0].splitlines()), elements)
+    return elements[:needed], body, lines_of
+
+
+def _ply_text(
+    source: Source, body: bytes, before: int, elements: list[_Element]
+) -> tuple[bytes, dict[str, Ints]]:
+    """Return the numbers that the header names, and the lines of each element below the header.
+
+    Each row is a line, or all rows are on one. The header may name fewer numbers than a row has.
+    """
+    body = body.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
+    letters = np.frombuffer(body, dtype=np.uint8)
+    visible = letters > 32
+    word_begins = np.flatnonzero(visible & ~np.append(False, visible[:-1]))
+    line_ends = np.append(np.flatnonzero(letters == ord("\n")), len(letters))
+    ends = np.searchsorted(word_begins, line_ends)
+    filled, rows = np.flatnonzero(np.diff(ends, prepend=0)), sum(e.rows for e in elements)
+    is_open = len(filled) == rows and not body.endswith(b"\n")
+    filled = filled[:rows]  # what follows is no part of the mesh
+    body = body[: line_ends[filled[-1]] if filled.size else 0]
+    try:
+        numbers = _numbers(body)
+    except ValueError:
+        wrong = _wrong_line(body.splitlines(), lambda lines: _numbers(b"\n".join(lines)))
+        raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
+    if len(filled) == 1 < rows:
+        return numbers.tobytes(), {}
+    marks, lines_of, first = np.zeros(len(numbers) + 1, dtype=np.int8), {}, 0
+    for element in elements:
+        which = filled[first : first + element.rows]
+        first += element.rows
+        at, end = np.append(0, ends)[which], ends[which]
+        np.add.at(marks, at, 1)
+        for p in element.properties:
+            if p.counter is not None and len(numbers):
+                counted = numbers[np.minimum(at, len(numbers) - 1)]
+                is_count = (counted >= 0) & (counted < len(numbers))  # not if it is nan
+                at = at + np.where(is_count, counted, len(numbers)).astype(np.int64)
+            at = at + 1
+        short = np.flatnonzero(at > end)
+        if short.size and not (is_open and first == rows and short[0] == element.rows - 1):
+            line = before + 1 + int(which[short[0]])
+            raise Refusal.saying(DAMAGED_LINE, source.path, line, element.name)
+        if len(which) - len(short) < element.rows:
+            _refuse_cut_off(source, element, len(which) - len(short))
+        np.add.at(marks, at, -1)
+        lines_of[element.name] = before + 1 + which
+    return numbers[np.cumsum(marks[:-1]) > 0].tobytes(), lines_of
+
+
+def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:
+    raise Refusal.saying(CUT_OFF_ROWS, source.path, there, element.rows, element.name)
 
 
 def _ply_elements(header: str) -> tuple[list[_Element], bool]:
     """Return the elements of a header, and whether the body is text."""
     order: Any = None
     elements: list[_Element] = []
-    for line in header.splitlines():
+    for line in re.split(r"[\r\n]+", header):
         match line.split():
             case ["format", encoding, *_]:
                 order = _PLY_ORDERS[encoding]
@@ -449,20 +588,23 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
         fields.append((p.name, p.kind, (length,)))
     row = np.dtype(fields)
     end = at + rows * row.itemsize
-    if end <= len(body):
-        table = np.frombuffer(body, row, rows, at)
+    if end <= len(body) or not lists:
+        table = np.frombuffer(body, row, min(rows, (len(body) - at) // row.itemsize), at)
+        if len(table) < rows:
+            raise IndexError(len(table))
         counts = {p.name: table[f"length of {p.name}"] for p in lists}
         if all((count == count[0]).all() for count in counts.values()):
             columns = {p.name: table[p.name].ravel() for p in properties}
             return columns, {name: c.astype(np.int64) for name, c in counts.items()}, end
-    if at + rows * sum((p.counter or p.kind).itemsize for p in properties) > len(body):
-        raise IndexError
 
     # Otherwise every row has to be looked at to find the next one.
     found = array("q")
-    for _ in range(rows):
-        places, at = _ply_row(properties, body, at)
-        found.extend(places)
+    try:
+        for _ in range(rows):
+            places, at = _ply_row(properties, body, at)
+            found.extend(places)
+    except IndexError:
+        raise IndexError(len(found) // (2 * len(properties))) from None
     starts, lengths = np.moveaxis(np.array(found).reshape(rows, len(properties), 2), 2, 0)
     octets = np.frombuffer(body, dtype=np.uint8)
     columns = {}

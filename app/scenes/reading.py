@@ -1,7 +1,7 @@
 """Read a mesh file without risk to the window: a large one in a separate process.
 
 The process can be stopped at once and has a memory limit; neither its crash nor exhausted memory
-affects the window. It is a fresh `python -m app.scenes.reading FILE`, which imports nothing but
+affects the window. It is a fresh Python with the modules of this one, which imports nothing but
 numpy. It writes lines of JSON to its standard output (the progress, or a refusal) and then the
 bytes of the mesh's arrays.
 """
@@ -20,6 +20,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from app import modules
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import Finished, finished
@@ -61,14 +62,12 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
 
 
 def _read_apart(path: Path, progress: Progress | None) -> Finished:
-    packages = [str(Path(__file__).parents[2]), os.environ.get("PYTHONPATH", "")]
     child = subprocess.Popen(
-        [sys.executable, "-P", "-m", "app.scenes.reading", os.fspath(path)],
+        modules.command("app.scenes.reading", os.fspath(path)),
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.DEVNULL,
-        env=os.environ
-        | {"PYTHONPATH": os.pathsep.join(filter(None, packages)), "OPENBLAS_NUM_THREADS": "1"},
+        env=os.environ | {"OPENBLAS_NUM_THREADS": "1"},
         creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
     )
     assert child.stdout is not None
@@ -105,7 +104,9 @@ def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
         while line := pipe.readline():
             answer = json.loads(line)
             if "mesh" in answer:
-                answer = Finished(*(_received(pipe, *array) for array in answer["mesh"]))
+                arrays = [_received(pipe, *array) for array in answer["mesh"]]
+                notes = [tuple(note) for note in answer["notes"]]
+                answer = Finished._make([*arrays, notes])
             answers.put(answer)
     except (EOFError, MemoryError, ValueError):  # the process ended within an answer
         pass
@@ -143,10 +144,9 @@ def main(path: Path) -> None:
         return True
 
     try:
-        arrays = [
-            np.ascontiguousarray(a) for a in finished(path, meshes.read(path, progress), progress)
-        ]
-        say({"mesh": [[array.dtype.str, array.shape] for array in arrays]})
+        *parts, notes = finished(path, meshes.read(path, progress), progress)
+        arrays = [np.ascontiguousarray(part) for part in parts]
+        say({"mesh": [[each.dtype.str, each.shape] for each in arrays], "notes": notes})
         for array in arrays:
             out.write(array.ravel().view(np.uint8).data)
         out.flush()

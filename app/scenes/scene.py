@@ -169,6 +169,8 @@ class Scene:
     phenomenon : Phenomenon or None
     own_mesh : bool
         Whether a mesh from a file replaces the phenomenon's subject.
+    notes : tuple of Refusals
+        What of a mesh's file was left out; they are shown, not raised.
     """
 
     name: str
@@ -181,6 +183,7 @@ class Scene:
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
     dots: pv.PolyData | None = None
+    notes: tuple[Refusal, ...] = ()
 
     @property
     def title(self) -> str:
@@ -605,6 +608,10 @@ def _read_mesh(path: Path, progress: Progress | None) -> Finished:
     return read(path, progress)
 
 
+def _notes(path: str, mesh: Finished) -> tuple[Refusal, ...]:
+    return tuple(Refusal.saying(template, path, *parts) for template, *parts in mesh.notes)
+
+
 def _drawn_edges(mesh: Finished) -> Coloured:
     """Return the faces' edges, then the file's own lines."""
     lines = mesh.lines, flat(DRAWN_RGB, len(mesh.lines))
@@ -647,6 +654,7 @@ def _scene_of_phenomenon(
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
         dots=dot_set(mesh.dots, mesh.dot_rgb),
+        notes=_notes(mesh_path, mesh),
     )
     _ = scene.subject  # do it now: the first drawing would wait for it
     report(progress, 1.0)
@@ -673,6 +681,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
         lower=lower,
         upper=upper,
         start=frame_camera(lower, upper),
+        notes=_notes(name, mesh),
     )
     report(progress, 1.0)
     return scene

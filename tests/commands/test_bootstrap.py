@@ -34,6 +34,7 @@ from packaging.requirements import Requirement as Standard
 from app import __version__, bootstrap
 from app.__main__ import need_of
 from tests import PATIENCE_MS
+from tests.__main__ import hides
 
 PYTHON = getattr(sys, "_base_executable", sys.executable)  # outside every virtual environment
 COMMAND_LINE = """
@@ -87,7 +88,9 @@ class Checkout:
     def stamp(self) -> Path:
         return self.root / ".venv" / "frustum-lab.stamp"
 
-    def start(self, *arguments: str, **environment: str) -> subprocess.Popen[str]:
+    def start(
+        self, *arguments: str, python: str = PYTHON, **environment: str
+    ) -> subprocess.Popen[str]:
         """Start Python in the checkout, on a machine without a network and with an empty home."""
         home, scratch = self.root.parent / "home", self.root.parent / "scratch"
         home.mkdir(exist_ok=True)
@@ -98,7 +101,7 @@ class Checkout:
         if "PIP_INDEX_URL" not in environment:
             kept |= {"PIP_NO_INDEX": "1", "PIP_FIND_LINKS": str(self.wheels)}
         return subprocess.Popen(
-            [PYTHON, *arguments],
+            [python, *arguments],
             cwd=self.root,
             env=kept | environment,
             stdout=subprocess.PIPE,
@@ -111,9 +114,9 @@ class Checkout:
             output, said = process.communicate()
         return process.returncode, output, said
 
-    def assert_runs(self, version: str = "1.0") -> str:
+    def assert_runs(self, version: str = "1.0", **environment: str) -> str:
         """Run ``python3 -m app``, check that it ran inside .venv, return what was said."""
-        status, output, said = self.run("-m", "app", "matrices")
+        status, output, said = self.run("-m", "app", "matrices", **environment)
         assert (status, said[-500:] if status else "") == (0, "")
         assert json.loads(output) == [str(self.root / ".venv"), version, ["matrices"]]
         return said
@@ -125,12 +128,16 @@ def fresh(tmp_path: Path) -> Checkout:
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
     for folder in ("commands", "document", "model"):
         (checkout.root / "app" / folder).mkdir(parents=True)
+    (checkout.root / "widgets").mkdir()
+    (checkout.root / "widgets" / "__init__.py").touch()
+    shutil.copy(bootstrap.ROOT / "__main__.py", checkout.root)
     stdlib_only = (
         *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
         *("document/__init__.py", "document/lengths.py"),
-        *("model/__init__.py", "model/refusal.py"),
+        *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
     )
-    for name in ("__init__.py", "__main__.py", "bootstrap.py", "strangers.py", *stdlib_only):
+    of_start = ("__init__.py", "__main__.py", "bootstrap.py", "modules.py", "strangers.py")
+    for name in (*of_start, *stdlib_only):
         shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
     (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE)
     checkout.ask_for(">=1,<2", exactly="1.0")
@@ -277,6 +284,105 @@ def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
     done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)[0] == str(made.root / ".venv")
     assert done.stderr == ""
+
+
+def write_foreign(folder: Path) -> None:
+    """Write modules that must not be taken for the program's and Python's own."""
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("random", "email", "typing", "dataclasses", "tomllib"):
+        (folder / f"{name}.py").write_text("raise RuntimeError('foreign')\n")
+    (folder / "frustum_probe.py").write_text("VERSION = 'foreign'\n")
+
+
+@pytest.mark.parametrize("inside", [False, True])
+@pytest.mark.parametrize(
+    ("folder", "variable", "text"),
+    [
+        ("lab", "PYTHONPATH", ":{0}"),
+        ("lab", "PYTHONHOME", sys.base_prefix),
+        ("lab with a space", "VIRTUAL_ENV", "{0}"),  # the checkout, which is the current folder
+        ("lib/python3.{1}/site-packages", "PYTHONUSERBASE", "{2}"),
+    ],
+)
+def test_a_start_finds_its_own_modules(
+    made: Checkout, folder: str, variable: str, text: str, inside: bool
+) -> None:
+    """Case 31: another numpy on PYTHONPATH; also a ``random.py`` in the current folder."""
+    minor, above = sys.version_info[1], made.root.parent
+    foreign = above / folder.format("", minor)
+    write_foreign(foreign)
+    for name in ("sitecustomize", "usercustomize"):
+        (foreign / f"{name}.py").write_text("import frustum_probe\n")
+    environment = {variable: text.format(foreign, minor, above)}
+    if inside:
+        environment["python"] = str(made.root / ".venv" / "bin" / "python")
+    assert made.assert_runs(**environment) == ""
+
+
+@pytest.mark.parametrize("path", ["", "app", "app/__main__.py"])
+def test_the_program_starts_by_the_path_of_its_folder(made: Checkout, path: str) -> None:
+    """Case 42."""
+    status, output, said = made.run(str(made.root / path), "matrices")
+    assert (status, said) == (0, "")
+    assert json.loads(output) == [str(made.root / ".venv"), "1.0", ["matrices"]]
+
+
+def test_the_doctor_names_what_is_set_aside(made: Checkout) -> None:
+    foreign = made.root / "foreign"
+    write_foreign(foreign)
+    given = {"PYTHONPATH": str(foreign), "PYTHONHOME": sys.base_prefix}
+    _, output, said = made.run("-m", "app", "doctor", **given)
+    aside = f"PYTHONPATH={foreign}, PYTHONHOME={sys.base_prefix}"
+    assert f"Set aside           {aside}; Frustum Lab prefers its own packages\n" in output
+    assert "frustum-probe       1.0 (needed: >=1,<2)\n" in output
+    assert said == ""
+    assert "Set aside" not in made.run("-m", "app", "doctor", PYTHONPATH=str(made.root))[1]
+
+
+def test_a_hidden_package_does_not_pass_for_the_installed_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    wanted = next(each for each in bootstrap.requirements(bootstrap.ROOT) if each.name == "mpmath")
+    monkeypatch.delitem(sys.modules, "mpmath", raising=False)
+    assert wanted.is_met()
+    (tmp_path / "mpmath").mkdir()
+    (tmp_path / "mpmath" / "__init__.py").touch()
+    monkeypatch.syspath_prepend(tmp_path)
+    assert not wanted.is_met()
+
+
+def test_a_process_of_its_own_finds_the_same_modules(made: Checkout) -> None:
+    """Whatever lies in its folder; `reading` and `doctor` start theirs so."""
+    write_foreign(made.root)
+    probe = (
+        "from app import modules; modules.prefer_own(); import subprocess; "
+        "subprocess.run(modules.command('app', 'matrices'), check=True)"
+    )
+    python = str(made.root / ".venv" / "bin" / "python")
+    status, output, said = made.run("-c", probe, python=python)
+    assert (status, said) == (0, "")
+    assert json.loads(output)[1:] == ["1.0", ["matrices"]]
+
+
+def test_a_damaged_package_is_named(made: Checkout) -> None:
+    (made.root / "app" / "commands" / "cli.py").write_text("import frustum_probe.part\n")
+    remove = f"rm -r '{made.root / '.venv'}'"
+    words = "replace it, and start again"
+    error = "No module named 'frustum_probe.part'"
+    expected = f"frustum-lab: the package frustum-probe is damaged ({error}); {words}: {remove}"
+    assert refused(made) == expected
+    (made.root / "app" / "commands" / "cli.py").write_text("import app.part\n")
+    assert "No module named 'app.part'" in made.run("-m", "app", "matrices")[2]
+
+
+def test_the_tests_name_a_file_that_hides_a_module(tmp_path: Path) -> None:
+    for name in ("random.py", "numpy.py", "notes.py", "email.txt"):
+        (tmp_path / name).touch()
+    (tmp_path / "types").mkdir()
+    assert [path.name for path in sorted(tmp_path.iterdir()) if hides(path)] == [
+        "numpy.py",
+        "random.py",
+    ]
 
 
 def test_a_start_needs_no_standard_output(made: Checkout) -> None:

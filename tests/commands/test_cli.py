@@ -1280,6 +1280,16 @@ sys.exit(main(sys.argv[1:]))
 """
 
 
+def test_what_is_left_out_of_a_mesh_is_said_once(tmp_path: Path) -> None:
+    mesh = tmp_path / "small.obj"
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
+    done = run_here("project", mesh, "-", text="0,0,0\n")
+    assert done.returncode == 0 and done.stderr == (
+        f"{mesh}: faces left out: 1 of 2, because they have fewer than three different corners; "
+        "the first is on line 4.\n"
+    )
+
+
 def test_no_mesh_outlives_pyvistas_modules(tmp_path: Path) -> None:
     command = [sys.executable, "-c", _COUNTED_LAST, "export", tmp_path / "a.png", "--size", "96x32"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE_S)

@@ -179,6 +179,16 @@ def test_a_bad_file_gets_a_sentence_and_the_others_go_on(
     assert "1 file, 1 answer: 1 right" in out
 
 
+def test_a_file_of_results_is_read_in_every_encoding(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = json.dumps(exported(answer("wide", 1, "56.4", "right")))
+    for encoding in ("utf-8-sig", "utf-16", "utf-16-le"):
+        (folder / "good.json").write_bytes(text.encode(encoding))
+        assert run("good.json") == 0
+        assert "1 file, 1 answer: 1 right" in capsys.readouterr().out
+
+
 def test_its_options_are_its_own() -> None:
     assert "lesson results needs a FILE." in run_here("lesson", "results").stderr
     assert (

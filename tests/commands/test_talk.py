@@ -352,6 +352,22 @@ def test_a_matrix_is_on_the_page_of_its_figure(qapp: Any, talk: Path, answers: b
         assert not page.pieces[-1].block.kept
 
 
+ASKED = "---\ntitle: Asked\n---\n" + "---\n".join(
+    f"# Step {{#s{number}}}\n{'words ' * (30 * number)}\n```state\nscene=letter-f\n```\n"
+    f"```predict ask\nQuestion {number}?\n- [x] Yes\n- [ ] No\nshow: lens.near={number}\n```\n"
+    for number in range(1, 8)
+)
+
+
+def test_a_question_is_on_the_page_of_its_figure(qapp: Any, talk: Path) -> None:
+    talk.write_text(ASKED)
+    pages = paged(Course(read(talk)), 490.0, 745.0, answers=False)
+    assert len(pages) > 2
+    for page in pages:
+        assert page.pieces[0].block.kept, "it begins with a title"
+        assert not page.pieces[-1].block.kept
+
+
 def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
     question = (
         "```answer\nHow wide?\nvalue: 2*atan(aspect*tan(45/2))\nunit: °\nwhy: By tangents.\n```\n"

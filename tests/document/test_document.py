@@ -51,6 +51,7 @@ from app.model.projection import (
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
+from app.strangers import LATIN_1
 from tests import PATIENCE_S
 from tests.fuzz.catalogue import a_valid_tree, any_view
 from tests.fuzz.documents import outcome, outcome_of
@@ -610,6 +611,8 @@ def test_a_file_is_read_by_its_content(tmp_path: Path) -> None:
         ("lesson.frustum", WRITTEN.encode()),
         ("no ending č", WRITTEN.replace("\n", "\r\n").encode()),
         ("notepad.json", b"\xef\xbb\xbf" + WRITTEN.encode()),  # the mark of some editors
+        ("powershell.json", WRITTEN.encode("utf-16")),
+        ("raw.json", WRITTEN.encode("utf-16-le")),
         ("figure.png", carrier(WRITTEN)),
         ("figure.json", carrier(WRITTEN)),
         ("lesson.png", WRITTEN.encode()),
@@ -623,7 +626,7 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    no_text = "is not a Frustum Lab document: it is not UTF-8 text."
+    no_text = "is not a Frustum Lab document: it is not text."
     no_picture = "is not a complete PNG picture: it is damaged or cut short."
     negative, meshes = with_value("lens.near", -1), ", ".join(MESH_ENDINGS)
     contents: dict[str, tuple[bytes, str]] = {
@@ -631,8 +634,7 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
         "two\nlines.json": (b"", " is empty."),
         "cut.json": (WRITTEN.encode()[:100], " is broken or cut short: the text from line 5,"
                      " column 32 on is not JSON."),
-        "utf16.json": (WRITTEN.encode("utf-16"), f" {no_text}"),
-        "latin1.json": (WRITTEN.replace("letter-f", "slovo-č").encode("latin2"), f" {no_text}"),
+        "photo.json": (b"\xff\xd8\xff\xe0\0\x10JFIF", f" {no_text}"),
         "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
                       f" (.md), an exported picture (.png) nor a mesh ({meshes})."),
         "other.json": (b'{"a": 1}', " is not a Frustum Lab document."),
@@ -657,6 +659,14 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
     missing = "no/such.json cannot be written: No such file or directory."
     assert sentence(write, Document(), "no/such.json") == missing
     assert sentence(write, Document(), "a\0b.json") == f"'a\\x00b.json' {no_name}"
+
+
+def test_latin_1_is_read_with_a_warning(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    path = tmp_path / "old.json"
+    document = Document(str(tmp_path / "café.obj"))
+    path.write_bytes(to_json(document, str(tmp_path)).encode("latin-1"))
+    assert read(path) == document
+    assert caplog.messages == [f"{path} {LATIN_1}."]
 
 
 @pytest.mark.parametrize("size", [10, 2**21])

@@ -63,6 +63,10 @@ ADDRESSES = [
 # --------------------------------------------------------------------------- sound files
 
 
+_ODD_FACES = [[0, 1, 2, 3, 0, 4, 1, 4, 0], [0, 1], [2, 2, 3, 2], [0, 2, 1, 3], [0, 4, 3, 1, 2]]
+"""A spike, two faces of too few corners, and two that cross themselves."""
+
+
 def _obj(path: Path, rng: random.Random) -> None:
     colours = rng.random() < 0.3
     corner = rng.choice(["{0}", "{0}/{0}", "{0}//{0}", "{0}/{0}/{0}", "-{0}", "{0}/", "{0}//"])
@@ -70,7 +74,7 @@ def _obj(path: Path, rng: random.Random) -> None:
     lines += [f"v {x} {y} {z}{' 1 0.5 0' * colours}" for x, y, z in PYRAMID.tolist()]
     lines += ["vn 0 1 0"] * rng.choice([0, 1, 5])
     lines += ["usemtl", "g a b", "s off", "l 1 2 3/3 -1", "p 1 5"][: rng.randrange(7)]
-    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), []]):
+    for face in rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), _ODD_FACES, []]):
         lines.append("f " + " ".join(corner.format(i + 1) for i in face))
     path.write_bytes((rng.choice(["\n", "\r\n", "\r"]).join(lines) + "\n").encode())
 
@@ -81,7 +85,8 @@ def _ply(path: Path, rng: random.Random) -> None:
     real, letter = rng.choice([("double", "d"), ("float", "f"), ("float64", "d")])
     rgb, face_rgb = rng.random() < 0.4, rng.random() < 0.3
     channels = "".join(f"property uchar {name}\n" for name in ("red", "green", "blue"))
-    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), []])
+    faces = rng.choice([QUAD_AND_TRIANGLES, TRIANGLES.tolist(), _ODD_FACES, []])
+    strips = rng.choice([[], [[0, 1, 2, 3, -1, 2, 3, 4], [0, 1, 4]]])
     edges = rng.choice([[], [(0, 1), (3, 2)]])
     head = (
         f"ply\nformat {encoding} 1.0\ncomment {rng.choice(['', 'TextureFile a.png'])}\n"
@@ -89,7 +94,8 @@ def _ply(path: Path, rng: random.Random) -> None:
         f"{channels * rgb}element face {len(faces)}\n"
         f"property list uchar int {rng.choice(['vertex_indices', 'vertex_index'])}\n"
         f"{channels * face_rgb}element edge {len(edges)}\n"
-        "property int vertex1\nproperty int vertex2\nend_header\n"
+        f"property int vertex1\nproperty int vertex2\nelement tristrips {len(strips)}\n"
+        "property list int int vertex_indices\nend_header\n"
     ).encode()
     rows = [(f"3{letter}" + "3B" * rgb, [*p, *[9, 8, 7] * rgb]) for p in PYRAMID.tolist()]
     rows += [
@@ -97,6 +103,7 @@ def _ply(path: Path, rng: random.Random) -> None:
         for face in faces
     ]
     rows += [("2i", [*edge]) for edge in edges]
+    rows += [(f"{len(strip) + 1}i", [len(strip), *strip]) for strip in strips]
     if encoding == "ascii":
         body = "".join(" ".join(map(str, row)) + "\n" for _, row in rows).encode()
     else:

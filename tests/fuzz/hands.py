@@ -36,6 +36,7 @@ from pathlib import Path
 from typing import Any
 
 import psutil
+import shiboken6
 from PySide6 import QtCore, QtGui, QtWidgets
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
@@ -48,7 +49,7 @@ from app.drawings import image, stage, world  # noqa: F401  (VTK, whose import i
 from app.lessons.course import CONTENT as LESSONS
 from app.scenes.scene import BUILT_IN, load
 from tests.__main__ import at_home
-from tests.fuzz.files import NUMBERS, write_hostile
+from tests.fuzz.files import ENDINGS, NUMBERS, write_hostile
 from tests.fuzz.hostile import a_folder
 from tests.support.controls import NONSENSE
 from tests.support.meshes import WRITERS, pyramid_file
@@ -197,7 +198,7 @@ class Hands:
             return
         steps, minutes = self.options.steps, (time.monotonic() - self.began) / 60.0
         if self.findings.step >= steps if steps else minutes > self.options.minutes:
-            QApplication.quit()
+            QApplication.exit()  # not `quit`, which asks whether to save
             return
         QTimer.singleShot(self.rng.choice(PAUSES_MS), self.beat)  # first: the step may be long
         self._take_time()
@@ -308,11 +309,19 @@ class Hands:
             handle = self.window.windowHandle()
         QTest.mouseRelease(handle, button, NO_KEY, place)
 
+    def _move(self, handle: Any, place: QPoint) -> bool:
+        """Move the mouse; False if the window is gone, as a menu is while another one opens."""
+        if not shiboken6.isValid(handle):
+            return False
+        QTest.mouseMove(handle, place)
+        return True
+
     def click(self) -> None:
         (handle, place, what), button, key = self._target(), self._button(), self._modifier()
         twice = self.rng.random() < 0.15 and QApplication.activePopupWidget() is None
         self.note(f"{'double-' * twice}clicks {button.name} {key.name} on {what}")
-        QTest.mouseMove(handle, place)
+        if not self._move(handle, place):
+            return
         if twice:
             QTest.mouseDClick(handle, button, key, place)
         else:
@@ -322,7 +331,7 @@ class Hands:
     def hover(self) -> None:
         handle, place, what = self._target()
         self.note(f"moves the mouse to {what}")
-        QTest.mouseMove(handle, place)
+        self._move(handle, place)
 
     def wheel(self) -> None:
         (handle, place, what), key = self._target(), self._modifier()
@@ -335,7 +344,8 @@ class Hands:
         (handle, place, what), button, key = self._target(), self._button(), self._modifier()
         moves = self.rng.randint(1, 8)
         self.note(f"drags {button.name} {key.name} {moves} times from {what}")
-        QTest.mouseMove(handle, place)
+        if not self._move(handle, place):
+            return
         QTest.mousePress(handle, button, key, place)
         for _ in range(moves):
             if handle in QtGui.QGuiApplication.allWindows():
@@ -449,7 +459,8 @@ def some_files(folder: Path) -> list[Path]:
     own = [Path(shutil.copy(path, place)) for path in sorted(LESSONS.glob("*.md"))]
     talks = [path for path in own if path.name.startswith("talk")]
     meshes = [pyramid_file(place, kind) for kind in WRITERS]
-    damaged = [write_hostile(place, 1, number)[0] for number in range(21)]
+    endings = 3 * [ending for ending in ENDINGS if ending.startswith(".")]
+    damaged = [write_hostile(place, 1, *each)[0] for each in enumerate(endings)]
     return [*own, *4 * talks, *meshes, *damaged]
 
 

@@ -60,8 +60,8 @@ LATE: dict[str, tuple[str, ...]] = {
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),
 }
-#: What everyone may know: standard library only.
-GROUND = ("app.bootstrap", "app.strangers")
+#: What everyone may know: standard library only. The first is known to the others, too.
+GROUND = ("app.modules", "app.bootstrap", "app.strangers")
 #: What only some may know although it stands below them: the window joins store and widgets.
 NOT_FOR = {
     "app.document.store": ("app", "widgets.parts", "widgets.controls", "widgets.panels",
@@ -154,7 +154,7 @@ def faults(path: str, source: str) -> list[str]:
             other = folder_of(name)
             fits = (
                 other == folder
-                or (is_below(name, GROUND) and floor >= 0)
+                or is_below(name, GROUND[: len(GROUND) if floor >= 0 else 1])
                 or FLOOR.get(other, len(FLOORS)) < floor
             )
         else:

@@ -10,9 +10,10 @@ import pytest
 
 from app.bootstrap import ROOT
 from app.lessons.checking import Report
-from app.lessons.lesson import MOST_STEPS, Lesson, is_lesson, parse_lesson, read
+from app.lessons.lesson import MOST_STEPS, Lesson, head_of, is_lesson, parse_lesson, read
 from app.lessons.text import formulas_in, markdown, said_of, spoken
 from app.model.refusal import Refusal
+from app.strangers import LATIN_1
 
 TOP = "---\ntitle: T\n---\n"
 STEP = TOP + "# One {#one}\n"
@@ -296,12 +297,26 @@ def test_too_many_steps_and_too_large_a_file_are_refused_at_once(tmp_path: Path)
     path.write_text(STEP + "x" * 3_000_000, encoding="utf-8")
     with pytest.raises(Refusal, match=r"large\.md is larger than 2 MiB"):
         read(path)
-    path.write_bytes(b"---\ntitle: \xff\xfe\n")
-    with pytest.raises(Refusal, match=r"large\.md: line 2 is not UTF-8 text: save the file in"):
-        read(path)
     with pytest.raises(Refusal, match="does not exist"):
         read(tmp_path / "none.md")
     assert is_lesson("A.MD") and not is_lesson("a.json")
+
+
+def test_a_lesson_is_read_in_every_encoding(
+    tmp_path: Path, caplog: pytest.LogCaptureFixture
+) -> None:
+    path, text = tmp_path / "own.md", STEP.replace("title: T", "title: Žaba") + "Text\n"
+    for encoding in ("utf-8", "utf-8-sig", "utf-16", "utf-16-be"):
+        path.write_bytes(text.encode(encoding))
+        assert read(path).title == head_of(path).title == "Žaba"
+    assert not caplog.messages
+    path.write_bytes(text.replace("Žaba", "café").encode("latin-1"))
+    assert read(path).title == head_of(path).title == "café"
+    assert caplog.messages == [f"{path} {LATIN_1}."]
+    complaints: list[Refusal] = []
+    assert read(path, complaints.append).title == "café"
+    said = "is not UTF-8 text, some letters may be wrong: save the file in that encoding."
+    assert [str(each) for each in complaints] == [f"{path} {said}"]
 
 
 @pytest.mark.parametrize(("word", "wrong"), [("sun", 0), ("point", 1)])

@@ -72,6 +72,12 @@ def test_the_good_lines_of_a_damaged_file_stay(tmp_path: Path, bad: bytes) -> No
     )
 
 
+def test_a_line_that_another_program_wrote_in_latin_1_stays(tmp_path: Path) -> None:
+    line = json.dumps(attempt(typed="30 °")._asdict(), ensure_ascii=False)
+    (tmp_path / "record.jsonl").write_bytes(line.encode("latin-1"))
+    assert Record(tmp_path / "record.jsonl").read() == [attempt(typed="30 °")]
+
+
 def test_a_full_file_becomes_the_old_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(record, "LARGEST", 1000)
     path = tmp_path / "record.jsonl"

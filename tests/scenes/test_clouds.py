@@ -79,7 +79,7 @@ def test_edges_of_a_ply_file_are_lines_and_its_other_vertices_dots(tmp_path: Pat
     wires = opened(tmp_path / "wires.ply", head + body)
     assert lines_of(wires).tolist() == [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 0, 0]]]
     assert dots_of(wires).tolist() == [[5, 5, 5]]
-    with pytest.raises(Refusal, match="line or point names a vertex that does not exist"):
+    with pytest.raises(Refusal, match="line 17 names a vertex that does not exist"):
         opened(tmp_path / "cut.ply", (head + body).replace("2 1 9", "4 1 9"))
 
 

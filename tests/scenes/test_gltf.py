@@ -15,6 +15,7 @@ import pytest
 from app.model.refusal import Refusal
 from app.scenes import mesh, mesh_files, reading
 from app.scenes.scene import load
+from app.scenes.shapes import DRAWN_RGB
 from tests.support.gltf import SQUARE, GltfSquare
 from tests.support.meshes import glb
 
@@ -240,6 +241,12 @@ def test_a_faulty_skin_is_refused(
     assert refusal(square, tmp_path) == (mesh.DAMAGED, what)
 
 
+def test_each_joint_has_an_inverse_bind_matrix(tmp_path: Path) -> None:
+    square = GltfSquare()
+    square.add_skin(np.zeros((4, 4)), FIRST, [{}, {}], bind=column_by_column([5, 0, 0]))
+    assert refusal(square, tmp_path) == (mesh.DAMAGED, "inverseBindMatrices")
+
+
 @pytest.mark.parametrize(("joint", "weight"), [(1, 1.0), (0, -1.0)])
 def test_joints_and_weights_are_checked(joint: int, weight: float, tmp_path: Path) -> None:
     square = GltfSquare()
@@ -331,6 +338,27 @@ def hostile_targets(square: GltfSquare) -> None:
     square.content["scenes"][0]["nodes"] = list(range(100))
 
 
+def hostile_roots(square: GltfSquare) -> None:
+    """A long chain that the scene names again and again, above a mesh that is too large."""
+    hostile_primitives(square)
+    count = 20_000
+    nodes: list[dict[str, Any]] = [{"children": [i + 1]} for i in range(count)]
+    square.content["nodes"] = [*nodes, {"mesh": 0}]
+    square.content["scenes"][0]["nodes"] = [0] * count
+
+
+def hostile_joints(square: GltfSquare) -> None:
+    """Each of many vertices has hundreds of joints."""
+    count = 10_000
+    zeros, ones = square.add(np.zeros((count, 4)), "u1"), square.add(np.ones((count, 4)), "u1")
+    square.content["skins"] = [{"joints": [0]}]
+    square.content["nodes"][0]["skin"] = 0
+    square.primitive.pop("indices")
+    attributes = square.primitive["attributes"] = {"POSITION": square.add(np.eye(count, 3))}
+    for i in range(300):
+        attributes |= {f"JOINTS_{i}": zeros, f"WEIGHTS_{i}": ones}
+
+
 def hostile_sets(square: GltfSquare) -> None:
     square.add_skin(np.zeros((4, 4)), FIRST, [{}])
     attributes = square.primitive["attributes"]
@@ -342,8 +370,12 @@ def hostile_sets(square: GltfSquare) -> None:
 
 
 @pytest.mark.parametrize(
-    "change", [hostile_weights, hostile_primitives, hostile_targets, hostile_sets]
-)
+    "change",
+    [
+        hostile_weights, hostile_primitives, hostile_targets, hostile_roots, hostile_joints,
+        hostile_sets,
+    ],
+)  # fmt: skip
 def test_work_that_a_short_file_multiplies_is_refused_at_once(
     change: Callable[[GltfSquare], None], tmp_path: Path
 ) -> None:
@@ -412,28 +444,7 @@ def test_an_unknown_mode_is_refused(mode: Any, tmp_path: Path) -> None:
     assert refusal(square, tmp_path) == (mesh.DAMAGED, "mode")
 
 
-# --------------------------------------------------------------------------- .glb files
-
-
-def test_the_first_bytes_of_a_file_tell_a_glb(tmp_path: Path) -> None:
-    square = GltfSquare()
-    (tmp_path / "m.gltf").write_bytes(glb(square.content, square.body))
-    assert len(mesh_files.read(tmp_path / "m.gltf").points) == 4
-
-
-def test_a_chunk_that_is_no_buffer_is_ignored(tmp_path: Path) -> None:
-    square = GltfSquare()
-    whole = glb(square.content, square.body)
-    (tmp_path / "m.glb").write_bytes(whole.replace(b"BIN\0", b"MORE"))
-    with pytest.raises(Refusal) as caught:
-        mesh_files.read(tmp_path / "m.glb")
-    assert caught.value.bound == mesh.CUT_OFF
-    text = len(json.dumps(square.content))
-    for count in (30, text // 2):
-        (tmp_path / "m.glb").write_bytes(whole[:count])
-        with pytest.raises(Refusal) as caught:
-            mesh_files.read(tmp_path / "m.glb")
-        assert caught.value.bound == mesh.CUT_OFF
+# --------------------------------------------------------------------------- points and lines
 
 
 @pytest.mark.parametrize(
@@ -480,3 +491,75 @@ def test_points_alone_are_a_cloud_with_their_colours(tmp_path: Path) -> None:
     assert cloud.dots.point_data["rgb"].tolist() == [
         [255, 0, 0], [0, 255, 0], [0, 0, 255], [255, 255, 255]
     ]  # fmt: skip
+
+
+def test_points_lines_and_faces_of_several_nodes_are_joined(tmp_path: Path) -> None:
+    square = GltfSquare()
+    rgb = square.add([[1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
+    attributes = square.primitive["attributes"]
+    square.mesh["primitives"] += [
+        {"attributes": attributes, "mode": 3},
+        {"attributes": attributes | {"COLOR_0": rgb}, "mode": 0},
+    ]
+    square.content["nodes"].append({"mesh": 0, "translation": [5, 0, 0]})
+    square.content["scenes"][0]["nodes"].append(1)
+    found = read(square, tmp_path)
+    assert len(found.corners) == 2 * 6 and len(found.dots) == 2 * 4
+    for copy, moved in enumerate((0, 5)):
+        corners = [[x + moved, y, z] for x, y, z in SQUARE]
+        assert found.points[found.dots[4 * copy :][:4]].tolist() == corners
+        assert found.points[found.lines[3 * copy :][:3, 0]].tolist() == corners[:3]
+        assert found.points[found.corners[6 * copy :][:3]].tolist() == corners[:3]
+    assert found.dot_rgb is not None and found.rgb is not None
+    assert found.dot_rgb[4:7].tolist() == [[255, 0, 0], [0, 255, 0], [0, 0, 255]]
+    assert (found.rgb == mesh.PAINT_RGB).all()
+
+
+@pytest.mark.parametrize(("mode", "count"), [(0, 60), (1, 30), (3, 60), (4, 20), (5, 60)])
+def test_points_and_lines_are_counted_before_they_are_read(
+    mode: int, count: int, tmp_path: Path
+) -> None:
+    square = GltfSquare()
+    square.primitive |= {"mode": mode, "indices": square.add([0, 1, 2] * 20, "u1")}
+    path = square.write(tmp_path / "m.glb")
+    assert mesh_files.read(path, None, (count, 2**30)).points.shape == (3, 3)
+    with pytest.raises(Refusal) as caught:
+        mesh_files.read(path, None, (count - 1, 2**30))
+    assert caught.value.limits[1::2] == (count, count - 1)
+
+
+def test_points_have_the_colour_of_their_material(tmp_path: Path) -> None:
+    square = GltfSquare()
+    factor = {"pbrMetallicRoughness": {"baseColorFactor": [0, 1, 0, 1]}}
+    square.content["materials"] = [factor, {}]
+    square.primitive |= {"mode": 0, "material": 1}
+    assert read(square, tmp_path).dot_rgb is None
+    green = square.primitive | {"material": 0}
+    square.mesh["primitives"].append(green)
+    found = read(square, tmp_path)
+    assert found.dot_rgb is not None
+    assert found.dot_rgb[[0, -1]].tolist() == [list(DRAWN_RGB), [0, 255, 0]]
+
+
+# --------------------------------------------------------------------------- .glb files
+
+
+def test_the_first_bytes_of_a_file_tell_a_glb(tmp_path: Path) -> None:
+    square = GltfSquare()
+    (tmp_path / "m.gltf").write_bytes(glb(square.content, square.body))
+    assert len(mesh_files.read(tmp_path / "m.gltf").points) == 4
+
+
+def test_a_chunk_that_is_no_buffer_is_ignored(tmp_path: Path) -> None:
+    square = GltfSquare()
+    whole = glb(square.content, square.body)
+    (tmp_path / "m.glb").write_bytes(whole.replace(b"BIN\0", b"MORE"))
+    with pytest.raises(Refusal) as caught:
+        mesh_files.read(tmp_path / "m.glb")
+    assert caught.value.bound == mesh.CUT_OFF
+    text = len(json.dumps(square.content))
+    for count in (30, text // 2):
+        (tmp_path / "m.glb").write_bytes(whole[:count])
+        with pytest.raises(Refusal) as caught:
+            mesh_files.read(tmp_path / "m.glb")
+        assert caught.value.bound == mesh.CUT_OFF

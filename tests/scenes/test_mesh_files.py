@@ -105,6 +105,32 @@ def test_a_mesh_of_every_format_keeps_its_vertices_and_faces(
     assert not outside(scene.start, world_points(scene))
 
 
+@pytest.mark.parametrize("kind", ["obj", "stl text", "ply text", "gltf"])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16-le", "utf-16-be", "utf-32-le", "utf-32-be"])
+def test_a_text_mesh_is_read_in_every_encoding(kind: str, encoding: str, tmp_path: Path) -> None:
+    """Cases 01 and 03: the mark hid the first vertex, and UTF-16 all of them."""
+    path = pyramid_file(tmp_path, kind)
+    text, expected = path.read_text(encoding="utf-8"), mesh_files.read(path)
+    for mark in ("", "\ufeff"):
+        path.write_bytes(f"{mark}{text}".encode(encoding))
+        found = mesh_files.read(path)
+        assert (found.points == expected.points).all()
+        assert (found.corners == expected.corners).all()
+
+
+def test_a_mark_is_no_part_of_the_first_vertex(tmp_path: Path) -> None:
+    """Also if the rest is not UTF-8."""
+    text = "\ufeffv -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 3 0 0\nv 0 0 5\nf 1 2 3\n# ".encode()
+    (tmp_path / "m.obj").write_bytes(text + b"\xe9\n")
+    assert mesh_files.read(tmp_path / "m.obj").points.tolist() == [[-1, 0, 0], [1, 0, 0], [0, 1, 0]]
+
+
+@pytest.mark.parametrize("header", [b"", b"\xef\xbb\xbfsolid", b"\0\0\1"])
+def test_the_header_of_a_binary_stl_is_no_encoding(header: bytes, tmp_path: Path) -> None:
+    stl_file(tmp_path / "m.stl", PYRAMID, header.ljust(80, b"\0"))
+    assert len(mesh_files.read(tmp_path / "m.stl").points) == 5
+
+
 def test_decimals_are_read_to_the_last_bit(tmp_path: Path) -> None:
     """0.1 + 1e7 is not a sum of powers of 2: only correct rounding of the text finds it."""
     points = np.random.default_rng(4).normal(size=(5, 3)) * 1e7
@@ -215,6 +241,205 @@ def test_text_stl_larger_than_a_block_is_read_across_the_seams(
         monkeypatch.setattr(mesh_files, "BLOCK", block)
         found = mesh_files.read(tmp_path / "m.stl")
         assert (found.points == whole.points).all() and (found.corners == whole.corners).all()
+
+
+FACETS = """
+  FACET NORMAL 0 0 1
+    OUTER LOOP
+      VERTEX 0 0 0
+      VERTEX +1.0E+00 0 0
+      VERTEX 0 1. -0.0
+    ENDLOOP
+  ENDFACET
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "count"),
+    [
+        (f"solid a{FACETS}endsolid a\n", 1),
+        (f"SOLID a{FACETS}ENDSOLID a\n".replace("\n", "\r\n"), 1),
+        (f"Solid a{FACETS}".replace("\n", "\r"), 1),
+        (f"solid{FACETS}{FACETS}", 2),
+        (f"solid a{FACETS}endsolid a\nsolid vertex loop{FACETS}endsolid vertex loop", 2),
+        (f"solid a{FACETS}".replace("\n", " ").replace("  ", "\t"), 1),
+        (f"\n\n  solid a b c facet{FACETS}endsolid", 1),
+        (FACETS, 1),
+    ],
+)
+def test_text_stl_is_read_in_the_forms_that_writers_use(
+    text: str, count: int, tmp_path: Path
+) -> None:
+    (tmp_path / "m.stl").write_bytes(text.encode())
+    found = mesh_files.read(tmp_path / "m.stl")
+    assert found.points.tolist() == [[0, 0, 0], [0, 1, 0], [1, 0, 0]]
+    assert found.corners.tolist() == [0, 2, 1] * count
+
+
+@pytest.mark.parametrize("more", [b"", b"\n", b"more", bytes(49), bytes(51)])
+@pytest.mark.parametrize("header", [b"solid part", b"SOLID\nfacet normal", b"made by a test"])
+def test_binary_stl_is_known_by_its_length(header: bytes, more: bytes, tmp_path: Path) -> None:
+    stl_file(tmp_path / "m.stl", PYRAMID, header)
+    whole = (tmp_path / "m.stl").read_bytes()
+    for count in (6, 0, 2**32 - 1):  # some writers do not know it when they begin
+        counted = whole[:80] + struct.pack("<I", count) + whole[84:]
+        (tmp_path / "m.stl").write_bytes(counted + more[: None if count == 6 else 49])
+        found = mesh_files.read(tmp_path / "m.stl")
+        assert len(found.offsets) - 1 == 6
+        assert (found.points == np.unique(PYRAMID, axis=0)).all()
+
+
+# --------------------------------------------------------------------------- PLY
+
+
+def written(folder: Path, header: str, body: bytes) -> Mesh:
+    (folder / "m.ply").write_bytes(header.encode() + body)
+    return mesh_files.read(folder / "m.ply")
+
+
+STRIPS = [0, 4, 1, 3, -1, 1, 2, 4, -1, 2, 3]
+IN_STRIPS = [[0, 4, 1], [4, 3, 1], [1, 2, 4]]
+"""Every other triangle of a strip runs the other way round."""
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "binary_little_endian", "binary_big_endian"])
+def test_triangle_strips_of_ply_are_read(encoding: str, tmp_path: Path) -> None:
+    header = (
+        f"ply\nformat {encoding} 1.0\nelement vertex 5\nproperty double x\nproperty double y\n"
+        "property double z\nelement tristrips 2\nproperty list int int vertex_indices\nend_header\n"
+    )
+    rows = [STRIPS, [0, 1, 1, 2, 3]]
+    if encoding == "ascii":
+        body = "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID.tolist()).encode()
+        body += "".join(f"{len(row)} {' '.join(map(str, row))}\n" for row in rows).encode()
+    else:
+        order = "<" if "little" in encoding else ">"
+        body = PYRAMID.astype(f"{order}f8").tobytes()
+        for row in rows:
+            body += struct.pack(f"{order}{len(row) + 1}i", len(row), *row)
+    found = written(tmp_path, header, body)
+    assert (found.points == PYRAMID).all()
+    assert found.corners.reshape(-1, 3).tolist() == [*IN_STRIPS, [1, 2, 3]]
+    assert not found.notes  # a repeated corner joins strips
+
+
+def test_triangle_strips_of_ply_may_stand_beside_faces(tmp_path: Path) -> None:
+    header = ply_header("ascii", 5, 1).replace(
+        "end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header"
+    )
+    xyz = "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID.tolist())
+    found = written(tmp_path, header, f"{xyz}4 0 1 2 3\n4 0 1 4 2\n".encode())
+    assert found.corners.tolist() == [0, 1, 2, 3, 0, 1, 4, 1, 2, 4]
+    assert found.offsets.tolist() == [0, 4, 7, 10]
+
+
+LISTED = """ply
+format ascii 1.0
+comment made by a test
+obj_info num_cols 5
+element camera 1
+property float view_px
+property list uchar float more
+element vertex 5
+property list uchar int before
+property float x
+property float y
+property float z
+element other 2
+property int a
+element face 3
+property list uchar float texcoord
+property {} vertex_index
+property uchar flags
+end_header
+1 2 7 7
+0 0 0 0
+1 9 1 0 0
+0 1 1 0
+2 9 9 0 1 0
+0 0.5 0.5 1
+
+1
+2
+6 0 0 1 0 1 1 3 0 1 2 255
+0 3 0 2 3 0
+2 0 0 3 3 2 4 0
+"""
+
+
+@pytest.mark.parametrize("counted", ["list uchar int", "list int uint", "list ushort short"])
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_lists_of_ply_stand_before_and_after_others(counted: str, end: str, tmp_path: Path) -> None:
+    text = LISTED.format(counted).replace("\n", end)
+    found = written(tmp_path, "", text.encode())
+    assert found.corners.tolist() == [0, 1, 2, 0, 2, 3, 3, 2, 4]
+    assert found.points[4].tolist() == [0.5, 0.5, 1]
+    longer = text.replace(f"255{end}", f"255 8 9{end}").replace(f"1 1 0{end}", f"1 1 0 5{end}")
+    assert written(tmp_path, "", longer.encode()).corners.tolist() == found.corners.tolist()
+
+
+@pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
+def test_a_binary_body_may_begin_with_any_byte(end: str, tmp_path: Path) -> None:
+    for first in (0x20, 0x0A, 0x09, 0x0D if end != "\n" else 0x0C):
+        points = PYRAMID.astype("<f8")
+        points.view(np.uint8)[0, 0] = first
+        header = ply_header("binary_little_endian", 5, 1).replace("\n", end)
+        body = points.tobytes() + struct.pack("<B3i", 3, 0, 1, 2)
+        assert (written(tmp_path, header, body).points == points[:3]).all()
+
+
+def test_rows_of_a_text_ply_may_be_wrapped(tmp_path: Path) -> None:
+    body = "0 0 0 1 0 0 0 1 0 3 0 1 2\n"
+    assert written(tmp_path, ply_header("ascii", 3, 1), body.encode()).corners.tolist() == [0, 1, 2]
+
+
+# --------------------------------------------------------------------------- what is left out
+
+
+def test_small_faces_are_left_out_and_the_first_is_named(tmp_path: Path) -> None:
+    found = obj(tmp_path, THREE + "f 1 2 3\nf \\\n1 2\nf 3 2 1\nf 1 1/2 2 1\nf 2\nf 3 1 2\n")
+    assert found.corners.tolist() == [0, 1, 2, 2, 1, 0, 2, 0, 1]
+    assert found.notes == [(mesh.FEW_CORNERS_LINE, 3, 6, 5)]
+    header = ply_header("binary_little_endian", 5, 3, "", channels("uchar"))
+    body = PYRAMID.astype("<f8").tobytes() + struct.pack("<B3i3B", 3, 0, 1, 2, 1, 2, 3)
+    body += struct.pack("<B2i3B", 2, 0, 1, 4, 5, 6) + struct.pack("<B3i3B", 3, 0, 2, 3, 7, 8, 9)
+    found = written(tmp_path, header, body)
+    assert found.notes == [(mesh.FEW_CORNERS, 1, 3, 2)]
+    assert found.rgb is not None and found.rgb.tolist() == [[1, 2, 3], [7, 8, 9]]
+
+
+def test_vertices_that_are_not_finite_and_unused_are_left_out(tmp_path: Path) -> None:
+    found = obj(tmp_path, THREE + "v nan 0 0\nv 5 5 5\nv 0 -inf 0\nf 1 2 3\nl 1 5\n")
+    assert found.notes == [(mesh.UNUSED_LINE, 2, 6, 4)]
+    assert len(found.points) == 4
+    (tmp_path / "line.obj").write_text(THREE + "v nan 0 0\nf 1 2 3\nl 3 1\nl 1 2 4\n")
+    error = refused(tmp_path / "line.obj")
+    assert (error.bound, error.limits[1:]) == (mesh.NOT_FINITE_LINE, (4, 7))
+    points = np.vstack([PYRAMID, [[math.nan, 0, 0]]]).astype("<f8")
+    header = ply_header("binary_little_endian", 6, 1)
+    found = written(tmp_path, header, points.tobytes() + struct.pack("<B3i", 3, 0, 1, 2))
+    assert found.notes == [(mesh.UNUSED, 1, 6, 6)]
+
+
+def test_dots_that_are_not_finite_are_left_out(tmp_path: Path) -> None:
+    """Scanners write them for rays that meet nothing."""
+    found = obj(tmp_path, "v 0 0 0 1 0 0\nv nan nan nan 0 1 0\nv 1 1 1 0 0 1\n")
+    assert found.points.tolist() == [[0, 0, 0], [1, 1, 1]]
+    assert found.dot_rgb is not None
+    assert found.dot_rgb.tolist() == [[255, 0, 0], [0, 0, 255]]
+    assert found.notes == [(mesh.UNUSED_LINE, 1, 3, 2)]
+    (tmp_path / "m.obj").write_text("v nan 0 0\nv 0 inf 0\n")
+    assert refused(tmp_path / "m.obj").bound == mesh.NOT_FINITE
+
+
+def test_a_scene_says_what_of_its_file_is_left_out(tmp_path: Path) -> None:
+    scene = scene_of_obj(tmp_path, THREE + "f 1 2\nf 1 2 3\n")
+    assert [str(note) for note in scene.notes] == [
+        f"{tmp_path / 'm.obj'}: faces left out: 1 of 2, because they have fewer than three "
+        "different corners; the first is on line 4."
+    ]
+    of_phenomenon = load("similar-triangles", mesh=str(tmp_path / "m.obj"))
+    assert [note.limits for note in of_phenomenon.notes] == [note.limits for note in scene.notes]
 
 
 # --------------------------------------------------------------------------- glTF
@@ -475,10 +700,10 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "prose.stl": ("Dear all, the mesh is attached.\n" * 9, mesh.NOT_OF_KIND, ("STL",)),
     "solid.stl": ("solid advice: this is not a mesh.\n", mesh.NO_FACES, (0,)),
     "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", mesh.CUT_OFF, ()),
-    "word.stl": (FACET.replace("0 0 0", "0 0 o"), mesh.DAMAGED, ("vertex",)),
-    "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), mesh.DAMAGED, ("facet",)),
+    "word.stl": (FACET.replace("0 0 0", "0 0 o"), mesh.DAMAGED_LINE, (4, "STL")),
+    "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), mesh.DAMAGED_LINE, (4, "STL")),
     "loop.stl": (2 * FACET.replace("outer loop", "outer lop", 1), mesh.DAMAGED, ("vertex",)),
-    "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), mesh.NOT_FINITE, (1, 3)),
+    "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), mesh.NOT_FINITE_LINE, (4, 2)),
     "prose.ply": ("Dear all\n", mesh.NOT_OF_KIND, ("PLY",)),
     "header.ply": ("ply\nformat ascii 1.0\nelement vertex 3\n", mesh.NOT_OF_KIND, ("PLY",)),
     "format.ply": (
@@ -495,34 +720,59 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
         ply_header("ascii", 3, 1).replace("vertex_indices", "corners") + XYZ + "3 0 1 2\n",
         mesh.DAMAGED, ("face: vertex_indices",),
     ),
-    "word.ply": (ply_header("ascii", 1, 0) + "0 zero 0\n", mesh.DAMAGED, ("end_header ...",)),
-    "short.ply": (ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n", mesh.CUT_OFF, ()),
-    "shortface.ply": (ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF, ()),
-    "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "nanindex.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FACE_SIZE, (2, 100_000)),
+    "word.ply": (ply_header("ascii", 1, 0) + "0 zero 0\n", mesh.DAMAGED_LINE, (11, "PLY")),
+    "short.ply": (
+        ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n", mesh.CUT_OFF_ROWS, (2, 3, "vertex"),
+    ),
+    "shortface.ply": (
+        ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF_ROWS, (1, 2, "face"),
+    ),
+    "shortrow.ply": (
+        ply_header("ascii", 3, 2) + XYZ + "3 0 1\n3 0 1 2\n", mesh.DAMAGED_LINE, (14, "face"),
+    ),
+    "shortrows.ply": (
+        ply_header("ascii", 3, 1) + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
+        mesh.DAMAGED_LINE, (12, "vertex"),
+    ),
+    "longrows.ply": (
+        ply_header("ascii", 3, 2) + XYZ.replace("\n", " 9 9\n") + "3 0 1 2\n",
+        mesh.CUT_OFF_ROWS, (1, 2, "face"),
+    ),
+    "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX_LINE, (14, 3)),
+    "nanindex.ply": (
+        ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX_LINE, (14, 3),
+    ),
+    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FEW_CORNERS_LINE, (1, 1, 14)),
     "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", finishing.ONE_POINT, ()),
     "none.ply": (ply_header("ascii", 0, 0), mesh.NO_FACES, (0,)),
     "nan.ply": (
-        ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n", mesh.NOT_FINITE, (1, 3)
+        ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n",
+        mesh.NOT_FINITE_LINE, (12, 14),
     ),
     "prose.obj": ("Dear all\n", mesh.NO_FACES, (0,)),
-    "line9.obj": (THREE + "l 1 2 9\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "point9.obj": (THREE + "p -4\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "line9.obj": (THREE + "l 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
+    "point9.obj": (THREE + "p -4\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
     "lineword.obj": (THREE + "l 1 2 a\n", mesh.DAMAGED_LINE, (4, "OBJ")),
     "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", finishing.ONE_POINT, ()),
-    "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", finishing.ONE_POINT, ()),
+    "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", mesh.FEW_CORNERS_LINE, (1, 1, 2)),
     "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", finishing.ONE_LINE, ()),
     "slant.obj": ("v .1 .2 .3\nv .2 .4 .6\nv .7 1.4 2.1\nf 1 2 3\n", finishing.ONE_LINE, ()),
-    "index.obj": (THREE + "f 1 2 9\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "texture.obj": (THREE + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 4/3\n", mesh.NO_SUCH_VERTEX, (3,)),
-    "zero.obj": (THREE + "f 0 1 2\n", mesh.NO_SUCH_VERTEX, (3,)),
+    "index.obj": (THREE + "f 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
+    "texture.obj": (
+        THREE + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 4/3\n", mesh.NO_SUCH_VERTEX_LINE, (7, 3),
+    ),
+    "joinedlines.obj": (
+        "v 0 0 0\nv 1 \\\n0 \\\r\n0\nv 0 1 0\nf 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (6, 3),
+    ),
+    "joinedbad.obj": ("v 0 0 0\nv 1 \\\n0 \\\n0\nv 0 1 o\n", mesh.DAMAGED_LINE, (5, "OBJ")),
+    "small.obj": (THREE + "f 1 2\nf 3\nf 1 2 1 2\n", mesh.FEW_CORNERS_LINE, (3, 3, 4)),
+    "zero.obj": (THREE + "f 0 1 2\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
     "half.obj": ("v 0 0 0\nv 1 0", mesh.DAMAGED_LINE, (2, "OBJ")),
     "word.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n", mesh.DAMAGED_LINE, (3, "OBJ")),
     "corner.obj": ("v 1 2 3\nf 1 1 /1\n", mesh.DAMAGED_LINE, (2, "OBJ")),
     "letter.obj": ("v 1 2 3\nf 1 1 a\n", mesh.DAMAGED_LINE, (2, "OBJ")),
     "joined.obj": (THREE + "f 1-2 3\n", mesh.DAMAGED_LINE, (4, "OBJ")),
-    "nan.obj": ("v nan 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", mesh.NOT_FINITE, (2, 3)),
+    "nan.obj": ("v nan 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", mesh.NOT_FINITE_LINE, (1, 4)),
     "huge.obj": (
         "v 1e40 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", finishing.WRONG_SIZE, ("1.4e+308",)
     ),
@@ -541,7 +791,7 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     ),
     "prose.gltf": ("Dear all\n", mesh.DAMAGED_LINE, (1, "JSON")),
     "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', mesh.DAMAGED_LINE, (3, "JSON")),
-    "latin.gltf": ('{"asset": "caf\udce9"}', mesh.DAMAGED, ("JSON",)),
+    "latin.gltf": ('{"asset": "caf\udce9"}', mesh.DAMAGED, ("glTF",)),
     "prose.glb": ("Dear all\n", mesh.NOT_OF_KIND, ("GLB",)),
     "list.gltf": ("[]", mesh.DAMAGED, ("glTF",)),
     "deep.gltf": ("[" * 100_000, mesh.DAMAGED, ("JSON",)),
@@ -604,11 +854,20 @@ def test_files_that_are_cut_off_are_refused(tmp_path: Path) -> None:
     stl_file(tmp_path / "m.stl", PYRAMID, b"made by a test")
     ply_file(tmp_path / "m.ply", PYRAMID)
     gltf_file(tmp_path / "m.glb", PYRAMID)
-    for name, counts in (("m.stl", (51,)), ("m.ply", (1, 13, 14, 30)), ("m.glb", (20,))):
-        whole = (tmp_path / name).read_bytes()
-        for count in counts:
-            (tmp_path / name).write_bytes(whole[:-count])
-            assert refused(tmp_path / name).bound == mesh.CUT_OFF
+    whole = (tmp_path / "m.glb").read_bytes()
+    (tmp_path / "m.glb").write_bytes(whole[:-20])
+    assert refused(tmp_path / "m.glb").bound == mesh.CUT_OFF
+    whole = (tmp_path / "m.stl").read_bytes()
+    for count, there in ((1, 5), (50, 5), (51, 4), (300, 0)):
+        for head in (whole[:80], b"solid part".ljust(80), b"SOLID\n".ljust(80, b"\0")):
+            (tmp_path / "m.stl").write_bytes((head + whole[80:])[:-count])
+            error = refused(tmp_path / "m.stl")
+            assert (error.bound, error.limits[1:]) == (mesh.CUT_OFF_TRIANGLES, (there, 6))
+    whole = (tmp_path / "m.ply").read_bytes()
+    for count, there in ((1, (4, 5, "face")), (14, (3, 5, "face")), (70, (4, 5, "vertex"))):
+        (tmp_path / "m.ply").write_bytes(whole[:-count])
+        error = refused(tmp_path / "m.ply")
+        assert (error.bound, error.limits[1:]) == (mesh.CUT_OFF_ROWS, there)
 
 
 def test_gltf_vertices_that_are_not_finite_are_refused(tmp_path: Path) -> None:
@@ -656,7 +915,7 @@ def test_every_refusal_is_one_sentence_with_what_to_do(
         assert template.startswith("{0}: ") and ";" in template and template.endswith(".")
     (tmp_path / "m.obj").write_text("f 1 2 3\n")
     sentence = str(refused(tmp_path / "m.obj"))
-    assert sentence.startswith(f"{tmp_path / 'm.obj'}: a face, line or point names a vertex")
+    assert sentence.startswith(f"{tmp_path / 'm.obj'}: line 1 names a vertex")
     assert capfd.readouterr() == ("", "")
 
 
@@ -785,15 +1044,19 @@ def test_a_large_file_is_the_same_read_in_a_process(
     ply_file(tmp_path / "m.ply", PYRAMID + 1e7 + 0.1)
     gltf_file(tmp_path / "m.glb", PYRAMID)
     (tmp_path / "m.obj").write_text(THREE + "f 1 2 9\n")
-    here = [reading.read(tmp_path / name) for name in ("m.ply", "m.glb")]
+    (tmp_path / "small.obj").write_text(THREE + "f 1 2\nf 1 2 3\nv nan 0 0\n")
+    names = ("m.ply", "m.glb", "small.obj")
+    here = [reading.read(tmp_path / name) for name in names]
     refusal_here = str(refused(tmp_path / "m.obj"))
     monkeypatch.setattr(reading, "SMALL", 0)
-    apart = [reading.read(tmp_path / name) for name in ("m.ply", "m.glb")]
+    apart = [reading.read(tmp_path / name) for name in names]
+    assert len(apart[-1].notes) == 2
     assert str(refused(tmp_path / "m.obj")) == refusal_here
     for two in zip(here, apart, strict=True):
         assert len(two[0].edges)
-        for one, other in zip(*two, strict=True):
+        for one, other in zip(two[0][:-1], two[1][:-1], strict=True):
             assert (one == other).all() and one.dtype == other.dtype
+        assert two[0].notes == two[1].notes
 
 
 def test_cancel_ends_the_other_process(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -24,7 +24,7 @@ class GltfSquare:
             "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
         }  # fmt: skip
         positions, indices = self.add(SQUARE), self.add([0, 1, 2, 0, 2, 3], "<u2")
-        self.primitive = {"attributes": {"POSITION": positions}, "indices": indices}
+        self.primitive: dict[str, Any] = {"attributes": {"POSITION": positions}, "indices": indices}
         self.mesh: dict[str, Any] = {"primitives": [self.primitive]}
         self.content["meshes"] = [self.mesh]
 
@@ -57,7 +57,7 @@ class GltfSquare:
     ) -> None:
         """Add a skin whose joints are new nodes, and sets of four joints a vertex."""
         first = len(self.content["nodes"])
-        skin = {"joints": list(range(first, first + len(nodes)))}
+        skin: dict[str, Any] = {"joints": list(range(first, first + len(nodes)))}
         self.content["nodes"] += nodes
         self.content["nodes"][0]["skin"] = 0
         self.content["skins"] = [skin]

@@ -34,7 +34,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.document import Document
+from app.document.fields import IMAGE, lens_fields
 from app.document.files import NO_FILE
+from app.document.settings import set_values
 from app.drawings.figure_size import SCALED_WIDTH
 from app.drawings.figures import render
 from app.model.limits import ABOVE, DISTINCT
@@ -832,6 +835,30 @@ def test_a_text_beyond_float64_is_refused(text: str, bound: str) -> None:
     with pytest.raises(Refusal) as caught:
         parse_number("Near", text)
     assert caught.value.bound == bound
+
+
+def test_what_the_dock_shows_can_be_set(controls: Column) -> None:
+    """With its unit, and in the window's own notation: −0.00002 may be −2e-5."""
+    camera = replace(START.camera, eye=(-0.00002, 123457.0, -1.5e9))
+    for like in (START, OFF_AXIS, BOX):
+        state, kind = replace(like, camera=camera), like.lens.kind
+        show(controls, state)
+        for section in controls.sections.values():
+            section.set_open(True)
+        shown = {
+            f"{field.section}.{field.name}": number(controls, field.name)
+            for field in (*lens_fields(kind), *IMAGE)
+            if isinstance(controls.rows.get(field.name), NumberRow)
+        }
+        assert "lens.near" in shown and "image.width" in shown
+        texts = [
+            f"{path}={row.field.text()} {row.unit_label.text()}" for path, row in shown.items()
+        ]
+        eye = [number(controls, f"eye_{axis}").field.text() for axis in "xyz"]
+        texts.append(f"camera.eye=({', '.join(eye)})")
+        found = set_values(Document(projection=state), [f"lens.kind={kind}", *texts]).projection
+        assert found.camera.eye == camera.eye
+        assert found.lens == state.lens and found.image_size == state.image_size
 
 
 def test_a_typed_number_keeps_all_its_digits(controls: Column, record: Record) -> None:

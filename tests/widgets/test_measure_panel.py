@@ -283,7 +283,7 @@ def test_a_process_that_cannot_start_or_dies_is_a_sentence(
     panel: MeasurePanel, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     refused = QSignalSpy(panel.refused)
-    monkeypatch.setattr(measuring.sys, "executable", "/nowhere/python")
+    monkeypatch.setattr(measuring.modules.sys, "executable", "/nowhere/python")
     panel.choose("depth")
     with qtbot.waitSignal(panel.measuring.finished):
         panel.run()

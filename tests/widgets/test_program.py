@@ -284,9 +284,24 @@ def test_a_broken_settings_file_is_set_aside(
     settings = Settings(ini)
     assert settings.theme == "system"
     assert Path(f"{ini}.bak").read_bytes() == content
-    assert "set aside as" in caplog.text and ".bak" in caplog.text
+    assert f"was damaged, and is kept as {ini}.bak" in caplog.text
     settings.theme = "dark"
     assert Settings(ini).theme == "dark"
+
+
+def test_the_window_says_which_settings_it_could_not_use(
+    ini: Path, tmp_path: Path, make_window: MakeWindow
+) -> None:
+    ini.write_bytes(b"[General\n")
+    window = make_window(settings=Settings(ini), shown=False)
+    said = f"{ini} was damaged, and is kept as {ini}.bak. The default settings are used."
+    assert window.messages.text == said
+    folder = tmp_path / "a folder"
+    folder.mkdir()
+    window = make_window(settings=Settings(folder), shown=False)
+    assert window.messages.text.startswith(f"{folder} cannot be read: ")
+    window = make_window(settings=Settings(ini), shown=False)
+    assert not window.messages.text
 
 
 def test_that_settings_cannot_be_written_is_said_once_and_tried_again(
@@ -366,7 +381,7 @@ def test_the_program_starts_with_broken_settings_and_keeps_new_ones(own_home: Pa
     done = drive(act, when=PAINTED)
     assert (done.returncode, done.stdout, done.stderr) == (0, "system\n", "")
     assert Path(f"{ini}.bak").read_bytes() == b"\0broken"
-    assert "set aside as" in log_path().read_text(encoding="utf-8")
+    assert "was damaged, and is kept as" in log_path().read_text(encoding="utf-8")
     assert Settings(ini).theme == "dark"
 
 
@@ -972,3 +987,11 @@ def test_doctor_reads_the_probe_of_another_process(display: Any) -> None:
     assert (answer["version"], answer["renderer"]) == (found.version, found.renderer)
     assert answer["platform"] == display.platformName()
     assert len(answer["screens"]) == len(display.screens())
+
+
+@pytest.mark.skipif(os.name != "posix", reason="the tool needs Xvfb")
+def test_the_tool_that_uses_the_window_starts_and_finds_nothing_at_once() -> None:
+    """A sample: ``python3 -m tests.fuzz hands`` goes on for hours."""
+    command = [sys.executable, "-m", "tests.fuzz", "hands", "--minutes", "0.01", "--seed", "1"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0 and " 0 findings" in done.stdout, done.stdout + done.stderr

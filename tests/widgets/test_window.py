@@ -447,6 +447,23 @@ def test_save_open_and_the_unsaved_mark(window: MainWindow, tmp_path: Path) -> N
     assert texts[:2] == [str(tmp_path / "R&&D.json"), str(path)]  # as Qt writes an &
 
 
+def test_what_is_left_out_of_a_mesh_is_said(make_window: MakeWindow, tmp_path: Path) -> None:
+    mesh, sound = tmp_path / "small.obj", tmp_path / "sound.obj"
+    corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
+    mesh.write_text(f"{corners}f 1 2\nv nan 0 0\n")
+    sound.write_text(corners)
+    window = make_window(shown=False)
+    for act in (window.files.open, window.files.use_mesh):
+        assert window.files.open(sound) and window.messages.text == ""
+        window.files.choose_scene("similar-triangles")
+        assert act(str(mesh))
+        assert window.messages.text.startswith(f"{mesh}: faces left out: 1 of 2, because")
+        assert f"{mesh}: vertices left out: 1 of 4, because" in window.messages.text
+    scene = load(str(mesh))
+    started = make_window(Document(str(mesh), scene.start), scene=scene, shown=False)
+    assert started.messages.text.startswith(f"{mesh}: faces left out")
+
+
 def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:

@@ -39,7 +39,6 @@ from app.measure.results import (
     CANCELLED,
     DAMAGED,
     MEASURED_ONLY,
-    NOT_RESULTS,
     Choice,
     Results,
     Sweep,
@@ -52,6 +51,7 @@ from app.measure.results import (
 )
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
+from app.strangers import decode, open_regular
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.buttons import push_button
@@ -579,10 +579,9 @@ def _split(results: Results) -> dict[str, Results]:
 
 
 def _read(path: Path) -> Results:
-    try:
-        results = from_json(path.read_text(encoding="utf-8"), path.name)
-    except UnicodeDecodeError as error:
-        raise Refusal.saying(NOT_RESULTS, path.name) from error
+    with open_regular(path) as file:
+        text, _ = decode(file.read())
+    results = from_json(text, path.name)
     for name in _split(results):
         if name not in chart.TITLES:
             raise Refusal.saying(

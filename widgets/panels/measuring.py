@@ -12,7 +12,6 @@
 from __future__ import annotations
 
 import os
-import sys
 import tempfile
 from collections.abc import Sequence
 from contextlib import suppress
@@ -20,7 +19,7 @@ from dataclasses import replace
 
 from PySide6.QtCore import QObject, QProcess, Signal
 
-from app.bootstrap import ROOT
+from app import modules
 from app.document.codec import to_json
 from app.document.document import Document, is_mesh
 from app.document.files import write_bytes_atomically
@@ -68,7 +67,6 @@ class Measuring(QObject):
             self.finished.emit(None, sentence(error))
             return
         process = self._process = QProcess(self)
-        process.setWorkingDirectory(str(ROOT))
         process.readyReadStandardError.connect(self._read)
         process.errorOccurred.connect(self._failed)
         process.finished.connect(self._ended)
@@ -76,9 +74,9 @@ class Measuring(QObject):
         options = [f"--trade={name}" for name in trades] + [f"--sweep={name}" for name in sweeps]
         if quick:
             options.append("--quick")
-        process.start(
-            sys.executable, ["-m", "app", "measure", "--attended", "--json=-", *options, self._file]
-        )
+        options += ["--attended", "--json=-", self._file]
+        program, *arguments = modules.command("app", "measure", *options)
+        process.start(program, arguments)
         if self._paused:
             process.write(PAUSE)
 

@@ -6,6 +6,7 @@ import math
 import re
 
 from app.model.limits import DISTINCT
+from app.model.numerals import plain
 from app.model.projection import AT_LEAST, AT_MOST, LARGEST
 from app.model.refusal import Refusal
 from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
@@ -35,7 +36,7 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
         For any other text, and for digits that float64 can only keep as infinity or as 0.
     """
     typed = text.strip()
-    bare = typed.removesuffix(unit).rstrip().replace("−", "-")
+    bare = plain(typed.removesuffix(unit))
     infinity = _INFINITY.fullmatch(bare)
     if infinity:
         return -math.inf if infinity[1] == "-" else math.inf

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
+from itertools import pairwise
 
 from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QImage, QPainter
@@ -85,14 +86,17 @@ class _Sheet:
             yield from blocks
 
     def _of(self, place: int) -> Iterator[Block]:
-        """Yield a step's blocks; matrices and numbers are on the page of their figure."""
-        above: list[Block] = []
-        for each in contents(self._course, place, self._answers):
-            blocks = list(self._blocks(each))
-            if isinstance(each, Equation | Numbers) and blocks:
-                for block in (*above, *blocks[:-1]):
-                    block.kept = True
-            above = blocks or above
+        """Yield a step's blocks; numbers, and what students are asked, are beside their figure."""
+        found = [(each, list(self._blocks(each)))
+                 for each in contents(self._course, place, self._answers)]  # fmt: skip
+        parts = [each for each in found if each[1]]
+        for (each, blocks), (after, _) in pairwise([*parts, ("", [])]):
+            is_kept = bool(after) and (
+                not self._answers or isinstance(after, Figure | Equation | Numbers)
+            )
+            for block in blocks[:-1]:
+                block.kept = block.kept or is_kept or isinstance(each, Equation | Numbers)
+            blocks[-1].kept = blocks[-1].kept or is_kept
             yield from blocks
 
     def _blocks(self, content: Content) -> Iterator[Block]:

@@ -77,8 +77,10 @@ class Files(QObject):
         return self._scenes[name, mesh]
 
     def keep(self, document: Document, scene: Scene) -> None:
-        """Keep the scene of a document, already loaded."""
+        """Keep the scene of a document, already loaded, and say what of its mesh is left out."""
         self._scenes[document.scene, document.mesh] = scene
+        if scene.notes:
+            self._messages.say(" ".join(map(sentence, scene.notes)))
 
     def _load(self, name: str, mesh: str) -> Scene:
         file = mesh or name

@@ -223,6 +223,9 @@ class MainWindow(QMainWindow):
             self.files.take_up(path)
         if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # it may be damaged
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
+        if settings.problem is not None:
+            unused = self.tr("The default settings are used.")
+            self.messages.say(f"{sentence(settings.problem)} {unused}")
         QTimer.singleShot(0, self.recovery.offer)
 
     def open_panes(self) -> None:

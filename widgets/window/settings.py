@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 
 from app import __version__
-from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
+from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
@@ -67,6 +67,8 @@ which may be a matrix."""
 TRIAL_BYTES = 2**18
 """Size of a file that finds out why the settings cannot be written; they are seldom as large."""
 LOCKED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: another program may be writing it")
+SET_ASIDE = QT_TRANSLATE_NOOP("Refusal", "was damaged, and is kept as {0}")
+NOT_SET_ASIDE = QT_TRANSLATE_NOOP("Refusal", "is damaged, and cannot be renamed: {0}")
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
@@ -218,7 +220,9 @@ class Settings:
         self._is_told = False
         self.cannot_save: Callable[[Refusal], object] = lambda _why: None
         """Called once when the file cannot be written, until it can be written again."""
-        if path is not None and _set_aside_if_broken(path):
+        usable, self.problem = _looked_at(path)
+        """Why the values in the file are not used; None if they are."""
+        if usable:
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
 
@@ -328,26 +332,23 @@ def _why_not(path: Path) -> Refusal:
     return Refusal.in_document(LOCKED, file=str(path))
 
 
-def _set_aside_if_broken(path: Path) -> bool:
-    """Rename a broken settings file; return False if this path cannot be used."""
+def _looked_at(path: Path | None) -> tuple[bool, Refusal | None]:
+    """Whether a settings file can be used, and what was wrong with it; rename a broken one."""
+    if path is None or not os.path.lexists(path):
+        return path is not None, None
+    aside = f"{path}.bak"
     try:
-        with open_regular(path) as file:
-            content = file.read()
-    except FileNotFoundError:
-        return True
-    except OSError as error:
-        log.warning("the settings cannot be read, the defaults are used: %s", error)
-        return False
-    if _is_ini(content):
-        return True
-    aside = path.with_name(path.name + ".bak")
-    try:
-        os.replace(path, aside)
-    except OSError as error:
-        log.warning("the settings are broken and cannot be set aside: %s", error)
-        return False
-    log.warning("the settings were broken: set aside as %s, the defaults are used", aside)
-    return True
+        with blamed_on(path, UNREADABLE), open_regular(path) as file:
+            is_sound = _is_ini(file.read())
+        if is_sound:
+            return True, None
+        with blamed_on(path, NOT_SET_ASIDE):
+            os.replace(path, aside)
+        usable, problem = True, Refusal.in_document(SET_ASIDE, aside, file=str(path))
+    except Refusal as error:
+        usable, problem = False, error
+    log.warning("the default settings are used: %s", str(problem))
+    return usable, problem
 
 
 def _is_ini(content: bytes) -> bool:

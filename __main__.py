@@ -1,0 +1,9 @@
+"""Start the program by the path of this folder: ``python3 PATH``."""
+
+from __future__ import annotations
+
+import sys
+
+from app.__main__ import main
+
+sys.exit(main())

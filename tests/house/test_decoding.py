@@ -1,0 +1,79 @@
+"""Files from strangers become text in one place, `app.strangers.decode`."""
+
+from __future__ import annotations
+
+import ast
+
+import pytest
+
+from app import strangers
+from app.strangers import decode
+from tests.house.test_imports import read, sources
+
+HOME = "app/strangers.py"
+OWN = {
+    "app/api.py": "the SVG text that it has just drawn",
+    "app/bootstrap.py": "files of the checkout and of its environment",
+    "app/document/files.py": "the chunk of a PNG picture, which is UTF-8 by definition",
+    "app/drawings/mp4.py": "what ffmpeg says",
+    "app/scenes/mesh_files.py": "a header, after its encoding is known",
+    "app/scenes/phenomena/depth_buffer.py": "codes of a depth buffer, which are numbers",
+    "app/scenes/phenomena/words.py": "a file of the program",
+    "widgets/panels/measuring.py": "what a process of the program says",
+    "widgets/window/help.py": "a file of the program",
+    "widgets/window/settings.py": "settings, which Qt reads after this check, as UTF-8",
+}
+"""Other files that decode bytes, and which ones."""
+
+
+def other_ways(source: str) -> list[str]:
+    """The calls in a source file that turn bytes into text."""
+    found = []
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        called, given = ast.unparse(node.func), {word.arg for word in node.keywords}
+        name = called.rpartition(".")[2]
+        of_numbers = "b64encode" in called
+        is_bytes = any("b" in ast.literal_eval(word) for word in node.args if _is_mode(word))
+        opened = name in ("open", "fdopen") and "encoding" in given and not is_bytes
+        read = name in ("read_text", "TextIOWrapper") and "encoding" in given
+        if (name == "decode" and "." in called and not of_numbers) or opened or read:
+            found.append(called)
+    return found
+
+
+def _is_mode(node: ast.expr) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str) and len(node.value) < 4
+
+
+def test_only_one_module_decodes_the_files_of_strangers() -> None:
+    found = {path for path in sources() if other_ways(read(path))}
+    assert found - {HOME} == set(OWN)
+
+
+def test_each_other_way_is_seen() -> None:
+    for source in (
+        "content.decode()",
+        "file.read(5).decode('utf-8-sig', 'replace')",
+        "Path(path).read_text(encoding='utf-8')",
+        "open(path, 'r', encoding='utf-8')",
+        "io.TextIOWrapper(file, encoding='utf-8')",
+    ):
+        assert other_ways(source), source
+    assert not other_ways("decode(content); open(path, 'rb'); b64encode(x).decode()")
+
+
+@pytest.mark.parametrize("text", ["v 1 2 3 č\n", "\r\n{}", "---\ntitle: \U0001f4f7\n", ""])
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-16-le", "utf-16-be", "utf-32-le", "utf-32-be"])
+def test_unicode_is_read_with_or_without_a_mark(text: str, encoding: str) -> None:
+    assert decode(text.encode(encoding)) == (text, "")
+    assert decode(f"\ufeff{text}".encode(encoding)) == (text, "")
+
+
+def test_other_bytes_are_latin_1_with_a_note() -> None:
+    assert decode("café".encode("latin-1")) == ("café", strangers.LATIN_1)
+    assert decode(b"\xef\xbb\xbfcaf\xe9") == ("café", strangers.LATIN_1)
+    assert decode("cut".encode("utf-16")[:-1]) == ("cu\ufffd", strangers.DAMAGED)
+    assert decode(bytes(8)) == ("\0" * 8, "")  # is no UTF-32
+    assert decode(b"\0\0\1\0\xff")[1] == strangers.LATIN_1
