@@ -31,13 +31,14 @@ LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
 _COVERS_PX = 0.25
 """Half the drawn width of a line, which hides the points behind it."""
+CHUNK = 128
+"""Lines that follow one another in a file, and are near one another."""
 
 _BLOCK = 16_384  # triangles: arrays of this size stay in the processor's cache
 _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which numpy sorts by radix
 _PER_CELL = 100.0  # triangles, roughly, for a surface that fills the cells along a plane
 _TRIED = 16  # vertices: if more are hidden, the mesh is denser than the pixels
 _LOOKED_AT = 8_000  # triangles: if more are within the margin, a smaller margin has enough vertices
-CHUNK = 128  # lines that follow one another in a file, and are near one another
 _LEAST_PX = 0.02  # margin
 _END_ON_PX = 1e-6  # a shorter line on the screen counts as a point
 _STOPS = 200  # a held key reaches each of them within seconds
