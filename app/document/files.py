@@ -109,16 +109,8 @@ def read(
     """Read a document from its file, or from a PNG picture that carries one.
 
     The content, not the name, decides which of the two it is. A camera file of another program
-    puts its camera in the place of that of `over`, or of the default document.
-
-    Parameters
-    ----------
-    path : path
-        Of a camera file also ``FILE#VIEW``: the name of the view, without folder and ending if that
-        is clear, or its number from 1.
-    over : Document, optional
-    choose : callable, optional
-        Chooses one of the names of the views; without it, a file with several is refused.
+    puts its camera in the place of that of `over`, or of the default document; ``FILE#VIEW`` is
+    one of its views, by name or by number from 1, or else `choose` takes one of the names.
 
     Raises
     ------

@@ -54,11 +54,11 @@ def test_a_view_of_a_camera_file_is_chosen_over_the_current_scene(
     assert document.scene == "cube" and document.projection.image_size == (800, 600)
     assert document.projection == read(f"{path}#2", before).projection
     assert document.projection.camera.eye == (0.0, 2.0, 12.0)
-    # It is no document to be saved to, the view is remembered, and undo brings the camera back.
-    assert window.files.path is None and window.files.recent[0] == f"{path}#train/r_1"
+    # It is no document to be saved to, and undo brings the former camera back.
+    assert window.files.path is None and window.files.recent[0] == str(path)
     window.store.undo()
     assert window.store.document == before
-    assert window.files.open(window.files.recent[0]) and len(asked) == 2
+    assert window.files.open(f"{path}#train/r_1") and len(asked) == 2
     assert window.store.document == document
     # One that is not possible changes nothing, and says why.
     path.write_text(json.dumps({"k1": 0.5, "frames": frames[:1]}), encoding="utf-8")

@@ -121,19 +121,11 @@ class Files(QObject):
             self.lesson_wanted.emit(path)
             return True
 
-        chosen = ""
-
-        def choose(views: list[str]) -> str:
-            nonlocal chosen
-            chosen = self._ask_for_view(views)
-            return chosen
-
         def opened() -> tuple[Document, Scene, Path | None]:
             if is_mesh(path):
                 scene = self._load(path, "")
                 return Document(path, scene.start), scene, None
-            document = read(path, self._store.seen, choose)
-            document = self._with_mesh(document, path)
+            document = self._with_mesh(read(path, self._store.seen, self._ask_for_view), path)
             return document, self._load(document.scene, document.mesh), self._place(path)
 
         found = self._try(opened, "" if is_mesh(path) else path)
@@ -143,7 +135,7 @@ class Files(QObject):
         self.keep(document, scene)
         if not self._change_to(document, place):
             return False
-        self._remember(f"{path}#{chosen}" if chosen else path)
+        self._remember(path)
         return True
 
     def _ask_for_view(self, names: list[str]) -> str:
