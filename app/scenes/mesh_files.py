@@ -192,6 +192,8 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
                 text,
                 flags=re.MULTILINE,
             )
+        if b"1.#" in text:  # what Microsoft's C library writes for nan and inf
+            text = re.sub(rb"[-+]?1\.#(?:IND|INF|[QS]NAN)\d*", b"nan", text)
         if b"#" in text:
             text = re.sub(rb"#[^\n]*", b"", text)
         if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
