@@ -332,13 +332,16 @@ def _stl_text(source: Source) -> Floats:
 
 
 def _refuse_stl_line(source: Source) -> None:
-    """Refuse the first line whose vertex is not three finite numbers, if there is one."""
+    """Refuse the first vertex that is not three finite numbers, or loop that is no triangle."""
     source.file.seek(0)
-    facet = 0
+    facet = corners = 0
     for number, line in enumerate(source.file, 1):
         words = line.lower().split()
         facet = number if words[:1] == [b"facet"] else facet
-        if words[:1] == [b"vertex"]:
+        if words[:1] == [b"endloop"] and corners != 3:
+            raise Refusal.saying(DAMAGED_LINE, source.path, facet, "STL")
+        corners = corners + 1 if words[:1] == [b"vertex"] else 0
+        if corners:
             try:
                 numbers = _numbers(b" ".join(words[1:]))
             except ValueError:

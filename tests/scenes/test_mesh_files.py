@@ -676,6 +676,9 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", mesh.CUT_OFF, ()),
     "word.stl": (FACET.replace("0 0 0", "0 0 o"), mesh.DAMAGED_LINE, (4, "STL")),
     "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), mesh.DAMAGED_LINE, (4, "STL")),
+    "quad.stl": (
+        FACET.replace("endloop", "vertex 1 1 0\nendloop"), mesh.DAMAGED_LINE, (2, "STL"),
+    ),
     "loop.stl": (2 * FACET.replace("outer loop", "outer lop", 1), mesh.DAMAGED, ("vertex",)),
     "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), mesh.NOT_FINITE_LINE, (4, 2)),
     "prose.ply": ("Dear all\n", mesh.NOT_OF_KIND, ("PLY",)),
