@@ -196,6 +196,8 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
                 text,
                 flags=re.MULTILINE,
             )
+        if b"1.#" in text:  # what Microsoft's C library writes for nan and inf
+            text = re.sub(rb"[-+]?1\.#(?:IND|INF|[QS]NAN)\d*", b"nan", text)
         if b"#" in text:
             text = re.sub(rb"#[^\n]*", b"", text)
         if text[:1] in b" \t" or b"\n " in text or b"\n\t" in text:
@@ -334,13 +336,16 @@ def _stl_text(source: Source) -> Floats:
 
 
 def _refuse_stl_line(source: Source) -> None:
-    """Refuse the first line whose vertex is not three finite numbers, if there is one."""
+    """Refuse the first vertex that is not three finite numbers, or loop that is no triangle."""
     source.file.seek(0)
-    facet = 0
+    facet = corners = 0
     for number, line in enumerate(source.file, 1):
         words = line.lower().split()
         facet = number if words[:1] == [b"facet"] else facet
-        if words[:1] == [b"vertex"]:
+        if words[:1] == [b"endloop"] and corners != 3:
+            raise Refusal.saying(DAMAGED_LINE, source.path, facet, "STL")
+        corners = corners + 1 if words[:1] == [b"vertex"] else 0
+        if corners:
             try:
                 numbers = _numbers(b" ".join(words[1:]))
             except ValueError:

@@ -409,7 +409,7 @@ def test_small_faces_are_left_out_and_the_first_is_named(tmp_path: Path) -> None
 
 
 def test_vertices_that_are_not_finite_and_unused_are_left_out(tmp_path: Path) -> None:
-    found = obj(tmp_path, THREE + "v nan 0 0\nv 5 5 5\nv 0 -inf 0\nf 1 2 3\nl 1 5\n")
+    found = obj(tmp_path, THREE + "v -1.#IND 0 0\nv 5 5 5\nv 0 -inf 0 # a\nf 1 2 3\nl 1 5\n")
     assert found.notes == [(mesh.UNUSED_LINE, 2, 6, 4)]
     assert len(found.points) == 4
     (tmp_path / "line.obj").write_text(THREE + "v nan 0 0\nf 1 2 3\nl 3 1\nl 1 2 4\n")
@@ -702,6 +702,9 @@ TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
     "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", mesh.CUT_OFF, ()),
     "word.stl": (FACET.replace("0 0 0", "0 0 o"), mesh.DAMAGED_LINE, (4, "STL")),
     "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), mesh.DAMAGED_LINE, (4, "STL")),
+    "quad.stl": (
+        FACET.replace("endloop", "vertex 1 1 0\nendloop"), mesh.DAMAGED_LINE, (2, "STL"),
+    ),
     "loop.stl": (2 * FACET.replace("outer loop", "outer lop", 1), mesh.DAMAGED, ("vertex",)),
     "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), mesh.NOT_FINITE_LINE, (4, 2)),
     "prose.ply": ("Dear all\n", mesh.NOT_OF_KIND, ("PLY",)),

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import subprocess
 import time
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -121,11 +123,14 @@ def test_odd_outlines_keep_their_area(name: str) -> None:
 
 
 def test_a_touch_may_be_rounded_as_float32_rounds_it() -> None:
-    ring = np.array([[0, 0], [3, 1], [2, 2 / 3], [2, 3], [0, 3]]) @ [[0.6, 0.8], [-0.8, 0.6]]
-    for rounded in (ring, ring.astype(np.float32).astype(float), ring + 1e6 - 1e6):
-        assert areas(triangles(np.column_stack([rounded, 0 * rounded[:, 0]]))).sum() == (
-            pytest.approx(abs(shoelace(ring)), rel=1e-6)
-        )
+    """The notch touches the edge opposite; rounding moves its tip through that edge, or not."""
+    notched = np.array([[0, 0], [4, 0], [4, 4], [3, 4], [2, 0], [1, 4], [0, 4]], dtype=float)
+    for angle in np.linspace(0.1, 3.0, 12):
+        cos, sin = np.cos(angle), np.sin(angle)
+        ring = notched @ [[cos, sin], [-sin, cos]]
+        for rounded in (ring, ring.astype(np.float32).astype(float), (ring + 1e8) - 1e8):
+            found = areas(triangles(np.column_stack([rounded, 0.0 * rounded[:, 0]]))).sum()
+            assert found == pytest.approx(12.0, rel=1e-6)
 
 
 def test_a_polygon_that_is_not_quite_flat_stays_whole() -> None:
@@ -188,7 +193,13 @@ def test_large_polygons_of_a_small_file_are_divided_in_a_process(
 ) -> None:
     (tmp_path / "hole.obj").write_text(HOLE)
     monkeypatch.setattr(reading, "SMALL_POLYGONS", 9)
-    asked: list[Path] = []
-    monkeypatch.setattr(reading, "read_apart", lambda path, _progress: asked.append(path))
-    reading.read(tmp_path / "hole.obj")
-    assert asked == [tmp_path / "hole.obj"]
+    started: list[object] = []
+    popen = subprocess.Popen
+
+    def kept(*arguments: Any, **options: Any) -> subprocess.Popen[bytes]:
+        started.append(arguments)
+        return popen(*arguments, **options)
+
+    monkeypatch.setattr(subprocess, "Popen", kept)
+    assert len(reading.read(tmp_path / "hole.obj").offsets) - 1 == 8
+    assert len(started) == 1
