@@ -7,7 +7,7 @@ import sys
 from collections.abc import Sequence
 
 if not __package__:  # started by the path of its folder
-    sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+    sys.path[0] = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 TYPE_CHECKING = False
 """As in `typing`, which is not imported here: Ctrl-C could interrupt that."""

@@ -14,7 +14,7 @@ import sys
 
 if __name__ == "__main__":  # before anything is imported that a file beside this folder could hide
     if not __package__:  # started by the path of its folder
-        sys.path[0] = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+        sys.path[0] = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
         __import__("tests")
     from app import modules
 

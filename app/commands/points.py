@@ -17,6 +17,7 @@ from app import bootstrap
 from app.commands.options import CliError, complain, parse_number
 from app.model.infinity import homogeneous
 from app.model.limits import Row
+from app.model.numerals import plain
 from app.model.projection import FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal, counted
 from app.strangers import decode
@@ -42,10 +43,12 @@ _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
 
 def check_typed(arguments: Sequence[str]) -> None:
     """Refuse coordinates typed in place of a file (1,2,3 or 1 2 3), and say how to give them."""
-    typed = [word for word in arguments if _POINTS.fullmatch(word) and not os.path.lexists(word)]
+    typed = [
+        word for word in arguments if _POINTS.fullmatch(plain(word)) and not os.path.lexists(word)
+    ]
     if not typed:
         return
-    parts = [part for part in re.split(r"[\s,;()\[\]]+", " ".join(typed)) if part]
+    parts = [part for part in re.split(r"[\s,;()\[\]]+", plain(" ".join(typed))) if part]
     point = ",".join(parts) if len(parts) in (3, 4) else "1,2,3"
     raise CliError(
         f"POINTS = {' '.join(typed)!r}: must be a CSV file, or - for standard input; for a point:"
@@ -128,6 +131,10 @@ def _separator(text: str) -> str:
     return "," if "," in first else " "
 
 
+_IN_BRACKETS = re.compile(r"[(\[].*[)\]][,;]?")
+"""A row as numpy and this program print it."""
+
+
 def _lines(text: str, separator: str) -> Iterator[str]:
     """Yield each line for `csv.reader`; an empty one for a comment that does not name x, y, z."""
     for line in io.StringIO(text, newline=""):
@@ -138,6 +145,8 @@ def _lines(text: str, separator: str) -> Iterator[str]:
             titles = stripped.lstrip("#").strip()
             cells = titles.lower().split(None if separator == " " else separator)
             line = titles + "\n" if {"x", "y", "z"} <= {cell.strip() for cell in cells} else "\n"
+        elif _IN_BRACKETS.fullmatch(stripped):
+            line = stripped.strip("()[],; ") + "\n"
         yield line.strip(" ") if separator != " " else line.strip(" \t").replace("\t", " ")
 
 

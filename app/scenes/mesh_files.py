@@ -7,6 +7,7 @@ and keeps the coordinates for every format.
 
 from __future__ import annotations
 
+import codecs
 import re
 import warnings
 from array import array
@@ -42,6 +43,7 @@ from app.scenes.mesh import (
 )
 from app.scenes.shapes import distinct_rows
 
+_MARK = codecs.BOM_UTF8
 BLOCK = 1 << 24
 """Bytes of text in a block; progress is reported after each block."""
 
@@ -182,6 +184,8 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         while block and text.endswith((b"\\\n", b"\\\r\n"), 0, end):
             end = text.rfind(b"\n", 0, end - 1) + 1  # this line goes on in the next block
         text, rest = text[:end], text[end:]
+        if _MARK in text:  # of a file that was joined to another
+            text = text.replace(_MARK, b"")
         if b"\r" in text:
             text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
@@ -507,7 +511,7 @@ def _ply_text(
     filled = filled[:rows]  # what follows is no part of the mesh
     body = body[: line_ends[filled[-1]] if filled.size else 0]
     try:
-        numbers = _numbers(body)
+        numbers = _numbers(body, words=int(ends[filled[-1]]) if filled.size else 0)
     except ValueError:
         wrong = _wrong_line(body.splitlines(), lambda lines: _numbers(b"\n".join(lines)))
         raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
@@ -518,7 +522,7 @@ def _ply_text(
         which = filled[first : first + element.rows]
         first += element.rows
         at, end = np.append(0, ends)[which], ends[which]
-        np.add.at(marks, at, 1)
+        marks[at] += 1
         for p in element.properties:
             if p.counter is not None and len(numbers):
                 counted = numbers[np.minimum(at, len(numbers) - 1)]
@@ -531,9 +535,10 @@ def _ply_text(
             raise Refusal.saying(DAMAGED_LINE, source.path, line, element.name)
         if len(which) - len(short) < element.rows:
             _refuse_cut_off(source, element, len(which) - len(short))
-        np.add.at(marks, at, -1)
+        marks[at] -= 1
         lines_of[element.name] = before + 1 + which
-    return numbers[np.cumsum(marks[:-1]) > 0].tobytes(), lines_of
+    is_named = np.cumsum(marks[:-1], dtype=np.int8) > 0
+    return (numbers if is_named.all() else numbers[is_named]).tobytes(), lines_of
 
 
 def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:

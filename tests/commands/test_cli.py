@@ -416,7 +416,8 @@ def test_csv_of_many_programs_is_read() -> None:
         b"1.000000000000000000e+00 2.000000000000000000e+00 3.000000000000000000e+00\n",
         b"# x y z\n# by hand\n1 2 3\n", b"  1\t 2  3 \n", b"1,\t2,\t3\n", b"z,x,y\n3,1,2\n",
         b"# points x, y and z\n1,2,3\n", b"sep=;\r\nx;y;z\r\n1,0;2,0;3\r\n", b"1,0\t2,0\t3\n",
-        "1,2,3\n0,\u22121,-2\n".encode(),
+        "1,2,3\n0,\u22121,-2\n".encode(), b"(1, 2, 3)\n", b"[[1. 2. 3.]\n [4. 5. 6.]]\n",
+        b"2/2,4/2,3\n",
     ):  # fmt: skip
         done = run_here("project", "-", "--format", "json", text=text)
         assert json.loads(done.stdout)["points"][0]["world"] == [1, 2, 3], text
@@ -1135,13 +1136,14 @@ def test_the_help_names_what_exists() -> None:
     """The names are written twice, because help must work before anything is installed."""
     from app.document import view
     from app.document.fields import model_paths
+    from app.document.settings import MEASURES
     from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
-    assert set(options.SETTABLE) == paths
+    assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
     assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)

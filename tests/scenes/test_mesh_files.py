@@ -119,8 +119,8 @@ def test_a_text_mesh_is_read_in_every_encoding(kind: str, encoding: str, tmp_pat
 
 
 def test_a_mark_is_no_part_of_the_first_vertex(tmp_path: Path) -> None:
-    """Also if the rest is not UTF-8."""
-    text = "\ufeffv -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 3 0 0\nv 0 0 5\nf 1 2 3\n# ".encode()
+    """Also if the rest is not UTF-8, and in the middle of files that were joined."""
+    text = "\ufeffv -1 0 0\nv 1 0 0\n\ufeffv 0 1 0\nv 0 0 0\nv 3 0 0\nv 0 0 5\nf 1 2 3\n# ".encode()
     (tmp_path / "m.obj").write_bytes(text + b"\xe9\n")
     assert mesh_files.read(tmp_path / "m.obj").points.tolist() == [[-1, 0, 0], [1, 0, 0], [0, 1, 0]]
 
