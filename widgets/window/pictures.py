@@ -27,8 +27,8 @@ if TYPE_CHECKING:
 
 
 MOST_IN_PREVIEW = 200_000
-"""Triangles of a scene that is drawn anew for each change of the dialog."""
-NO_PREVIEW = QT_TRANSLATE_NOOP("Refusal", "There is no preview of {0} triangles.")
+"""Triangles and points of a scene that is drawn anew for each change of the dialog."""
+NO_PREVIEW = QT_TRANSLATE_NOOP("Refusal", "There is no preview of {0} triangles and points.")
 
 
 def image_of(pixels: Pixels) -> QImage:
@@ -130,8 +130,9 @@ class Pictures(QObject):
 
         document = self._seen()
         scene = self._scene(document.scene, document.mesh)
-        if scene.triangles > MOST_IN_PREVIEW:
-            raise Refusal.saying(NO_PREVIEW, scene.triangles)
+        drawn = scene.triangles + scene.dot_count
+        if drawn > MOST_IN_PREVIEW:
+            raise Refusal.saying(NO_PREVIEW, drawn)
         options = self._options(document, choice) | {"transparent": False}
         if choice.hidden != "none":
             size, found = shapes(scene, document.projection, hidden=choice.hidden, **options)
