@@ -273,13 +273,15 @@ def readings(
         is_unit = max(abs(c), d) == 1.0
         y_sign = 1 if y > 0.0 else -1
         for z_sign in (1, -1) if d else (-1 if c > 0.0 else 1,):
-            signs = 1, y_sign, z_sign, 1
-            ours: Any = tuple(tuple(map(operator.mul, row, signs)) for row in rows)
+            # With +z ahead, y down is the view's, or else it would be left-handed; with -z ahead
+            # it is the picture's, whose whole row has the other sign.
+            view, clip = ((1, y_sign, z_sign, 1), 1) if z_sign < 0 else ((1, 1, 1, 1), y_sign)
+            rights = (rows[0], [clip * cell for cell in rows[1]], *rows[2:])
+            ours: Any = tuple(tuple(map(operator.mul, row, view)) for row in rights)
             for each in ranges:
                 range_: Any = each
-                shown_by = Projection(
-                    Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0)), in_hand, image_size, range_
-                )
+                camera = Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+                shown_by = Projection(camera, in_hand, image_size, range_)
                 lens = recognised_lens(ours, shown_by, whole=True)
                 if lens is not None and lens.near >= 0.0:
                     found.append((is_unit, Reading(lens, range_, y_sign, z_sign, is_transposed)))
@@ -402,23 +404,20 @@ NEAREST = QT_TRANSLATE_NOOP("Matrix", "the nearest camera would move the picture
 FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "rows and columns are exchanged: its transpose is meant")
 CONVENTIONS = {
     (1, 1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
     ),
     (1, -1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near {3}, far"
-        " {4}",
+        "Matrix", "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near"
+        " {3}, far {4}",
     ),
     (-1, 1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along −z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along −z, the picture's y down; z from {0} at near to {1} at far; {2},"
+        " near {3}, far {4}",
     ),
     (-1, -1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
     ),
-}
+}  # fmt: skip
 """By the signs of a `Reading`'s y and z."""
 
 
