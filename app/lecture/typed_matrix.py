@@ -243,10 +243,6 @@ class Reading(NamedTuple):
     z: int
     is_transposed: bool
 
-    def is_ours(self, depth: DepthRange) -> bool:
-        """Whether it is of the program's own convention, with this depth range."""
-        return (self.y, self.z, self.is_transposed, self.depth) == (1, 1, False, depth)
-
     @property
     def digits(self) -> int:
         """How many digits near and far need; a wrong depth range makes them long."""
@@ -457,7 +453,7 @@ def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Pr
     lens: Any = projection.lens
     described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
     found: list[Property] = []
-    if described and not described[0].is_ours(projection.depth):
+    if described and described[0][1:] != (projection.depth, 1, 1, False):
         found += convention(described[0], projection, write)
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
@@ -485,8 +481,9 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
     nearest = nearest_rotation(np.array(cells)[:3, :3])
     if camera is None or nearest is None or _is_rigid([row[:3] for row in rationals(cells)[:3]]):
         return []
-    how = ROUNDED_TO_FLOAT32 if nearest.rounding.is_float32 else ROUNDED_TO_DIGITS
-    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(nearest.rounding)))]
+    rounding = nearest.rounding
+    how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
+    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera

@@ -123,6 +123,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
+_QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")
 _NUMBER_TYPE = re.compile(r"float|double|half|single|real|scalar|mpf|int|f(?:16|32|64)$", re.I)
 _COLUMNS = re.compile(r"\bColumns? {1,4}[0-9]{1,2}(?: {1,4}(?:through|and|to) {1,4}[0-9]{1,2})?:?")
 _DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
@@ -173,7 +174,7 @@ class _Reader:
         before = last = previous = ""
         for match in _TOKEN.finditer(text):
             kind, token = match.lastgroup or "", match[0]
-            if kind == "word" and token[0] in "\"'" and _is_number(token[1:-1]):
+            if kind == "word" and token[0] in "\"'" and _QUOTED.fullmatch(token):
                 kind, token = "number", token[1:-1]
             if kind == "not_finite":
                 raise _refused(NOT_FINITE, token)
@@ -213,8 +214,10 @@ class _Reader:
             if kind != "blank":
                 last = kind
             before, previous = kind, token
-        if sign or word:
-            self._check_word(sign or word, "", is_value and not sign)
+        if sign:
+            raise _not_read(sign)
+        if word:
+            self._check_word(word, "", is_value)
         return [[scale * number for number in line] for line in self._placed() if line]
 
     def _check_word(self, word: str, following: str, is_value: bool) -> None:
@@ -225,8 +228,9 @@ class _Reader:
 
     def _add(self, text: str, label: str) -> None:
         above, _, below = re.sub(r"_?f(?:16|32|64)|[fFlLhH ]|[dD]$", "", text).partition("/")
+        above, below = (re.sub(r"[dD]|\*\^", "e", part) for part in (above, below or "1"))
         try:
-            number = _number(above) / _number(below or "1")
+            number = float(above) / float(below)
         except ZeroDivisionError:
             raise _not_read(text) from None
         if not math.isfinite(number):
@@ -248,14 +252,6 @@ class _Reader:
             return self.lines
         numbers = (number for line in self.lines for number in line)
         return [[number for _, number in sorted(zip(self.places, numbers, strict=True))]]
-
-
-def _number(text: str) -> float:
-    return float(re.sub(r"[dD]|\*\^", "e", text))
-
-
-def _is_number(text: str) -> bool:
-    return re.fullmatch(rf"[+-]?{_UNSIGNED}", text.strip()) is not None
 
 
 def _not_read(word: str) -> Refusal:
