@@ -35,11 +35,9 @@ def run(arguments: Sequence[str]) -> int:
                 raise CliError(f"--{option}: needs --format latex.")
     if found.vectors and not found.convention:
         raise CliError("--vectors: needs --convention.")
-    if (found.convention or found.planes) and (
-        found.format == "latex" or (found.convention and found.planes)
-    ):
-        option = "--planes" if found.planes else "--convention"
-        raise CliError(f"{option}: stands alone, and needs --format text or json.")
+    alone = [option for option in ("planes", "convention") if getattr(found, option)]
+    if len(alone) + (found.format == "latex") > 1 and alone:
+        raise CliError(f"--{alone[0]}: stands alone, and needs --format text or json.")
     document = document_of(words[0] if words else None, found.set)
     projection = document.projection
     if found.convention:

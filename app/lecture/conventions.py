@@ -11,28 +11,20 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.arithmetic.rationals import Rationals, product
-from app.model.limits import DEPTH_RANGES, PLANES, Array
+from app.model.limits import DEPTH_RANGES, PLANES, Array, DepthRange
 from app.model.projection import Projection
 
 
 class Convention(NamedTuple):
-    """How another program's spaces differ from ours.
+    """How another program's spaces differ from ours: factors, 1 or -1, of x, y, z and w.
 
-    Attributes
-    ----------
-    world, view, clip : 4 int
-        The factors of x, y, z and w, 1 or -1, between our space and its.
-    depth : str
-        Its depth range; reversed ranges stay reversed.
-    rows : bool
-        Whether its vectors are rows.
-    note : str
+    A reversed depth range stays reversed. `rows` tells whether its vectors are rows.
     """
 
     world: tuple[int, ...]
     view: tuple[int, ...]
     clip: tuple[int, ...]
-    depth: str
+    depth: DepthRange
     rows: bool
     note: str
 
@@ -64,9 +56,8 @@ def in_convention(projection: Projection, name: str, *, rows: bool) -> dict[str,
         For OpenCV, if the projectors do not meet in the eye.
     """
     other = CONVENTIONS[name]
-    ranges = (sorted(DEPTH_RANGES[depth]) for depth in (projection.depth, other.depth))
-    if len({tuple(each) for each in ranges}) > 1:
-        projection = projection.with_depth(other.depth)  # type: ignore[arg-type]
+    if set(DEPTH_RANGES[projection.depth]) != set(DEPTH_RANGES[other.depth]):
+        projection = projection.with_depth(other.depth)
     view_stage, clip_stage = projection.stages[1], projection.direct_stages[0]
     view = _signed(view_stage.exact, other.view, other.world)
     clip = _signed(clip_stage.exact, other.clip, other.view)

@@ -25,7 +25,10 @@ from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 OF_A_CAMERA = QT_TRANSLATE_NOOP("Matrix", "eye ({0}), looks along ({1})")
-LENS_IS_USED = QT_TRANSLATE_NOOP("Matrix", "its lens is used, looking along −z")
+IS_TURNED = QT_TRANSLATE_NOOP(
+    "Matrix", "its lens is used, looking along −z; change the sign of its view matrix in row {0}"
+)
+IS_UPRIGHT = QT_TRANSLATE_NOOP("Matrix", "its lens is used, with y up")
 NO_CAMERA = QT_TRANSLATE_NOOP(
     "Refusal", "must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1"
 )
@@ -66,8 +69,10 @@ def pasted(
             cells_of_lens = shown.clip_from_view.tolist()
             shown = with_matrix(replace(projection, depth=reading.depth), name, cells_of_lens)
         said = convention(reading, projection, write)
-        if (reading.y, reading.z) != (1, 1):
-            said.append(Property(LENS_IS_USED))
+        if reading.z < 0:
+            said.append(Property(IS_TURNED, ("3" if reading.y > 0 else "2, 3",)))
+        elif reading.y < 0:
+            said.append(Property(IS_UPRIGHT))
         found.append(Pasted(shown, said))
     return found or [Pasted(with_matrix(projection, name, cells), [])]
 

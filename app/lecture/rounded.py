@@ -13,7 +13,6 @@ import numpy as np
 from app.model.limits import Array
 from app.model.projection import Camera, Projection
 
-FLOAT32 = "float32"
 _NOISE = 2.0**-20
 """Error of a computation in float32, 16 roundings: a look-at makes up to 11."""
 _FROM_MEANT = 1.75
@@ -44,9 +43,6 @@ class Rounding(NamedTuple):
         printed = 10.0 ** (math.floor(math.log10(size)) - self.digits + 1) / 2.0
         noise = _NOISE * size if self.is_float32 else 0.0
         return max(printed, 10.0**-self.decimals / 2.0) + noise
-
-    def __str__(self) -> str:
-        return FLOAT32 if self.is_float32 else f"{min(self.digits, self.decimals)}"
 
 
 def rounding_of(numbers: Iterable[float]) -> Rounding | None:

@@ -243,10 +243,6 @@ class Reading(NamedTuple):
     z: int
     is_transposed: bool
 
-    def is_ours(self, depth: DepthRange) -> bool:
-        """Whether it is of the program's own convention, with this depth range."""
-        return (self.y, self.z, self.is_transposed, self.depth) == (1, 1, False, depth)
-
     @property
     def digits(self) -> int:
         """How many digits near and far need; a wrong depth range makes them long."""
@@ -273,13 +269,15 @@ def readings(
         is_unit = max(abs(c), d) == 1.0
         y_sign = 1 if y > 0.0 else -1
         for z_sign in (1, -1) if d else (-1 if c > 0.0 else 1,):
-            signs = 1, y_sign, z_sign, 1
-            ours: Any = tuple(tuple(map(operator.mul, row, signs)) for row in rows)
+            # With +z ahead, y down is the view's, or else it would be left-handed; with -z ahead
+            # it is the picture's, whose whole row has the other sign.
+            view, clip = ((1, y_sign, z_sign, 1), 1) if z_sign < 0 else ((1, 1, 1, 1), y_sign)
+            rights = (rows[0], [clip * cell for cell in rows[1]], *rows[2:])
+            ours: Any = tuple(tuple(map(operator.mul, row, view)) for row in rights)
             for each in ranges:
                 range_: Any = each
-                shown_by = Projection(
-                    Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0)), in_hand, image_size, range_
-                )
+                camera = Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0))
+                shown_by = Projection(camera, in_hand, image_size, range_)
                 lens = recognised_lens(ours, shown_by, whole=True)
                 if lens is not None and lens.near >= 0.0:
                     found.append((is_unit, Reading(lens, range_, y_sign, z_sign, is_transposed)))
@@ -402,23 +400,20 @@ NEAREST = QT_TRANSLATE_NOOP("Matrix", "the nearest camera would move the picture
 FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "rows and columns are exchanged: its transpose is meant")
 CONVENTIONS = {
     (1, 1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
     ),
     (1, -1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near {3}, far"
-        " {4}",
+        "Matrix", "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near"
+        " {3}, far {4}",
     ),
     (-1, 1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along −z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along −z, the picture's y down; z from {0} at near to {1} at far; {2},"
+        " near {3}, far {4}",
     ),
     (-1, -1): QT_TRANSLATE_NOOP(
-        "Matrix",
-        "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+        "Matrix", "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
     ),
-}
+}  # fmt: skip
 """By the signs of a `Reading`'s y and z."""
 
 
@@ -458,7 +453,7 @@ def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Pr
     lens: Any = projection.lens
     described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
     found: list[Property] = []
-    if described and not described[0].is_ours(projection.depth):
+    if described and described[0][1:] != (projection.depth, 1, 1, False):
         found += convention(described[0], projection, write)
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
@@ -486,8 +481,9 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
     nearest = nearest_rotation(np.array(cells)[:3, :3])
     if camera is None or nearest is None or _is_rigid([row[:3] for row in rationals(cells)[:3]]):
         return []
-    how = ROUNDED_TO_FLOAT32 if nearest.rounding.is_float32 else ROUNDED_TO_DIGITS
-    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(nearest.rounding)))]
+    rounding = nearest.rounding
+    how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
+    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera

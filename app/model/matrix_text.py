@@ -70,8 +70,7 @@ def read_matrix(text: str, field: str = "matrix") -> MatrixText:
     flat = [number for line in lines for number in line]
     rows = [flat[i : i + width] for i in range(0, count, width)]
     by_columns = _BY_COLUMNS.search(text) is not None
-    return MatrixText([list(row) for row in zip(*rows, strict=True)] if by_columns else rows,
-                      by_columns)  # fmt: skip
+    return MatrixText(list(map(list, zip(*rows, strict=True))) if by_columns else rows, by_columns)
 
 
 def _refused(bound: object, *limits: object) -> Refusal:
@@ -81,9 +80,10 @@ def _refused(bound: object, *limits: object) -> Refusal:
 # --------------------------------------------------------------------------- what is left away
 
 _BY_COLUMNS = re.compile(
-    r"\b[df]?mat[234](?:x[234])?\s?[({]|\bmatrix3d\(|\belements\b|\bx_axis\b", re.IGNORECASE
+    r"\b[df]?mat[234](?:x[234])?(?:<[a-z0-9]{1,4}>)?\s?[({]|\bmatrix3d\(|\belements\b|\bx_axis\b",
+    re.IGNORECASE,
 )
-"""glm's, GLSL's and glMatrix's constructors, CSS, three.js, and glam."""
+"""The constructors of glm, GLSL, WGSL and glMatrix, CSS, three.js, and glam."""
 
 _CHARACTERS = str.maketrans(
     {
@@ -107,6 +107,7 @@ _LEFT_AWAY = re.compile(
     # Headings of R and lldb, and MATLAB's continued line:
     r"|\[[0-9]{1,2}, ?\]|\[ ?,[0-9]{1,2}\]|(?<![\w\]])\[[0-9]{1,2}\] ?=|\.\.\.+"
     r"|\[[34]\]\[[34]\]|\[\[f(?:32|64); ?[0-9]\]; ?[0-9]\]|[<>]|---"  # types of C and Rust
+    r"|(?m:^ {0,12}- (?=\[))|\bnew\b"  # the lists of YAML, and Java
 )
 _TEMPLATE = re.compile(r"<[^<>\n]{0,120}>")
 _FRACTION = re.compile(r"\\[dt]?frac ?\{([^{}\n]{1,40})\} ?\{([^{}\n]{1,40})\}")
@@ -116,12 +117,13 @@ _TOKEN = re.compile(
     rf"(?P<not_finite>[+-]?1\.\#[A-Z]+|[+-]?\b(?:nan|inf|infinity)\b(?:\([a-z]+\))?|[+-]?∞)"
     r"|(?P<word>\"[^\"\n]{0,80}\"|'[^'\n]{0,80}'|@?0x[0-9a-fA-F]+|[!&*]{0,3}[^\W\d]"
     r"[\w$.-]*(?:::[\w$]+)*(?:\[[0-9]{1,2}\])*|\$[0-9]+)"
-    rf"|(?P<number>[+-]?{_UNSIGNED}(?:_?f(?:16|32|64)|[fFlLhH])?(?: ?/ ?{_UNSIGNED})?)"
+    rf"|(?P<number>[+-]?{_UNSIGNED}(?:_?f(?:16|32|64)|[fFlLhHdD])?(?: ?/ ?{_UNSIGNED})?)"
     r"|(?P<ends>\\cr|[\n;])"
     r"|(?P<open>[(\[{])|(?P<close>[)\]}])|(?P<blank> +)|(?P<between>[,&|])|(?P<names>[=:])"
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
+_QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")
 _NUMBER_TYPE = re.compile(r"float|double|half|single|real|scalar|mpf|int|f(?:16|32|64)$", re.I)
 _COLUMNS = re.compile(r"\bColumns? {1,4}[0-9]{1,2}(?: {1,4}(?:through|and|to) {1,4}[0-9]{1,2})?:?")
 _DECIMAL_COMMA = re.compile(r"(?<=[0-9]),(?=[0-9])")
@@ -140,7 +142,7 @@ def _lines(text: str) -> list[list[float]]:
     head, *rest = text.split("/*")
     text = head + " ".join(part.partition("*/")[2] for part in rest)
     text = re.sub("[⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+", lambda raised: "^" + raised[0].translate(_RAISED), text)
-    text = text.replace(r"\\", "\n")  # LaTeX's rows
+    text = text.replace(r"\\", "\n").replace("<<", "=")  # LaTeX's rows, and Eigen's comma
     text = _POWER.sub(r"e\1", _FRACTION.sub(r"\1/\2", text))
     for _ in range(3):  # templates may be nested
         text = _TEMPLATE.sub(" ", text)
@@ -172,7 +174,7 @@ class _Reader:
         before = last = previous = ""
         for match in _TOKEN.finditer(text):
             kind, token = match.lastgroup or "", match[0]
-            if kind == "word" and token[0] in "\"'" and _is_number(token[1:-1]):
+            if kind == "word" and token[0] in "\"'" and _QUOTED.fullmatch(token):
                 kind, token = "number", token[1:-1]
             if kind == "not_finite":
                 raise _refused(NOT_FINITE, token)
@@ -212,8 +214,10 @@ class _Reader:
             if kind != "blank":
                 last = kind
             before, previous = kind, token
-        if sign or word:
-            self._check_word(sign or word, "", is_value and not sign)
+        if sign:
+            raise _not_read(sign)
+        if word:
+            self._check_word(word, "", is_value)
         return [[scale * number for number in line] for line in self._placed() if line]
 
     def _check_word(self, word: str, following: str, is_value: bool) -> None:
@@ -223,9 +227,10 @@ class _Reader:
             raise _not_read(word)
 
     def _add(self, text: str, label: str) -> None:
-        above, _, below = re.sub(r"_?f(?:16|32|64)|[fFlLhH ]", "", text).partition("/")
+        above, _, below = re.sub(r"_?f(?:16|32|64)|[fFlLhH ]|[dD]$", "", text).partition("/")
+        above, below = (re.sub(r"[dD]|\*\^", "e", part) for part in (above, below or "1"))
         try:
-            number = _number(above) / _number(below or "1")
+            number = float(above) / float(below)
         except ZeroDivisionError:
             raise _not_read(text) from None
         if not math.isfinite(number):
@@ -247,14 +252,6 @@ class _Reader:
             return self.lines
         numbers = (number for line in self.lines for number in line)
         return [[number for _, number in sorted(zip(self.places, numbers, strict=True))]]
-
-
-def _number(text: str) -> float:
-    return float(re.sub(r"[dD]|\*\^", "e", text))
-
-
-def _is_number(text: str) -> bool:
-    return re.fullmatch(rf"[+-]?{_UNSIGNED}", text.strip()) is not None
 
 
 def _not_read(word: str) -> Refusal:

@@ -151,6 +151,12 @@ LIBRARIES: dict[Callable[[], Any], Does] = {
     unity: Does("opengl", 1, 1, False, SYMMETRIC),
     nvdiffrast: Does("opengl", -1, 1, False, SYMMETRIC),
 }
+SIDES = {
+    # With the axis right of the middle and above it, more is seen on the left and below.
+    "opencv": (-1.3, 1.2, -1.05, 0.95),
+    "blender_shift": (-1.0, 1.5, -1.0, 1.0),
+}
+"""Left, right, bottom and top of the lenses off the axis, where the field of view has 1."""
 ROUNDINGS: dict[str, Callable[[float], float]] = {
     "float64": float,
     "float32": lambda number: float(np.float32(number)),
@@ -182,6 +188,8 @@ def test_a_library_is_recognised_by_what_its_matrix_does(
             assert lens.fov_y_deg == FOV
     else:
         assert isinstance(lens, Frustum) and (lens.near, lens.far) == (NEAR, FAR)
+        sides = (lens.left, lens.right, lens.bottom, lens.top)
+        assert np.array(sides) / NEAR * COT == pytest.approx(SIDES[library.__name__], abs=1e-4)
 
 
 @pytest.mark.parametrize("depth", ["direct3d", "opengl"])

@@ -24,6 +24,7 @@ from pytestqt.qtbot import QtBot
 
 from app.drawings.style import LIGHT
 from app.lecture import notation
+from app.lecture.conventions import in_convention
 from app.lecture.notation import LETTERS, as_latex
 from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW, OVER, stacked_fraction
@@ -1083,7 +1084,7 @@ def test_a_direct3d_projection_brings_its_lens_and_depth_range(
     assert found.camera == OFF_AXIS.camera
     said = panel.explanation.text()
     assert "left-handed: looks along +z" in said and "fov 60°, near 0.1, far 1000" in said
-    assert said.endswith("its lens is used, looking along −z")
+    assert said.endswith("looking along −z; change the sign of its view matrix in row 3")
 
 
 def test_a_near_plane_that_two_depth_ranges_give_is_asked(panel: MatrixPanel, qtbot: QtBot) -> None:
@@ -1157,3 +1158,27 @@ def test_the_last_rounded_cell_makes_a_camera_and_says_so(panel: MatrixPanel, qt
     assert edited.args[0].lens == OFF_AXIS.lens
     assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
     assert "rounded to float32; the nearest camera is used" in panel.explanation.text()
+
+
+@pytest.mark.parametrize("name", ["opengl", "direct3d", "vulkan", "unity"])
+def test_both_matrices_of_another_program_give_our_picture(
+    panel: MatrixPanel, qtbot: QtBot, name: str
+) -> None:
+    """Its world may be mirrored; rows of the view change sign where the sentence says so."""
+    view, clip, _ = in_convention(OFF_AXIS, name, rows=False).values()
+    other = Projection(Camera((3.0, 1.0, 2.0), (0.0, 0.0, 0.0)))
+    shown_after(panel, qtbot, other)
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "clip_from_view", text_of(clip))
+    said = panel.explanation.text()
+    assert ("in row 3" in said) == (name == "direct3d")
+    assert ("with y up" in said) == (name == "vulkan")
+    assert edited.args[0].lens == OFF_AXIS.lens
+    if "in row 3" in said:
+        view[2] *= -1.0
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "view_from_world", text_of(view))
+    points = np.array([(0.5, 2.0, -0.25), (-1.0, 0.5, 0.75)])
+    mirror = np.array([1.0, 1.0, -1.0 if name in ("direct3d", "unity") else 1.0])
+    pixels = edited.args[0].trace(points * mirror).image
+    assert np.abs(pixels - OFF_AXIS.trace(points).image).max() < 1e-9

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial
-from typing import cast
+from typing import Any, cast
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
@@ -239,7 +239,7 @@ class MatrixPanel(ReadablePanel):
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
-        cells = [list(line) for line in shown(self._projection, name)]
+        cells: Any = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
         cells[into][of] = sign * value
         if name == "view_from_world" and projection.has_camera:
