@@ -122,7 +122,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
     for path in texts:
         if path not in paths:
-            raise _unknown_path(path, [*paths, *MEASURES])
+            raise _unknown_path(path, [*paths, *MEASURES, *[CAMERA_P.path] * ("." in path)])
     beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
     values = {each.name: _read(each, text) for each, text in settings.items()}
@@ -280,8 +280,9 @@ def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
             return Refusal.in_document(OTHER_SCENE, ", ".join(scenes), field=shown)
 
     def likeness(known: str) -> float:
-        last, (of_part, _, named) = shown.rpartition(".")[2], known.rpartition(".")
-        whole = difflib.SequenceMatcher(None, shown, known).ratio()
+        typed, known = shown.lower(), known.lower()
+        last, (of_part, _, named) = typed.rpartition(".")[2], known.rpartition(".")
+        whole = difflib.SequenceMatcher(None, typed, known).ratio()
         begun = of_part in (section, "") and named.startswith(last)
         return max(whole, difflib.SequenceMatcher(None, last, named).ratio()) + whole / 100 + begun
 

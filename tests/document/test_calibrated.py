@@ -115,6 +115,8 @@ def test_other_measures_of_a_lens() -> None:
         ("lens.fov_x_deg=180", "lens.fov_x_deg = 180: must lie between 0 and 180, both excluded."),
         ("lens.fx=many", "lens.fx = 'many': must be a finite number."),
         ("lens.focl_mm=5", "lens.focl_mm is not known; the nearest name is lens.focal_mm."),
+        ("lens.k=5", "lens.k is not known; the nearest name is lens.K."),
+        ("camera.p=5", "camera.p is not known; the nearest name is camera.P."),
         ("lens.fy=-512 lens.cy=300",
          "lens.fy = -512: must be greater than 0; below 0 the image's y points up: take fy = 512"
          " and cy = H - 1 - cy."),
