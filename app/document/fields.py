@@ -23,6 +23,8 @@ from app.scenes.phenomena import PHENOMENA
 
 Tree: TypeAlias = dict[str, Any]
 
+_UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
+
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 LOOKS = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -76,7 +78,7 @@ class Field(NamedTuple):
         """Convert a text to the field's JSON value; return None if that is impossible."""
         assert self.kind is not None
         if self.unit and self.kind in (NUMBER, VECTOR, PIXELS, NUMBER_OR_WORD):
-            text = re.sub(rf"(?<=[0-9.])\s{{0,2}}{re.escape(self.unit)}(?=[\s,)\]]|$)", "", text)
+            text = _UNIT.sub(lambda found: "" if found[1] == self.unit else found[0], text)
         return self.kind.read(text)
 
 

@@ -21,7 +21,7 @@ from typing import BinaryIO
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
-from app.strangers import decode, open_regular, text_of
+from app.strangers import decode, open_regular, warn
 
 if sys.platform != "win32":
     import fcntl
@@ -116,7 +116,12 @@ def read(path: Path) -> Document:
             return parse(text, folder)
         ending = os.path.splitext(path)[1].lower()
         try:
-            return parse(_decode(content, path), folder)
+            text, note = decode(content)
+            if note and not text.lstrip().startswith("{"):
+                raise Refusal.in_document(NOT_TEXT)
+            document = parse(text, folder)
+            warn(path, note)
+            return document
         except Refusal as error:
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
@@ -131,13 +136,6 @@ def holds_document(path: Path) -> bool:
         return False
     with open_regular(path) as file:
         return file.read(len(_PNG)) != _PNG
-
-
-def _decode(content: bytes, path: Path) -> str:
-    text, note = decode(content)
-    if note and not text.lstrip().startswith("{"):
-        raise Refusal.in_document(NOT_TEXT)
-    return text_of(content, path)
 
 
 def _read_bytes(path: Path) -> bytes:
