@@ -27,9 +27,8 @@ from numpy.typing import ArrayLike
 from app import __version__
 from app.document.codec import picture_json
 from app.document.document import Document, is_mesh
-from app.document.files import read
 from app.document.lengths import PX_PER, Size, parse_size
-from app.document.settings import set_values
+from app.document.settings import open_with, set_values
 from app.document.view import MOST_PROBES, PANES
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
@@ -41,6 +40,7 @@ from app.model.projection import (
     Camera,
     FreeMatrix,
     Frustum,
+    Intrinsics,
     Lens,
     ObjectTransform,
     Oblique,
@@ -65,9 +65,9 @@ from app.scenes.scene import BUILT_IN, Scene
 from app.scenes.scene import load as load_scene
 
 __all__ = [
-    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum", "Lens",
-    "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection", "Refusal", "Stage",
-    "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
+    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
+    "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection",
+    "Refusal", "Stage", "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
 ]  # fmt: skip
 
 Source: TypeAlias = Document | Projection
@@ -103,7 +103,7 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
     if is_mesh(name):
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
-        return set_values(read(os.path.abspath(name)), values)
+        return set_values(open_with(os.path.abspath(name), Document(), values), values)
     return set_values(Document(name, load_scene(name).start), values)
 
 

@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 from app import bootstrap
 from app.commands.options import CANNOT_DRAW, CliError, check_file, complain
 from app.document.document import Document, is_mesh
-from app.document.files import UNREADABLE, blamed_on, read
-from app.document.settings import set_values
+from app.document.files import UNREADABLE, blamed_on
+from app.document.settings import open_with, set_values
 from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
@@ -93,12 +93,8 @@ def document_before(
             raise CliError("--set scene: the steps of a lesson have scenes of their own.")
         course = course_of(file)
         return state_at(course, place_of(course, step))
-    if file is None:
-        return Document() if scene is None else _opened(scene)
-    document = _open(file)
-    if scene:
-        _start(scene)
-    return document
+    before = Document() if scene is None else _opened(scene)
+    return before if file is None else _open(file, before, assignments)
 
 
 def with_values(document: Document, assignments: Sequence[str]) -> Document:
@@ -160,7 +156,7 @@ def _start(scene: str) -> Projection:
     return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
 
 
-def _open(file: str) -> Document:
+def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:
     if is_mesh(file):
         return _opened(file)
     if not os.path.lexists(file):
@@ -169,7 +165,7 @@ def _open(file: str) -> Document:
         if file in BUILT_IN:
             raise CliError(f"{file} is a scene: write --set scene={file}.")
     check_file(file)
-    return read(file)
+    return open_with(file, over, assignments)
 
 
 def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:

@@ -4,18 +4,26 @@ from __future__ import annotations
 
 import argparse
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+
+import numpy as np
 
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
 from app.commands.options import CliError, parser_of, write_out
+from app.document.fields import CAMERA_P
+from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.notation import Letters, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
+from app.model.calibration import taken_apart
+from app.model.matrix_text import read_matrix
 from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
 
 _DIGITS = 4
+NOTICED_PX = 1e-9
+"""Least skew that is no rounding of float64."""
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -25,13 +33,46 @@ def run(arguments: Sequence[str]) -> int:
         for option in ("digits", "letters", "symbols", "numbers", "width"):
             if getattr(found, option):
                 raise CliError(f"--{option}: needs --format latex.")
+    if found.vectors and not found.convention:
+        raise CliError("--vectors: needs --convention.")
+    if (found.convention or found.planes) and (
+        found.format == "latex" or (found.convention and found.planes)
+    ):
+        option = "--planes" if found.planes else "--convention"
+        raise CliError(f"{option}: stands alone, and needs --format text or json.")
     document = document_of(words[0] if words else None, found.set)
     projection = document.projection
-    if found.format == "latex":
+    if found.convention:
+        write_out([_in_convention(projection, found)])
+    elif found.planes:
+        write_out([_planes(projection, found.format)])
+    elif found.format == "latex":
         write_out([_latex(projection, found, found.letters or document.view.letters)])
     else:
-        write_out([(_text if found.format == "text" else _json)(projection)])
+        parts = _of_p(found.set) if found.format == "text" else ""
+        write_out([(_text if found.format == "text" else _json)(projection), parts])
     return 0
+
+
+def _of_p(assignments: Sequence[str]) -> str:
+    """Return the parts of a camera matrix that was set, and what it does not say."""
+    pairs = (each.partition("=") for each in assignments)
+    texts = [text for name, _, text in pairs if name.strip() == CAMERA_P.path]
+    if not texts:
+        return ""
+    scale, k, rotation, translation = taken_apart(read_matrix(texts[-1]).rows)
+    notes = [
+        "for x right, y down, z forward; pixels from the centre of the first one",
+        f"scale = {format_value(scale)} is free, and so is its sign",
+        "P has w > 0 behind the camera: perhaps y points up in its image" * (scale < 0.0),
+        f"the skew {k[0, 1]:.1g} of K is left out: so many px at 45 degrees above or below"
+        * bool(abs(k[0, 1]) > NOTICED_PX),
+        "P does not say near, far and the size of the image",
+    ]
+    said = "".join(f"  ({note})\n" for note in filter(None, notes))
+    parts = {"K": k, "R": rotation, "t": translation[:, None]}
+    blocks = (f"  {name}\n{_rows(values)}" for name, values in parts.items())
+    return "\n".join([f"\nP = scale K [R | t]\n{said}{next(blocks)}", *blocks])
 
 
 def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
@@ -63,11 +104,40 @@ def _rows(matrix: Array) -> str:
 
 
 def _json(projection: Projection) -> str:
-    lines = [
-        f"  {json.dumps(stage.name)}: {json.dumps(plain(stage.matrix), allow_nan=False)}"
-        for stage in projection.all_stages
-    ]
+    return _object({stage.name: plain(stage.matrix) for stage in projection.all_stages})
+
+
+def _object(values: Mapping[str, object]) -> str:
+    """Write a JSON object with a line for each value."""
+    lines = (
+        f"  {json.dumps(name)}: {json.dumps(value, allow_nan=False)}"
+        for name, value in values.items()
+    )
     return "{\n" + ",\n".join(lines) + "\n}\n"
+
+
+def _in_convention(projection: Projection, found: argparse.Namespace) -> str:
+    convention = CONVENTIONS[found.convention]
+    rows = convention.rows if found.vectors is None else found.vectors == "rows"
+    matrices = in_convention(projection, found.convention, rows=rows)
+    if found.format == "json":
+        return _object({name: plain(matrix) for name, matrix in matrices.items()})
+    vectors = "row vectors, p M" if rows else "column vectors, M p"
+    blocks = [f"{found.convention}: {convention.note}; {vectors}\n"]
+    blocks += [f"{name}\n{_rows(matrix)}" for name, matrix in matrices.items()]
+    return "\n".join(blocks)
+
+
+def _planes(projection: Projection, form: str) -> str:
+    planes = world_planes(projection)
+    if form == "json":
+        return _object(planes)
+    cells = _rows(np.array([plane or [0.0] * 4 for plane in planes.values()])).splitlines()
+    lines = [
+        f"{name:6}{row if plane else '  at infinity'}\n"
+        for row, (name, plane) in zip(cells, planes.items(), strict=True)
+    ]
+    return "".join(["a x + b y + c z + d >= 0 in the view volume, in world space\n", *lines])
 
 
 def _latex(projection: Projection, found: argparse.Namespace, letters: Letters) -> str:

@@ -44,6 +44,7 @@ PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
 SPACES = ("world", "object")
+CONVENTIONS = ("opengl", "direct3d", "vulkan", "unity", "opencv")
 MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
 FULL_TURN = 360.0
@@ -61,8 +62,10 @@ SETTABLE = (
     "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
     "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
     "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
-    "lens.view_from_world", "object.translate", "object.rotate_deg", "object.scale", "object.order",
-    "image.width", "image.height", "quality.rung", "quality.smoothing",
+    "lens.view_from_world", "lens.fov_x_deg", "lens.focal_length_mm", "lens.K", "lens.fx",
+    "lens.fy", "lens.cx", "lens.cy", "lens.focal_mm", "lens.sensor_width_mm",
+    "lens.sensor_height_mm", "camera.P", "object.translate", "object.rotate_deg", "object.scale",
+    "object.order", "image.width", "image.height", "quality.rung", "quality.smoothing",
     "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
     "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
     "view.names", "view.slide", "view.controls", "view.equation", "view.probes", "view.compare",
@@ -325,7 +328,8 @@ def _window() -> Parser:
     parser = Parser(
         "",
         "[FILE]",
-        "a document, an exported PNG picture, a mesh, a lesson or a talk (default: the letter F)",
+        "a document, an exported PNG picture, a mesh, a camera, a lesson or a talk (default: the "
+        "letter F)",
         f"commands, each with its own --help:\n{lines}",
     )
     parser.add_set()
@@ -349,10 +353,10 @@ def _window() -> Parser:
 def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
-        "page that phones show), and the document, picture, mesh, lesson or talk to draw (default: "
-        "the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages "
-        "or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider "
-        "(.html), or a name with %%03d for a figure of each frame"
+        "page that phones show), and the document, picture, mesh, camera, lesson or talk to draw "
+        "(default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, "
+        "--stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a "
+        "slider (.html), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
     parser.add_argument(
@@ -454,9 +458,9 @@ def _export() -> Parser:
 
 def _project() -> Parser:
     text = (
-        "a document, picture or mesh whose camera is used (default: the letter F), and the "
-        "points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be "
-        "0 for a point at infinity; any other w divides x, y and z"
+        "a document, picture, mesh or camera file whose camera is used (default: the letter F), "
+        "and the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, "
+        "may be 0 for a point at infinity; any other w divides x, y and z"
     )
     parser = Parser("project", "[FILE] POINTS", text)
     parser.add_choice("--format", PROJECT_FORMATS, "output format (default: table)", "table")
@@ -469,9 +473,16 @@ def _project() -> Parser:
 
 
 def _matrices() -> Parser:
-    text = "a document, picture or mesh whose camera is used (default: the letter F)"
+    text = "a document, picture, mesh or camera file whose camera is used (default: the letter F)"
     parser = Parser("matrices", "[FILE]", text)
     parser.add_choice("--format", MATRIX_FORMATS, "output format (default: text)", "text")
+    parser.add_choice("--convention", CONVENTIONS, "camera and lens as another program writes them")
+    parser.add_choice(
+        "--vectors", ("columns", "rows"), "after --convention (default: those of that program)"
+    )
+    parser.add_argument(
+        "--planes", action="store_true", help="the six planes of the view volume in world space"
+    )
     parser.add_argument(
         "--digits", type=_digits, metavar="COUNT",
         help="in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",

@@ -164,6 +164,30 @@ def _join(path: str, key: str) -> str:
     return f"{path}.{shown}" if path else shown
 
 
+def tree_of(text: str, most: int = MOST_VALUES) -> Any:
+    """Return what a JSON text holds, with finite numbers and no name twice, or a `Refusal`."""
+    text = text.removeprefix("\ufeff")  # the byte order mark that some editors write
+    if not text.strip():
+        raise Refusal.in_document(EMPTY)
+    if sum(map(text.count, ",[{")) >= most:  # before JSON's parser takes its time
+        raise Refusal.in_document(TOO_MANY, most)
+    try:
+        tree = json.loads(
+            text,
+            object_pairs_hook=_read_pairs,
+            parse_float=partial(_read_number, float),
+            parse_int=partial(_read_number, int),
+            parse_constant=_not_finite,
+        )
+    except json.JSONDecodeError as error:
+        raise Refusal.in_document(BROKEN, error.lineno, error.colno) from error
+    except RecursionError as error:
+        raise Refusal.in_document(TOO_DEEP, DEEPEST) from error
+    if isinstance(tree, (dict, list, _Refused)):
+        _check_tree(tree, "", 0)
+    return tree
+
+
 def parse(text: str, folder: Path | None = None) -> Document:
     """Read a document from its text.
 
@@ -179,25 +203,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     Refusal
         For anything but a valid document.
     """
-    text = text.removeprefix("\ufeff")  # the byte order mark that some editors write
-    if not text.strip():
-        raise Refusal.in_document(EMPTY)
-    if sum(map(text.count, ",[{")) >= MOST_VALUES:  # before JSON's parser takes its time
-        raise Refusal.in_document(TOO_MANY, MOST_VALUES)
-    try:
-        tree = json.loads(
-            text,
-            object_pairs_hook=_read_pairs,
-            parse_float=partial(_read_number, float),
-            parse_int=partial(_read_number, int),
-            parse_constant=_not_finite,
-        )
-    except json.JSONDecodeError as error:
-        raise Refusal.in_document(BROKEN, error.lineno, error.colno) from error
-    except RecursionError as error:
-        raise Refusal.in_document(TOO_DEEP, DEEPEST) from error
-    if isinstance(tree, (dict, list, _Refused)):
-        _check_tree(tree, "", 0)
+    tree = tree_of(text)
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
         raise Refusal.in_document(FOREIGN)
     version = _whole(_required(tree, "version"))

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.view import View
 from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.object_transform import ObjectTransform
 from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, Orbit, kinds
@@ -25,6 +26,8 @@ Tree: TypeAlias = dict[str, Any]
 
 _UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
 
+THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
+THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 LOOKS = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -40,7 +43,7 @@ class Kind(NamedTuple):
     Attributes
     ----------
     read : callable
-        Converts the text to the JSON value; returns None if it cannot.
+        Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot.
     bound : tuple
         The bound that an invalid text violates, and the bound's limits.
     """
@@ -106,6 +109,22 @@ def _looks(text: str) -> dict[str, Any] | None:
     return found
 
 
+def _matrix(text: str) -> list[list[float]] | None:
+    """Read a 4x4 matrix, or a 3x4 one to which the row 0 0 0 1 is added; None for 3x3."""
+    rows = read_matrix(text).rows
+    if len(rows[0]) == 3:
+        rows = [list(column) for column in zip(*rows, strict=True)]
+    if len(rows[0]) == 3:
+        return None
+    return rows if len(rows) == 4 else [*rows, [0.0, 0.0, 0.0, 1.0]]
+
+
+def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
+    """Read a matrix of this size; None for another one."""
+    rows = read_matrix(text).rows
+    return rows if (len(rows), len(rows[0])) == (height, width) else None
+
+
 def _number_or_word(text: str) -> float | str:
     value = number(text)
     word = "inf" if text.lower() in ("∞", "infinity") else text
@@ -118,7 +137,7 @@ NUMBER_OR_WORD = Kind(_number_or_word)
 PIXELS = Kind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
 SWITCH = Kind(lambda text: {"true": True, "false": False}.get(text, text))
 VECTOR = Kind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
-MATRIX = Kind(lambda text: _rows(text, 4, 4, 4), (FOUR_BY_FOUR,))
+MATRIX = Kind(_matrix, (FOUR_BY_FOUR,))
 PROBES = Kind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
 PANES = Kind(_looks, (LOOKS,))
 NAMES = Kind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
@@ -182,8 +201,18 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     )
 
 
+CAMERA_P = Field("camera", "P", Kind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
+CALIBRATED = (
+    Field("lens", "K", Kind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
+    *(
+        Field("lens", name, NUMBER)
+        for name in ("fx", "fy", "cx", "cy", "focal_mm", "sensor_width_mm", "sensor_height_mm")
+    ),
+)
+ANGLES = tuple(Field("lens", name, NUMBER) for name in ("fov_x_deg", "focal_length_mm"))
+"""Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
 CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
-LENS_CONTROLS = ("lens.fov_x_deg", "lens.focal_length_mm")
+LENS_CONTROLS = tuple(field.path for field in ANGLES)
 """Numbers that the controls show beside the fields of a document."""
 
 

@@ -14,9 +14,10 @@ import struct
 import sys
 import time
 import zlib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
-from typing import BinaryIO
+from typing import TYPE_CHECKING, BinaryIO
 
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
@@ -25,9 +26,15 @@ from app.strangers import decode, open_regular, warn
 
 if sys.platform != "win32":
     import fcntl
+if TYPE_CHECKING:
+    from app.document.camera_files import Views
 
 LARGEST_DOCUMENT = 2**20
 """Most bytes read as a document; one with a thousand unknown keys has 100 000."""
+LARGEST_CAMERAS = 2**26
+"""Most bytes read as cameras; a thousand images of COLMAP, with their points, may have that."""
+MOST_NAMED = 12
+"""Most views that a refusal names."""
 LARGEST_PICTURE = 2**30
 """Most bytes read as a PNG picture."""
 STALE_S = 60.0
@@ -55,8 +62,13 @@ BROKEN_PICTURE = QT_TRANSLATE_NOOP(
 )
 NEITHER = QT_TRANSLATE_NOOP(
     "Refusal",
-    "is neither a document (.json), a lesson (.md), an exported picture (.png) nor a mesh ({0})",
+    "is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a"
+    " camera file (.json, .yml, .xml, cameras.txt, images.txt)",
 )
+VIEWS = QT_TRANSLATE_NOOP(
+    "Refusal", "has {0} views: write #1 to #{0}, or # and a name, after the file: {1}"
+)
+NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 
 
@@ -91,34 +103,54 @@ def content_of(path: Path, largest: int) -> bytes:
     return content
 
 
-def read(path: Path) -> Document:
+def read(
+    path: Path, over: Document | None = None, choose: Callable[[list[str]], str] | None = None
+) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
-    The content, not the name, decides which of the two it is.
+    The content, not the name, decides which of the two it is. A camera file of another program
+    puts its camera in the place of that of `over`, or of the default document.
+
+    Parameters
+    ----------
+    path : path
+        Of a camera file also ``FILE#VIEW``: the name of the view, without folder and ending if that
+        is clear, or its number from 1.
+    over : Document, optional
+    choose : callable, optional
+        Chooses one of the names of the views; without it, a file with several is refused.
 
     Raises
     ------
     Refusal
         If the file does not exist, cannot be read, or is not a valid document.
     """
-    with blamed_on(path, UNREADABLE):
-        content = _read_bytes(path)
-        folder = os.path.dirname(os.path.realpath(path))
+    file, view = split_view(path)
+    with blamed_on(file, UNREADABLE):
+        content = _read_bytes(file)
+        if view and (content.startswith(_PNG) or _has_mark(content)):
+            raise Refusal.in_document(NO_VIEWS, f"#{view}")
+        folder = os.path.dirname(os.path.realpath(file))
         if content.startswith(_PNG):
             text = extract(content)
             if text is None:
                 raise Refusal.in_document(PLAIN_PICTURE)
             # A picture names its mesh without folders: look beside the link, then beside the
             # picture.
-            document = parse(text, os.path.dirname(os.path.abspath(path)))
+            document = parse(text, os.path.dirname(os.path.abspath(file)))
             if os.path.exists(document.scene if is_mesh(document.scene) else document.mesh):
                 return document
             return parse(text, folder)
-        ending = os.path.splitext(path)[1].lower()
+        ending = os.path.splitext(file)[1].lower()
         try:
-            text, note = decode(content)
-            if note and not text.lstrip().startswith("{"):
-                raise Refusal.in_document(NOT_TEXT)
+            if not _has_mark(content):
+                document = over or Document()
+                if cameras := _views(file, content):
+                    projection = cameras[_chosen(cameras, view, choose)](document.projection)
+                    return replace(document, projection=projection)
+            if len(content) > LARGEST_DOCUMENT:
+                raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)
+            text, note = _decode(content)
             document = parse(text, folder)
             warn(path, note)
             return document
@@ -130,12 +162,65 @@ def read(path: Path) -> Document:
             raise Refusal.in_document(NEITHER, ", ".join(MESH_ENDINGS)) from error
 
 
+def split_view(path: Path) -> tuple[str, str]:
+    """Split ``FILE#VIEW``; the view is empty if there is none, or a file has the whole name."""
+    name = os.fspath(path)
+    file, mark, view = name.rpartition("#")
+    return (
+        (file, view) if mark and not os.path.lexists(name) and os.path.isfile(file) else (name, "")
+    )
+
+
+def _has_mark(content: bytes) -> bool:
+    """Whether a file may be a document, which says so."""
+    return FORMAT.encode() in content or FORMAT.encode("utf-16-le") in content
+
+
+def _views(path: str, content: bytes) -> Views:
+    """Return the views of a camera file by name; none if it is no such file."""
+    from app.document import camera_files
+
+    def beside(name: str) -> str:
+        other = os.path.join(os.path.dirname(path), name)
+        with blamed_on(other, UNREADABLE):
+            return _decode(content_of(other, LARGEST_CAMERAS))[0] if os.path.isfile(other) else ""
+
+    camera_files.refuse_others(path)
+    return camera_files.views_of(path, _decode(content)[0], beside) or {}
+
+
+def _decode(content: bytes) -> tuple[str, str]:
+    """Return the text of a file, and the note on its encoding; refuse what is no text."""
+    text, note = decode(content)
+    if note and re.search("[\0-\x08]", text):
+        raise Refusal.in_document(NOT_TEXT)
+    return text, note
+
+
+def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) -> str:
+    """Return the name of the view that a name, a number or a person chooses, or the only one."""
+    names = list(views)
+    if not view and len(names) > 1 and choose is not None:
+        return choose(names)
+    if view in names or (not view and len(names) == 1):
+        return view or names[0]
+    if re.fullmatch("[0-9]{1,7}", view) and 1 <= int(view) <= len(names):
+        return names[int(view) - 1]
+    last = [re.split(r"[/\\]", name)[-1] for name in names]
+    alike = [view in (each, os.path.splitext(each)[0]) for each in last]
+    if sum(alike) == 1:
+        return names[alike.index(True)]
+    some = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
+    raise Refusal.in_document(VIEWS, len(names), some)
+
+
 def holds_document(path: Path) -> bool:
-    """Whether a file that was read can be saved to: it is not a mesh, a picture or a device."""
+    """Whether a file that was read can be saved to: no mesh, picture, camera file or device."""
     if is_mesh(os.fspath(path)) or not os.path.isfile(path):
         return False
     with open_regular(path) as file:
-        return file.read(len(_PNG)) != _PNG
+        content = file.read(LARGEST_DOCUMENT)
+    return not content.startswith(_PNG) and _has_mark(content)
 
 
 def _read_bytes(path: Path) -> bytes:
@@ -146,7 +231,7 @@ def _read_bytes(path: Path) -> bytes:
         raise Refusal.in_document(CLOUD, ending)
     with open_regular(path) as file:
         is_picture = file.read(len(_PNG)) == _PNG
-    return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_DOCUMENT)
+    return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_CAMERAS)
 
 
 # --------------------------------------------------------------------------- PNG pictures

@@ -6,29 +6,62 @@ import contextlib
 import difflib
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
+from typing import Any, TypeAlias
 
-from app.document.codec import LONGEST_SHOWN, document_paths, from_tree, to_tree
+from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
 from app.document.document import Document
-from app.document.fields import Field, controls_of, fields_of, lens_fields
+from app.document.fields import (
+    ANGLES,
+    CALIBRATED,
+    CAMERA_P,
+    Field,
+    controls_of,
+    fields_of,
+    lens_fields,
+)
+from app.document.files import read
 from app.document.view import AS_EVER, STRIP
 from app.lecture.equation import equation_of
-from app.model.limits import OTHER_SIDE
+from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
 from app.model.object_transform import NOT_MOVED
-from app.model.projection import kinds
+from app.model.projection import LENSES, Intrinsics, fov_y_from_focal_length_35mm, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
 from app.scenes.phenomena import PHENOMENA
 
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
 OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
+CONTRADICTS = QT_TRANSLATE_NOOP(
+    "Refusal", "cannot be set together with {0}: both decide what the lens sees"
+)
+NO_SENSOR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is"
+    " lens.focal_length_mm",
+)
 COMPARED = QT_TRANSLATE_NOOP(
     "Refusal",
     "must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of"
     " a picture, | between pictures, and NAME: before a picture that has a name",
 )
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
+
+Values: TypeAlias = dict[str, Any]
+MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
+_DECIDING = (
+    tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
+    ("lens.fov_y_deg",),
+    tuple(f"lens.{name}" for name in ("left", "right", "bottom", "top", "keep")),
+)  # fmt: skip
+_RIVALS = (
+    _DECIDING,
+    (("lens.K",), ("lens.fx", "lens.fy"), ("lens.focal_mm", "lens.sensor_width_mm",
+                                           "lens.sensor_height_mm")),
+    (("lens.K",), ("lens.cx", "lens.cy")),
+)  # fmt: skip
+"""Values of which only those of one group can be set together."""
 
 
 def set_values(document: Document, assignments: Iterable[str]) -> Document:
@@ -41,6 +74,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     - ``lens.kind`` comes next and keeps the picture similar. If sides of its window are given, they
     are used as typed: ``lens.keep`` is then ``stretch``, unless it is set too.
     - Settings come next. Camera and lens may follow them, but the lens keeps the requested kind.
+    - ``camera.P`` is a camera and its lens.
+    - The measures of a lens that no document has (``lens.fx``, ``lens.fov_x_deg``) come last.
     - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
 
     Parameters
@@ -80,11 +115,14 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
         texts.setdefault("lens.keep", "stretch")
     document = _with_lens(document, kind)
+    if CAMERA_P.path in texts:
+        document = _through(document, texts, kind)
     known = {each.path: each for each in fields_of(document.scene, document.projection.lens.kind)}
+    measures = {path: texts.pop(path) for path in MEASURES if path in texts}
     paths = ["scene", *(path for path, each in known.items() if each.kind is not None)]
     for path in texts:
         if path not in paths:
-            raise _unknown_path(path, paths)
+            raise _unknown_path(path, [*paths, *MEASURES])
     beside, dividers = texts.pop("view.compare", None), texts.pop("view.dividers", None)
     settings = {known[path]: text for path, text in texts.items() if path.startswith("settings.")}
     values = {each.name: _read(each, text) for each, text in settings.items()}
@@ -98,7 +136,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
             section = tree.setdefault(each.section, {}) if each.section else tree
             section[each.name] = _read(each, text)
     try:
-        document = _beside(from_tree(tree), beside, dividers)
+        document = _measured(from_tree(tree), measures, texts, kind)
+        document = _beside(document, beside, dividers)
         with document_paths("view"):
             _check_slide(document, texts)
         return document
@@ -109,6 +148,84 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         # The other one of the two was set.
         limit, value = format_value(error.value), tree["lens"][side]
         raise Refusal.in_document(bound, limit, field=f"lens.{side}", value=value) from error
+
+
+def open_with(path: Path, over: Document, assignments: Iterable[str]) -> Document:
+    """Read a file; a camera without an image size has that of assignments. They come later."""
+    sizes = [each for each in assignments if each.strip().startswith("image.")]
+    return read(path, set_values(over, sizes))
+
+
+def _through(document: Document, texts: dict[str, str], kind: str) -> Document:
+    """Return the document seen through the camera matrix P, which is taken out of `texts`."""
+    from app.document.camera_files import seen_through
+
+    cells = _read(CAMERA_P, texts.pop(CAMERA_P.path))
+    for path in [*texts, *(["lens.kind"] if kind else [])]:
+        if path.startswith(("camera.", "lens.kind")) or any(path in each for each in _DECIDING):
+            raise Refusal.in_document(CONTRADICTS, CAMERA_P.path, field=path)
+    sizes = [f"{path}={text}" for path, text in texts.items() if path.startswith("image.")]
+    document = set_values(document, sizes)
+    with document_paths():
+        projection = seen_through(cells, document.projection, is_sized=bool(sizes))
+    return replace(document, projection=projection)
+
+
+def _measured(
+    document: Document, texts: dict[str, str], others: Collection[str], kind: str
+) -> Document:
+    """Return the document with the lens of the `MEASURES` in `texts`, for the final image size.
+
+    One of fx and fy stands for both, and what is not given stays; `others` are the paths that are
+    set besides, and `kind` the kind of lens.
+    """
+    if not texts:
+        return document
+    for rivals in _RIVALS:
+        given = [[path for path in paths if path in {*texts, *others}] for paths in rivals]
+        if len(both := list(filter(None, given))) > 1:
+            raise Refusal.in_document(CONTRADICTS, both[1][0], field=both[0][0])
+    values: Values = {MEASURES[path].name: _read(MEASURES[path], texts[path]) for path in texts}
+    projection = document.projection
+    by_angle = any(field.path in texts for field in ANGLES)
+    lenses = [
+        name for name, lens in LENSES.items() if (lens.symmetric if by_angle else lens.central)
+    ]
+    if projection.lens.kind not in lenses:
+        raise Refusal.in_document(OTHER_LENS, ", ".join(lenses), field=next(iter(texts)))
+    with document_paths("lens"):
+        if "fov_x_deg" in values:
+            projection = projection.with_fov_x(values["fov_x_deg"])
+        elif "focal_length_mm" in values:
+            fov_y_deg = fov_y_from_focal_length_35mm(values["focal_length_mm"], projection.aspect)
+            projection = replace(projection, lens=projection.lens.but(fov_y_deg=fov_y_deg))
+        else:
+            now = projection.intrinsics
+            focal = _focal_px(values, projection.image_size, now)
+            centre = values.get("cx", now.cx), values.get("cy", now.cy)
+            projection = projection.with_intrinsics(values.get("K", (*focal, *centre)))
+    if kind == "perspective" != projection.lens.kind:
+        raise Refusal.in_document(CONTRADICTS, next(iter(texts)), field="lens.kind")
+    return _with_lens(replace(document, projection=projection), kind)
+
+
+def _focal_px(values: Values, image: tuple[int, int], now: Intrinsics) -> tuple[float, float]:
+    """Return fx and fy in pixels, also of a focal length in mm; one of them stands for both."""
+    fx, fy = values.get("fx"), values.get("fy")
+    sides = "sensor_width_mm", "sensor_height_mm"
+    if values.keys() & {"focal_mm", *sides}:
+        if "focal_mm" not in values:
+            raise Refusal.in_document(MISSING, field="lens.focal_mm")
+        focal_mm = positive("focal_mm", values["focal_mm"])
+        if not values.keys() & {*sides}:
+            raise Refusal("focal_mm", focal_mm, NO_SENSOR)
+        fx, fy = (
+            focal_mm * pixels / positive(side, values[side]) if side in values else None
+            for side, pixels in zip(sides, image, strict=True)
+        )
+    if fx is None:
+        return (now.fx, now.fy) if fy is None else (abs(fy), fy)
+    return fx, abs(fx) if fy is None else fy
 
 
 def _check_slide(document: Document, paths: Collection[str]) -> None:
@@ -128,10 +245,14 @@ def _nearest(name: str, known: Iterable[str]) -> str:
 
 
 def _read(field: Field, text: str) -> object:
-    value = field.read(text)
+    assert field.kind is not None
+    bound = field.kind.bound
+    try:
+        value = field.read(text)
+    except Refusal as error:  # it says what in the text is not a value
+        value, bound = None, (error.bound, *error.limits)
     if value is None:
-        assert field.kind is not None
-        raise Refusal.in_document(*field.kind.bound, field=field.path, value=text)
+        raise Refusal.in_document(*bound, field=field.path, value=text)
     return value
 
 

@@ -10,20 +10,26 @@ from __future__ import annotations
 
 import itertools
 import math
+import operator
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from fractions import Fraction
-from functools import partial
-from typing import Any, NamedTuple
+from functools import lru_cache, partial
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
 
 from app.arithmetic.rationals import Rationals, dot, eliminate, rationals
+from app.lecture.rounded import moved_px, nearest_rotation, rounding_of
 from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
-from app.model.limits import Cells, finite_matrix
+from app.model.limits import DEPTH_RANGES, Cells, DepthRange, finite_matrix
 from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
+Write: TypeAlias = Callable[[float], str]
+"""Writes a number in a sentence."""
 EDITABLE = ("view_from_world", "clip_from_view")
 """The matrices with editable cells."""
 
@@ -57,19 +63,26 @@ def shown(projection: Projection, name: str) -> Cells:
 
 
 def with_cell(projection: Projection, name: str, row: int, column: int, value: float) -> Projection:
-    """Return the projection with another number in one cell; see `with_matrix`."""
+    """Return the projection with another number in one cell; see `with_matrix`.
+
+    A lens keeps all digits of every cell, because the others may not be rounded.
+    """
     cells: list[Any] = [list(line) for line in shown(projection, name)]
     if cells[row][column] == value:
         return projection
     cells[row][column] = value
-    return with_matrix(projection, name, cells)
+    return with_matrix(projection, name, cells, whole=False)
 
 
-def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[float]]) -> Projection:
+def with_matrix(
+    projection: Projection, name: str, matrix: Sequence[Sequence[float]], *, whole: bool = True
+) -> Projection:
     """Return the projection with another of the `EDITABLE` matrices (4, 4).
 
     The lens is of the present kind, or of the kind before a free matrix, if that kind has the
     matrix; else the simplest lens that has it, else a `FreeMatrix`. The same holds for the camera.
+    If the cells of a `whole` matrix are rounded, the fields of the lens are the shortest decimals
+    that give them. A free matrix of another convention keeps the lens that it describes.
 
     Raises
     ------
@@ -92,9 +105,11 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
         if lens is former and name == "view_from_world":
             return replace(projection, camera=camera)
         moved = replace(projection, camera=camera, lens=former)
-        standard = recognised_lens(clip_from_view, moved)
+        standard = recognised_lens(clip_from_view, moved, whole=whole)
         if standard is not None:
             return replace(moved, lens=standard)
+        described = readings(clip_from_view, moved.image_size, moved.depth, former)
+        former = described[0].lens if described else former
     return replace(
         projection, camera=camera, lens=FreeMatrix(clip_from_view, view_from_world, former)
     )
@@ -103,21 +118,48 @@ def with_matrix(projection: Projection, name: str, matrix: Sequence[Sequence[flo
 # --------------------------------------------------------------------------- recognition: lenses
 
 
-def recognised_lens(cells: Cells, projection: Projection) -> Lens | None:
+def recognised_lens(cells: Cells, projection: Projection, *, whole: bool = False) -> Lens | None:
     """Return the lens whose ``clip_from_view`` this is, up to a positive factor, or None.
 
     A negative factor reverses w: everything would be behind the eye. `projection` gives the image,
-    the depth range, and the present lens, whose kind and fields come first.
+    the depth range, and the present lens, whose kind and fields come first. The cells of a `whole`
+    matrix may be rounded.
     """
     exact = rationals(cells)
+    rounding = rounding_of(itertools.chain(*cells)) if whole else None
     for kind in sorted(LENSES, key=lambda kind: kind != projection.lens.kind):
         normalised = _normalised(kind, exact)
         if normalised is None:
             continue
+        factor = next(a / b for a, b in zip(exact[3], normalised[3], strict=True) if b)
+        units = rounding and [[Fraction(rounding.of(x)) / factor for x in row] for row in cells]
+        has = partial(_has, exact=normalised, projection=projection, units=units)
         for lens in _candidates(kind, normalised, projection):
-            if _has(lens, normalised, projection):
-                return lens
+            if has(lens):
+                return _shortened(lens, has, projection) if units else lens
     return None
+
+
+def _shortened(lens: Lens, has: Callable[[Lens], bool], projection: Projection) -> Lens:
+    """Return the lens with the fewest digits in each field that still has the rounded matrix."""
+    aspect = Fraction(*projection.image_size)
+    planes_first = (("near", "far"), ("near",), ("far",))
+    groups = (*planes_first, ("fov_y_deg",), ("left", "right"), ("bottom", "top"))
+    for names in (*groups, ("alpha_deg", "beta_deg")):
+        for digits in range(1, DIGITS if names[0] in lens.__dataclass_fields__ else 0):
+            short = {name: float(f"{getattr(lens, name):.{digits - 1}e}") for name in names}
+            try:
+                if names[0] in ("near", "far"):  # the window stays the same in degrees
+                    planes = {"near": lens.near, "far": lens.far, **short}
+                    found = lens.cut(lens.window(aspect), **planes)
+                else:
+                    found = lens.but(**short)
+            except Refusal:
+                continue
+            if has(found):
+                lens = found
+                break
+    return lens
 
 
 def _normalised(kind: str, exact: Rationals) -> Rationals | None:
@@ -162,18 +204,91 @@ def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float
     return near, far
 
 
-def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
-    """Whether a lens has the matrix, cell by cell, up to the rounding of its fields."""
+def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals | None) -> bool:
+    """Whether a lens has the matrix, cell by cell, up to the rounding of its fields or `units`."""
     try:
         own = replace(projection, lens=lens).direct_stages[0].exact
     except Refusal:  # the image makes this window impossible
         return False
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
         sizes = lens.least_terms(typed, i)
-        for a, b, size in zip(mine, typed, sizes, strict=True):
-            if not same(a, b, max(abs(b), size)):
+        units_here = units[i] if units else itertools.repeat(Fraction(0))
+        for a, b, size, unit in zip(mine, typed, sizes, units_here, strict=False):
+            if not same(a, b, max(abs(b), size)) and abs(a - b) > unit:
                 return False
     return True
+
+
+# ----------------------------------------------------------------------- recognition: conventions
+
+
+class Reading(NamedTuple):
+    """What a projection matrix of any convention does: our lens, and how its spaces differ.
+
+    Attributes
+    ----------
+    lens : Lens
+        It looks along -z of a view space with y up.
+    depth : DepthRange
+    y, z : int
+        The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
+        points down, and that it looks along +z.
+    is_transposed : bool
+        Whether the cells are read as columns.
+    """
+
+    lens: Lens
+    depth: DepthRange
+    y: int
+    z: int
+    is_transposed: bool
+
+    def is_ours(self, depth: DepthRange) -> bool:
+        """Whether it is of the program's own convention, with this depth range."""
+        return (self.y, self.z, self.is_transposed, self.depth) == (1, 1, False, depth)
+
+    @property
+    def digits(self) -> int:
+        """How many digits near and far need; a wrong depth range makes them long."""
+        return sum(len(f"{n:.15e}".partition("e")[0].rstrip("0")) for n in self.lens.planes or ())
+
+
+@lru_cache(maxsize=16)
+def readings(
+    cells: Cells, image_size: tuple[int, int], depth: DepthRange, in_hand: Lens
+) -> list[Reading]:
+    """Return the lenses that a projection matrix of some convention may describe, the best first.
+
+    The signs of the entries tell the convention. The row of w is ``0 0 c 0``: the camera looks
+    along -z if c < 0 and along +z if c > 0. The picture's y points up if the entry of y is
+    positive. The depth range is the one in which near and far have few digits.
+    """
+    found: list[tuple[bool, Reading]] = []
+    ranges = sorted(DEPTH_RANGES, key=lambda name: name != depth)
+    for is_transposed in (False, True):
+        rows: Any = tuple(zip(*cells, strict=True)) if is_transposed else cells
+        x, y, c, d = rows[0][0], rows[1][1], rows[3][2], rows[3][3]
+        if any(rows[3][:2]) or x <= 0.0 or not y or (c != 0.0) == (d != 0.0) or d < 0.0:
+            continue
+        is_unit = max(abs(c), d) == 1.0
+        y_sign = 1 if y > 0.0 else -1
+        for z_sign in (1, -1) if d else (-1 if c > 0.0 else 1,):
+            signs = 1, y_sign, z_sign, 1
+            ours: Any = tuple(tuple(map(operator.mul, row, signs)) for row in rows)
+            for each in ranges:
+                range_: Any = each
+                shown_by = Projection(
+                    Camera((0.0, 0.0, 1.0), (0.0, 0.0, 0.0)), in_hand, image_size, range_
+                )
+                lens = recognised_lens(ours, shown_by, whole=True)
+                if lens is not None and lens.near >= 0.0:
+                    found.append((is_unit, Reading(lens, range_, y_sign, z_sign, is_transposed)))
+        if rows == tuple(zip(*rows, strict=True)):
+            break
+    units = any(is_unit for is_unit, _ in found)
+    possible = [reading for is_unit, reading in found if is_unit == units]
+    least = min((reading.digits for reading in possible), default=0)
+    return [reading for reading in possible if reading.digits <= least + 2]
 
 
 # --------------------------------------------------------------------------- recognition: cameras
@@ -182,21 +297,28 @@ def _has(lens: Lens, exact: Rationals, projection: Projection) -> bool:
 def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     """Return the camera whose ``view_from_world`` this is, or None.
 
-    It keeps the distance to the target of `in_hand`, and its up if that gives the same frame.
+    It keeps the distance to the target of `in_hand`, and its up if that gives the same frame. Of a
+    rounded matrix it is the nearest camera.
     """
     exact = rationals(cells)
     if exact[3] != [0, 0, 0, 1]:
         return None
     rows, shift = [row[:3] for row in exact[:3]], [row[3] for row in exact[:3]]
-    if not _is_rigid(rows) or eliminate(rows).determinant < 0:
+    if eliminate(rows).determinant < 0:
         return None
+    unit = _UNIT
+    if not _is_rigid(rows):
+        nearest = nearest_rotation(np.array(cells)[:3, :3])
+        if nearest is None:
+            return None
+        rows, unit = rationals(nearest.rows.tolist()), Fraction(nearest.rounding.of_rotation) / 4
     solved = [-dot(column, shift) for column in zip(*rows, strict=True)]
     # Rounding rows and shift costs 3 2^-53 of the shift, rounding the eye as much.
-    room = 2 * _UNIT * max(map(abs, shift))
+    room = 2 * unit * max(map(abs, shift))
     eye = _near(solved, in_hand.eye, room)
     distance = Fraction(in_hand.distance)
     ahead = [Fraction(e) - distance * n for e, n in zip(eye, rows[2], strict=True)]
-    room += 2 * _UNIT * distance
+    room += 2 * unit * distance
     target = _near(ahead, in_hand.target, room)
     typed_up = tuple(map(float, rows[1]))
     for up in (in_hand.up, typed_up):
@@ -269,6 +391,37 @@ THROUGH_INFINITY = QT_TRANSLATE_NOOP(
 )
 
 
+ROUNDED_TO_FLOAT32 = QT_TRANSLATE_NOOP("Matrix", "rows are orthonormal to {0}: rounded to float32")
+ROUNDED_TO_DIGITS = QT_TRANSLATE_NOOP(
+    "Matrix", "rows are orthonormal to {0}: rounded to {1} digits"
+)
+NEAREST_IS_USED = QT_TRANSLATE_NOOP(
+    "Matrix", "the nearest camera is used; it moves the picture by at most {0} px"
+)
+NEAREST = QT_TRANSLATE_NOOP("Matrix", "the nearest camera would move the picture by at most {0} px")
+FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "rows and columns are exchanged: its transpose is meant")
+CONVENTIONS = {
+    (1, 1): QT_TRANSLATE_NOOP(
+        "Matrix",
+        "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+    ),
+    (1, -1): QT_TRANSLATE_NOOP(
+        "Matrix",
+        "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near {3}, far"
+        " {4}",
+    ),
+    (-1, 1): QT_TRANSLATE_NOOP(
+        "Matrix",
+        "looks along −z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+    ),
+    (-1, -1): QT_TRANSLATE_NOOP(
+        "Matrix",
+        "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}",
+    ),
+}
+"""By the signs of a `Reading`'s y and z."""
+
+
 class Property(NamedTuple):
     """One property of a matrix: a template and the figures in it."""
 
@@ -279,13 +432,11 @@ class Property(NamedTuple):
         return self.template.format(*self.figures)
 
 
-def _few(value: float) -> str:
+def few(value: float) -> str:
     return f"{value:.4g}".replace("-", "−")
 
 
-def properties(
-    projection: Projection, name: str, write: Callable[[float], str] = _few
-) -> list[Property]:
+def properties(projection: Projection, name: str, write: Write = few) -> list[Property]:
     """Return the properties of one of the `EDITABLE` matrices of a `FreeMatrix`.
 
     The list is empty for other matrices. `write` formats a number.
@@ -296,17 +447,19 @@ def properties(
     if name == "clip_from_view":
         return _of_clip(projection, projection.direct_stages[0].exact, write)
     if name == "view_from_world" and lens.own_view is not None:
-        return _of_view(rationals(lens.own_view), write)
+        return _of_view(projection, lens.own_view, write)
     return []
 
 
-def _of_clip(
-    projection: Projection, matrix: Rationals, write: Callable[[float], str]
-) -> list[Property]:
+def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Property]:
     rank, determinant, _ = eliminate(matrix)
     if rank < 4:
         return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
-    found = []
+    lens: Any = projection.lens
+    described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
+    found: list[Property] = []
+    if described and not described[0].is_ours(projection.depth):
+        found += convention(described[0], projection, write)
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
     if (determinant > 0) == (z_near < z_far):
@@ -323,7 +476,42 @@ def _is_regular_view(projection: Projection) -> bool:
     return eliminate(projection.exact_from_eye[0]).rank == 4
 
 
-def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]:
+def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[Property]:
+    """Say how a view matrix was rounded, and how far its nearest camera moves the picture.
+
+    The list is empty if the matrix is exact, or belongs to no camera. The camera of `projection`
+    may be that camera already.
+    """
+    camera = recognised_camera(cells, projection.camera)
+    nearest = nearest_rotation(np.array(cells)[:3, :3])
+    if camera is None or nearest is None or _is_rigid([row[:3] for row in rationals(cells)[:3]]):
+        return []
+    how = ROUNDED_TO_FLOAT32 if nearest.rounding.is_float32 else ROUNDED_TO_DIGITS
+    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(nearest.rounding)))]
+    px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
+    if math.isfinite(px):
+        is_used = camera == projection.camera and projection.has_camera
+        found.append(
+            Property(NEAREST_IS_USED if is_used else NEAREST, (write(float(f"{px:.2g}")),))
+        )
+    return found
+
+
+def convention(reading: Reading, projection: Projection, write: Write = few) -> list[Property]:
+    """Say what a projection matrix does: where it looks, its depth range, its lens."""
+    lens, aspect = reading.lens, Fraction(*projection.image_size)
+    left, right, bottom, top = lens.window(aspect)
+    shows = f"[{write(left)}, {write(right)}] × [{write(bottom)}, {write(top)}]"
+    if lens.central and math.isclose(left, -right) and math.isclose(bottom, -top):
+        shows = f"fov {2.0 * math.degrees(math.atan2(top, lens.near)):.4g}°"
+    z_near, z_far = (write(z) for z in DEPTH_RANGES[reading.depth])
+    figures = (z_near, z_far, shows, write(lens.near), write(lens.far))
+    found = [Property(CONVENTIONS[reading.y, reading.z], figures)]
+    return [Property(FOR_ROWS), *found] if reading.is_transposed else found
+
+
+def _of_view(projection: Projection, cells: Cells, write: Write) -> list[Property]:
+    matrix = rationals(cells)
     rank = eliminate(matrix).rank
     rows = [row[:3] for row in matrix[:3]]
     turning = eliminate(rows).determinant
@@ -331,11 +519,11 @@ def _of_view(matrix: Rationals, write: Callable[[float], str]) -> list[Property]
     if turning < 0:
         found.append(Property(MIRRORED_VIEW, (write(float(turning)),)))
     if not _is_rigid(rows):
-        found.append(Property(NOT_RIGID))
+        found += rounded_view(projection, cells, write) or [Property(NOT_RIGID)]
     return found + _of_last_row(matrix[3], write)
 
 
-def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Property]:
+def _of_last_row(last: list[Fraction], write: Write) -> list[Property]:
     """Return the properties of the last row, which determines w."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
@@ -347,7 +535,7 @@ def _of_last_row(last: list[Fraction], write: Callable[[float], str]) -> list[Pr
     return [Property(template, (write(float(last[3])),))]
 
 
-def _sum(coefficients: Sequence[Fraction], write: Callable[[float], str]) -> str:
+def _sum(coefficients: Sequence[Fraction], write: Write) -> str:
     """``2 x - z + 1``."""
     text = ""
     for name, part in zip(("x", "y", "z", ""), coefficients, strict=True):

@@ -36,6 +36,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.arithmetic.rationals import Rationals
+from app.model.calibration import checked_intrinsics
 from app.model.camera import Camera, Orbit
 from app.model.eye_first import EyeFirst
 from app.model.formula import FLOAT64
@@ -72,17 +73,13 @@ from app.model.limits import (
     NOT_THE_EYE,
     ONE_OF,
     PLANES,
-    SMALLEST_FIELD,
-    SMALLEST_OPENING,
     THREE_NUMBERS,
     WHOLE_PIXELS,
     Array,
     DepthRange,
     Vector,
-    finite,
-    positive,
+    between,
     read_only,
-    within,
 )
 from app.model.object_transform import ObjectTransform, Placed, Space
 from app.model.pipeline import (
@@ -276,22 +273,34 @@ class Projection(Pipeline):
                 view_from_clip[row, 3] = (low + high) / 2.0 + cot * (far - self.lens.near)
         return clip_from_view, view_from_clip
 
-    def with_intrinsics(self, intrinsics: Intrinsics) -> Projection:
+    def with_fov_x(self, fov_x_deg: float) -> Projection:
+        """Return the same camera with a symmetric lens of this horizontal field of view."""
+        fov_x_deg = between("fov_x_deg", fov_x_deg, 0, 180)
+        fov_y_deg = fov_x_from_fov_y(fov_x_deg, 1.0 / self.aspect)
+        return replace(self, lens=self.lens.but(fov_y_deg=fov_y_deg))
+
+    def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
-        It is a `Perspective` lens if the pixels are square and the axis is in the middle of the
-        image, and a `Frustum` otherwise; near and far stay. Raises a `Refusal` for a focal length
-        that is not above 0, a number that is not finite, and a window that a `Frustum` refuses.
+        Parameters
+        ----------
+        intrinsics : (4,) or (3, 3) array_like
+            fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel; or K.
+
+        Returns
+        -------
+        Projection
+            Its lens is a `Perspective` if the pixels are square and the axis is in the middle of
+            the image, and a `Frustum` otherwise. Near and far stay.
+
+        Raises
+        ------
+        Refusal
+            For a focal length that is not above 0, a number that is not finite, a K with skew, and
+            a window that a `Frustum` refuses.
         """
-        fx, fy, cx, cy = (
-            finite(name, value) for name, value in zip(Intrinsics._fields, intrinsics, strict=True)
-        )
-        positive("fx", fx)
-        positive("fy", fy)
+        fx, fy, cx, cy = checked_intrinsics(intrinsics, self.image_size)
         width, height = self.image_size
-        for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
-            least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
-            within(name, value, least, side / (2.0 * SMALLEST_OPENING))
         lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:

@@ -37,7 +37,7 @@ _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which num
 _PER_CELL = 100.0  # triangles, roughly, for a surface that fills the cells along a plane
 _TRIED = 16  # vertices: if more are hidden, the mesh is denser than the pixels
 _LOOKED_AT = 8_000  # triangles: if more are within the margin, a smaller margin has enough vertices
-_CHUNK = 128  # lines that follow one another in a file, and are near one another
+CHUNK = 128  # lines that follow one another in a file, and are near one another
 _LEAST_PX = 0.02  # margin
 _END_ON_PX = 1e-6  # a shorter line on the screen counts as a point
 _STOPS = 200  # a held key reaches each of them within seconds
@@ -427,8 +427,8 @@ class Lines:
     def __init__(self, ends: ArrayLike, origin: Vector = (0.0, 0.0, 0.0)) -> None:
         self._ends = ends = np.asarray(ends, dtype=np.float64)
         self._origin = np.array(origin, dtype=np.float64)
-        self._chunk = np.arange(len(ends)) // _CHUNK
-        starts = np.arange(0, len(ends), _CHUNK)
+        self._chunk = np.arange(len(ends)) // CHUNK
+        starts = np.arange(0, len(ends), CHUNK)
         low = high = np.empty((0, 3))
         if len(ends):
             low = np.minimum.reduceat(ends.min(axis=1), starts)

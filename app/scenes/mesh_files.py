@@ -511,7 +511,7 @@ def _ply_text(
     filled = filled[:rows]  # what follows is no part of the mesh
     body = body[: line_ends[filled[-1]] if filled.size else 0]
     try:
-        numbers = _numbers(body)
+        numbers = _numbers(body, words=int(ends[filled[-1]]) if filled.size else 0)
     except ValueError:
         wrong = _wrong_line(body.splitlines(), lambda lines: _numbers(b"\n".join(lines)))
         raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
@@ -522,7 +522,7 @@ def _ply_text(
         which = filled[first : first + element.rows]
         first += element.rows
         at, end = np.append(0, ends)[which], ends[which]
-        np.add.at(marks, at, 1)
+        marks[at] += 1
         for p in element.properties:
             if p.counter is not None and len(numbers):
                 counted = numbers[np.minimum(at, len(numbers) - 1)]
@@ -535,9 +535,10 @@ def _ply_text(
             raise Refusal.saying(DAMAGED_LINE, source.path, line, element.name)
         if len(which) - len(short) < element.rows:
             _refuse_cut_off(source, element, len(which) - len(short))
-        np.add.at(marks, at, -1)
+        marks[at] -= 1
         lines_of[element.name] = before + 1 + which
-    return numbers[np.cumsum(marks[:-1]) > 0].tobytes(), lines_of
+    is_named = np.cumsum(marks[:-1], dtype=np.int8) > 0
+    return (numbers if is_named.all() else numbers[is_named]).tobytes(), lines_of
 
 
 def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:

@@ -130,14 +130,13 @@ def _swept(points: Floats, area: Floats) -> Ints:
     flat = points[:, [(axis + 1) % 3, (axis + 2) % 3]][:, :: 1 if area[axis] > 0.0 else -1]
     flat = flat - flat.min(axis=0)
     for steps in _GRIDS if len(points) > 4 else ():
-        grid = np.rint(flat * (steps / flat.max())).astype(np.int64)
-        order = np.lexsort(grid.T[::-1])
-        is_new = np.append(True, (np.diff(grid[order], axis=0) != 0).any(axis=1))
-        number = np.empty(len(grid), dtype=np.int64)
-        number[order] = np.cumsum(is_new) - 1
-        corners = order[is_new]
-        triangles = _sweep([(x, y) for x, y in grid[corners].tolist()], number.tolist())
+        grid = np.rint(flat * (steps / flat.max())).astype(np.int64).tolist()
+        corner = {(x, y): i for i, (x, y) in enumerate(grid)}
+        places = sorted(corner)
+        number = {place: i for i, place in enumerate(places)}
+        triangles = _sweep(places, [number[x, y] for x, y in grid])
         if triangles is not None:  # a polygon that encloses nothing keeps a triangle without area
+            corners = np.array([corner[place] for place in places])
             found: Ints = corners[np.array(triangles or [(0, 0, len(corners) - 1)])]
             return found
     return _fans(np.array([0, len(points)]), np.zeros(1, dtype=np.int64), 0)[0]

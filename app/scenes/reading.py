@@ -58,10 +58,10 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
         except Refusal as error:
             if error.bound != TOO_MUCH:  # it may still be small enough for the process
                 raise
-    return _read_apart(path, progress)
+    return read_apart(path, progress)
 
 
-def _read_apart(path: Path, progress: Progress | None) -> Finished:
+def read_apart(path: Path, progress: Progress | None) -> Finished:
     child = subprocess.Popen(
         modules.command("app.scenes.reading", os.fspath(path)),
         stdin=subprocess.DEVNULL,

@@ -1136,13 +1136,14 @@ def test_the_help_names_what_exists() -> None:
     """The names are written twice, because help must work before anything is installed."""
     from app.document import view
     from app.document.fields import model_paths
+    from app.document.settings import MEASURES
     from app.measure import measuring
     from app.measure.arithmetic import SWEEPS
 
     paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
-    assert set(options.SETTABLE) == paths
+    assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
     assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)

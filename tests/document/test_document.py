@@ -10,6 +10,7 @@ import math
 import os
 import pickle
 import random
+import re
 import struct
 import subprocess
 import sys
@@ -636,7 +637,8 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
                      " column 32 on is not JSON."),
         "photo.json": (b"\xff\xd8\xff\xe0\0\x10JFIF", f" {no_text}"),
         "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
-                      f" (.md), an exported picture (.png) nor a mesh ({meshes})."),
+                      f" (.md), an exported picture (.png), a mesh ({meshes}) nor a camera file"
+                      " (.json, .yml, .xml, cameras.txt, images.txt)."),
         "other.json": (b'{"a": 1}', " is not a Frustum Lab document."),
         "fake.png": (b"no picture at all", f" {no_picture}"),
         "cut.png": (carrier(WRITTEN)[:-5], f" {no_picture}"),
@@ -1371,7 +1373,11 @@ def test_set_makes_and_changes_a_free_matrix() -> None:
     for path in ("clip_from_view", "view_from_world"):
         for text in ("1,2,3", "nan" + ",0" * 15, "1e400" + ",0" * 15, "x"):
             said = sentence(set_value, made, f"lens.{path}", text)
-            assert said.startswith(f"lens.{path} = ") and said.endswith(f": {FOUR_ROWS}.")
+            assert said.startswith(f"lens.{path} = '")
+            assert re.search("numbers, but has (3|nan|1e400|0)[.]$", said)
+        said = sentence(set_value, made, f"lens.{path}", "1,0,0,0,1,0,0,0,1")
+        assert said.endswith(f": {FOUR_ROWS}.")
+        set_values(made, [f"lens.{path}=[1 0 0 5; 0 1 0 0; 0 0 1 0]"])
     said = sentence(set_value, made, "lens.near", "2")
     assert "belongs to another lens" in said
     said = sentence(set_value, Document(), "lens.clip_from_view", cells)

@@ -486,7 +486,7 @@ def test_the_lines_of_a_large_drawing_are_found_as_one_by_one(
     pixels = random.uniform((0.0, 0.0), (1280.0, 720.0), (200, 2)).tolist()
     found = []
     for size in (1, 64, 1000):
-        monkeypatch.setattr(picking, "_CHUNK", size)
+        monkeypatch.setattr(picking, "CHUNK", size)
         lines = Lines(ends, (0.0, 0.5, 0.0))
         found.append([lines.near(sight, (x, y), 8.0, 4.0) for x, y in pixels])
     assert found[0] == found[1] == found[2] and sum(map(len, found[0])) > 40

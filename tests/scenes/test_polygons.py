@@ -189,6 +189,6 @@ def test_large_polygons_of_a_small_file_are_divided_in_a_process(
     (tmp_path / "hole.obj").write_text(HOLE)
     monkeypatch.setattr(reading, "SMALL_POLYGONS", 9)
     asked: list[Path] = []
-    monkeypatch.setattr(reading, "_read_apart", lambda path, _progress: asked.append(path))
+    monkeypatch.setattr(reading, "read_apart", lambda path, _progress: asked.append(path))
     reading.read(tmp_path / "hole.obj")
     assert asked == [tmp_path / "hole.obj"]

@@ -302,7 +302,8 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(
 def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
     """Each face is a point, but not the same one."""
     path = tmp_path / "points.obj"
-    path.write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 1 1\nf 2 2 2\nf 3 3 3\n")
+    points = "".join(3 * f"v {place}\n" for place in ("0 0 0", "1 0 0", "1 1 0"))
+    path.write_text(f"{points}f 1 2 3\nf 4 5 6\nf 7 8 9\n")
     for name in ("interpolation", "affine-depth", "eye-plane"):
         scene = load(name, mesh=str(path))
         mesh, phenomenon = scene.subject.mesh, scene.phenomenon

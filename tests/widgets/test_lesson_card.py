@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 import shiboken6
 from PySide6.QtCore import QPoint, QRect, Qt, QTimer
-from PySide6.QtGui import QAccessible, QFont
+from PySide6.QtGui import QAccessible, QFont, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -1411,3 +1411,32 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     names = {role_of(mark).text(QAccessible.Text.Name) for mark in marks.findChildren(QToolButton)}
     assert names >= {"Step 1: Words", "Step 2, practice: Number", "Step 6, practice: Choice"}
     assert texts(card).count("Practice") == 1
+
+
+@pytest.mark.undrawn
+def test_a_pasted_matrix_fills_all_cells_of_an_answer(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "matrix.md"
+    path.write_text(
+        MATRIX.replace("2, 0; 0, 3.5", "1, 0, 7; 0, 1, 8; 0, 0, 1").replace(
+            "3.5, 0; 0, 2", "1, 0, 8; 0, 1, 7; 0, 0, 1"
+        ),
+        encoding="utf-8",
+    )
+    activate(window)
+    window.lesson_card.open(path)
+    settle()
+    (view,) = window.lesson_card.blocks
+    control = Qt.KeyboardModifier.ControlModifier
+    for text, cells in (
+        ("[[1, 0, 7], [0, 1, 8], [0, 0, 1]]", "1 0 7 0 1 8 0 0 1"),
+        ("1 0 0 7; 0 1 0 8; 0 0 1 9; 0 0 0 1", None),
+    ):
+        view.cells[0].setFocus()
+        view.cells[0].clear()
+        QGuiApplication.clipboard().setText(text)
+        press(KEY.Key_V, control)
+        shown = " ".join(cell.text() for cell in view.cells)
+        assert shown == cells if cells else shown.startswith(text[:8])  # as into any field
+    view.cells[0].setText("1")
+    press(KEY.Key_Return)
+    assert "On the diagonal." in texts(view)

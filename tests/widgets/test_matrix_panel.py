@@ -324,7 +324,7 @@ def test_copies_reach_the_clipboard(panel: MatrixPanel, qtbot: QtBot) -> None:
     (menu,) = view.findChildren(QMenu)
     actions = menu.actions()
     assert [action.text() for action in actions] == [
-        "Copy as text", "Copy for NumPy (numbers)", "Copy for LaTeX (needs amsmath)",
+        "Copy as text", "Copy for NumPy (numbers)", "Copy for LaTeX (needs amsmath)", "Paste",
     ]  # fmt: skip
     actions[1].trigger()
     numbers: dict[str, Any] = {"np": np}
@@ -993,3 +993,167 @@ def test_columns_grow_during_a_gesture_and_shrink_after_it(
     shown_after(panel, qtbot, moved(OFF_AXIS, left=0.89987))
     shown_after(panel, qtbot, OFF_AXIS)
     assert view.width() == usual
+
+
+# --------------------------------------------------------------------------- pasting
+
+
+def paste(panel: MatrixPanel, name: str, text: str) -> None:
+    """Press Ctrl+V in a matrix, as after a click on it."""
+    QGuiApplication.clipboard().setText(text)
+    panel.views[name].setFocus()
+    QTest.keyClick(panel.views[name], Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+
+
+def meanings_of(panel: MatrixPanel, name: str) -> list[Any]:
+    """The choices of the open question, without its title."""
+    menu = panel.views[name].findChild(QMenu)
+    return [] if menu is None else menu.actions()[1:]
+
+
+VIEW = [[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, -5], [0, 0, 0, 1]]
+
+
+def text_of(cells: Any) -> str:
+    return "\n".join(" ".join(map(repr, map(float, row))) for row in cells)
+
+
+@pytest.mark.parametrize("opened", [False, True], ids=["on a cell", "in its field"])
+def test_a_pasted_matrix_is_taken_whole(panel: MatrixPanel, qtbot: QtBot, opened: bool) -> None:
+    view = panel.views["view_from_world"]
+    QGuiApplication.clipboard().setText(text_of(VIEW))
+    view.setFocus()
+    target: Any = view
+    if opened:
+        view.edit_cell(0, 0)
+        target = view.field
+    with qtbot.waitSignal(panel.edited) as edited:
+        QTest.keyClick(target, Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier)
+    assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
+    assert edited.args[0].lens == OFF_AXIS.lens and view.field is None
+    assert plain(panel.explanation.text()) == "eye (0, 0, 5), looks along (0, 0, -1)"
+
+
+def test_one_pasted_number_goes_into_its_cell(panel: MatrixPanel, qtbot: QtBot) -> None:
+    paste(panel, "view_from_world", "0,25\n")
+    field = panel.views["view_from_world"].field
+    assert field is not None and field.text().strip() == "0,25"
+    with qtbot.waitSignal(panel.edited) as edited:
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    assert edited.args[0].lens.view_from_world[0][0] == 0.25
+
+
+def test_a_text_that_is_no_matrix_is_refused(panel: MatrixPanel, qtbot: QtBot) -> None:
+    with qtbot.assertNotEmitted(panel.edited):
+        paste(panel, "view_from_world", "1 2 3 4")
+        assert "must be 9, 12 or 16 numbers, but has 4" in panel.explanation.text()
+        paste(panel, "clip_from_view", "1 0 0 0 1 0 0 0 2")
+        assert "must be 16 numbers, or a calibrated camera" in panel.explanation.text()
+        paste(panel, "clip_from_world", text_of(VIEW))  # cannot be typed in
+
+
+def test_rows_or_columns_are_asked_only_where_both_are_possible(
+    panel: MatrixPanel, qtbot: QtBot
+) -> None:
+    turned = Projection(Camera((0.0, 0.0, 0.0), (-3.0, 0.0, -4.0))).stages[1].matrix
+    with qtbot.assertNotEmitted(panel.edited):
+        paste(panel, "view_from_world", text_of(turned))
+    choices = meanings_of(panel, "view_from_world")
+    assert [each.text() for each in choices] == [
+        "eye (0, 0, 0), looks along (−0.6, 0, −0.8)",
+        "rows and columns are exchanged: its transpose is meant; eye (0, 0, 0), looks along"
+        " (0.6, 0, −0.8)",
+    ]
+    with qtbot.waitSignal(panel.edited) as edited:
+        choices[1].trigger()
+    assert edited.args[0].camera.frame[2] == pytest.approx([-0.6, 0.0, 0.8])
+    paste(panel, "view_from_world", text_of(np.transpose(VIEW)))
+    shown = panel.explanation.text()
+    assert shown.startswith("rows and columns are exchanged") and "eye (0, 0, 5)" in shown
+
+
+def test_a_direct3d_projection_brings_its_lens_and_depth_range(
+    panel: MatrixPanel, qtbot: QtBot
+) -> None:
+    cells = [[1.3856406, 0, 0, 0], [0, 1.7320508, 0, 0], [0, 0, 1.0001, 1], [0, 0, -0.10001, 0]]
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "clip_from_view", text_of(cells))
+    found = edited.args[0]
+    assert (found.lens.near, found.lens.far, found.depth) == (0.1, 1000.0, "direct3d")
+    assert found.camera == OFF_AXIS.camera
+    said = panel.explanation.text()
+    assert "left-handed: looks along +z" in said and "fov 60°, near 0.1, far 1000" in said
+    assert said.endswith("its lens is used, looking along −z")
+
+
+def test_a_near_plane_that_two_depth_ranges_give_is_asked(panel: MatrixPanel, qtbot: QtBot) -> None:
+    cells = [[1.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]]
+    paste(panel, "clip_from_view", text_of(cells))
+    first, second = meanings_of(panel, "clip_from_view")
+    assert "z from −1 at near to 1" in first.text() and "near 0.1, far ∞" in first.text()
+    assert "z from 0 at near to 1" in second.text() and "near 0.2, far ∞" in second.text()
+    with qtbot.waitSignal(panel.edited) as edited:
+        second.trigger()
+    assert (edited.args[0].lens.near, edited.args[0].depth) == (0.2, "direct3d")
+
+
+def test_twelve_numbers_nine_numbers_and_a_calibrated_camera(
+    panel: MatrixPanel, qtbot: QtBot
+) -> None:
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "view_from_world", text_of(VIEW[:3]))
+    assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "view_from_world", "0.8 0 -0.6  0 1 0  0.6 0 0.8")
+        meanings_of(panel, "view_from_world")[0].trigger()
+    assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
+    assert edited.args[0].camera.frame[0] == pytest.approx([0.8, 0.0, -0.6])
+    with qtbot.waitSignal(panel.edited) as edited:
+        paste(panel, "clip_from_view", "K = [[800, 0, 639.5], [0, 800, 359.5], [0, 0, 1]]")
+    assert edited.args[0].intrinsics[:2] == pytest.approx((800.0, 800.0))
+
+
+@pytest.mark.parametrize("form", ["text", "numpy", "latex"])
+@pytest.mark.parametrize("vectors", ["columns", "rows"])
+@pytest.mark.parametrize("letters", LETTERS)
+def test_what_is_copied_can_be_pasted(
+    panel: MatrixPanel, qtbot: QtBot, form: str, vectors: str, letters: str
+) -> None:
+    choose(panel.letters, letters)
+    choose(panel.vectors, vectors)
+    shown_at_last(panel, qtbot, OFF_AXIS)
+    texts = {}
+    for name in ("view_from_world", "clip_from_view"):
+        matrix = next(each for each in panel.shown if each.name == name)
+        panel.views[name].copied.emit(form, matrix)
+        texts[name] = QGuiApplication.clipboard().text()
+    other = Projection(Camera((3.0, 1.0, 2.0), (0.0, 0.0, 0.0)), Frustum(-1, 1, -1, 1, 2, 20))
+    for name, text in texts.items():
+        shown_after(panel, qtbot, other)
+        with qtbot.waitSignal(panel.edited) as edited:
+            paste(panel, name, text)
+        found = edited.args[0]
+        if name == "clip_from_view":
+            assert found == replace(other, lens=OFF_AXIS.lens)
+        else:
+            assert found.camera.eye == OFF_AXIS.camera.eye and found.lens == other.lens
+            assert np.abs(found.camera.frame - OFF_AXIS.camera.frame).max() < 1e-15
+
+
+def test_the_last_rounded_cell_makes_a_camera_and_says_so(panel: MatrixPanel, qtbot: QtBot) -> None:
+    turned: Any = ((0.9553365, -0.29552022, 0, 0), (0.29552022, 0.9553365, 0, 0), *VIEW[2:])
+    cells = [list(row) for row in turned]
+    cells[3][3], cells[1][1] = 1.0, 0.5
+    free = replace(
+        OFF_AXIS, lens=FreeMatrix(OFF_AXIS.clip_from_view.tolist(), cells, OFF_AXIS.lens)
+    )
+    shown_after(panel, qtbot, free)
+    panel.views["view_from_world"].edit_cell(1, 1)
+    field: Any = panel.views["view_from_world"].field
+    field.selectAll()
+    QTest.keyClicks(field, "0.9553365")
+    with qtbot.waitSignal(panel.edited) as edited:
+        QTest.keyClick(field, Qt.Key.Key_Return)
+    assert edited.args[0].lens == OFF_AXIS.lens
+    assert edited.args[0].camera.eye == (0.0, 0.0, 5.0)
+    assert "rounded to float32; the nearest camera is used" in panel.explanation.text()

@@ -19,8 +19,6 @@ from app.lecture.kinds import leaning
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
-    BETWEEN,
-    FINITE_NUMBER,
     LARGEST_SHEAR,
     LENSES,
     OBLIQUE_PRESETS,
@@ -101,7 +99,8 @@ class LensControls(QObject):
             "fov_x_deg", "lens",
             self.tr("Angle between the left and the right of the frustum, as seen from the eye:"
                     " the vertical field of view and the aspect in one number."),
-            Linear(1.0, 179.0, 0.5), "°", self.tr("degrees"), _fov_x, _with_fov_x, lenses=symmetric,
+            Linear(1.0, 179.0, 0.5), "°", self.tr("degrees"), _fov_x, Projection.with_fov_x,
+            lenses=symmetric,
         )  # fmt: skip
         for row in (fov_y, fov_x):
             row.field.below = 180.0
@@ -405,14 +404,6 @@ def _fov_x(projection: Projection) -> float:
     fov_x_deg = fov_x_from_fov_y(_fov_y(projection), projection.aspect)
     tidy_deg = tidy(fov_x_deg)
     return tidy_deg if tidy_deg < 180.0 else fov_x_deg
-
-
-def _with_fov_x(projection: Projection, fov_x_deg: float) -> Projection:
-    if not math.isfinite(fov_x_deg):
-        raise Refusal("fov_x_deg", fov_x_deg, FINITE_NUMBER)
-    if not 0.0 < fov_x_deg < 180.0:
-        raise Refusal("fov_x_deg", fov_x_deg, BETWEEN, 0, 180)
-    return _with_fov_y(projection, fov_x_from_fov_y(fov_x_deg, 1.0 / projection.aspect))
 
 
 def _half(key: str, projection: Projection) -> float:

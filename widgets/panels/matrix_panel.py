@@ -32,9 +32,19 @@ from app.lecture.notation import (
     has_own_signs,
     matrices,
 )
+from app.lecture.pasting import Pasted, pasted
 from app.lecture.stages import NDC, REACHED_BY
-from app.lecture.typed_matrix import EDITABLE, properties, with_cell
+from app.lecture.typed_matrix import (
+    EDITABLE,
+    Property,
+    properties,
+    rounded_view,
+    shown,
+    with_cell,
+)
 from app.model.formula import ARROW
+from app.model.limits import finite_matrix
+from app.model.matrix_text import read_matrix
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.cell_words import CellWords
@@ -60,7 +70,7 @@ def note_on(matrix: Matrix, projection: Projection, letters: Letters) -> str:
         return QCoreApplication.translate("MatrixPanel", "then x, y and z are divided by w")
     if not projection.lens.has_steps:
         found = properties(projection, matrix.name, read_text)
-        return "\n".join(translated(text, "Matrix").format(*figures) for text, figures in found)
+        return _words(found, "\n")
     if matrix.name != "clip_from_view" or not has_own_signs(projection, letters):
         return ""
     if projection.depth != "opengl":
@@ -72,6 +82,11 @@ def note_on(matrix: Matrix, projection: Projection, letters: Letters) -> str:
     return QCoreApplication.translate(
         "MatrixPanel", "with lecture 002's signs: w = z, and z runs from 1 at near to −1"
     )
+
+
+def _words(properties: Sequence[Property], between: str = "; ") -> str:
+    """Return the sentences about a matrix, translated."""
+    return between.join(translated(text, "Matrix").format(*each) for text, each in properties)
 
 
 class MatrixPanel(ReadablePanel):
@@ -179,6 +194,7 @@ class MatrixPanel(ReadablePanel):
         view.highlighted.connect(self.highlighted)
         view.show_highlight(self._highlight)
         view.typed.connect(partial(self._typed, view, name))
+        view.pasted.connect(partial(self._pasted, view, name))
         # The view of that time: another lens has other views.
         view.moved_on.connect(lambda *cell: self.views[name].edit_cell(*cell))
         return view
@@ -223,10 +239,53 @@ class MatrixPanel(ReadablePanel):
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
             self.told.emit(taken.format(text.strip(), cell_text(value)))
+        cells = [list(line) for line in shown(self._projection, name)]
+        self._edit(projection)
+        cells[into][of] = sign * value
+        if name == "view_from_world" and projection.has_camera:
+            rounding = _words(rounded_view(projection, finite_matrix(name, cells), read_text))
+            if rounding:
+                self._explain(rounding)
+
+    def _edit(self, projection: Projection) -> None:
         if projection != self._projection:
             self._show(projection)
             self._readable.settle()
             self.edited.emit(projection)
+
+    def _pasted(self, view: MatrixView, name: str, text: str) -> None:
+        """Take a whole matrix; where it has several meanings, ask for one in a menu."""
+        projection = self._projection
+        if projection is None:
+            return
+        try:
+            rows = read_matrix(text, stage_title(name)).rows
+            if self._writing.rows:
+                rows = [list(row) for row in zip(*rows, strict=True)]
+            signed = [
+                [cell_sign(projection, self._letters, name, i, j) * x for j, x in enumerate(row)]
+                for i, row in enumerate(rows)
+            ]
+            meanings = pasted(projection, name, signed, read_text)
+            if signed != rows and not meanings[0].said:  # of another program, not a lecture's
+                meanings = pasted(projection, name, rows, read_text)
+        except Refusal as error:
+            self._explain(refusal(sentence(error)), REFUSAL_SHEET)
+            return
+        view.abandon()
+        if len(meanings) == 1:
+            self._take_meaning(meanings[0])
+            return
+        menu = QMenu(view)
+        menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        menu.addAction(self.tr("This matrix may mean:")).setEnabled(False)
+        for meaning in meanings:
+            menu.addAction(_words(meaning.said), partial(self._take_meaning, meaning))
+        menu.popup(view.mapToGlobal(view.cell_rect(*view.place).bottomLeft().toPoint()))
+
+    def _take_meaning(self, meaning: Pasted) -> None:
+        self._edit(meaning.projection)
+        self._explain(_words(meaning.said))
 
     def _in_hand(self) -> tuple[str, int, tuple[int, int]] | None:
         """Return name, left edge and cell of the matrix that has the focus."""

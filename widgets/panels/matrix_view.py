@@ -18,6 +18,7 @@ from PySide6.QtGui import (
     QFocusEvent,
     QFont,
     QFontMetricsF,
+    QGuiApplication,
     QHelpEvent,
     QKeyEvent,
     QKeySequence,
@@ -32,6 +33,7 @@ from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.lecture.notation import Letters, Matrix, cell_text, letters_in, stacked, written
 from app.model.formula import ARROW
+from app.model.matrix_text import LONGEST
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
@@ -98,11 +100,23 @@ def is_a_cameras(matrix: Matrix) -> bool:
     return matrix.name in (*VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
 
 
+def clipboard_text() -> str:
+    """Return the text of the clipboard, or as much of it as shows that it is not a matrix."""
+    return QGuiApplication.clipboard().text()[: LONGEST + 1]
+
+
+def is_one_number(text: str) -> bool:
+    """Whether a text belongs into one cell, and is not the text of a matrix."""
+    return len(text) < 100 and len(re.split(r"[\s,;&|/]+", text.strip())) <= 3
+
+
 class _CellField(QLineEdit):
     """The input field of a cell: Tab goes to the next cell, Esc discards the text."""
 
     left = Signal()
     moved_on = Signal(int)
+    pasted = Signal(str)
+    """The text of a whole matrix."""
 
     def event(self, event: QEvent) -> bool:
         kinds, keys = QEvent.Type, Qt.Key
@@ -116,6 +130,9 @@ class _CellField(QLineEdit):
                 keys.Key_Backtab: partial(self.moved_on.emit, -1),
             }
             act = acts.get(keys(event.key()))
+            text = clipboard_text()
+            if event.matches(QKeySequence.StandardKey.Paste) and not is_one_number(text):
+                act = partial(self.pasted.emit, text)
             if act is not None:
                 event.accept()  # QLineEdit forwards Enter to the view, which would open a cell
                 if event.type() == kinds.KeyPress:
@@ -139,6 +156,8 @@ class MatrixView(QWidget):
     """The `Highlight` of the cell under the mouse or the cursor; only when it changes."""
     typed = Signal(int, int, str)
     """Row, column and text of a cell; the receiver may call `refuse`."""
+    pasted = Signal(str)
+    """The text of a whole matrix."""
     moved_on = Signal(int, int)
     """Row and column of the next cell to type in."""
 
@@ -343,6 +362,7 @@ class MatrixView(QWidget):
         field.editingFinished.connect(self._left_field)
         field.left.connect(self.abandon)
         field.moved_on.connect(self._move_on)
+        field.pasted.connect(self.pasted)
         field.textEdited.connect(self._mend)
         field.selectAll()
         self._say()
@@ -472,6 +492,8 @@ class MatrixView(QWidget):
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copied.emit("text", self._matrix)
+        elif event.matches(QKeySequence.StandardKey.Paste) and self._editable:
+            self._paste()
         elif event.key() in _STEPS:
             down, right = _STEPS[Qt.Key(event.key())]
             row, column = self.place
@@ -482,6 +504,16 @@ class MatrixView(QWidget):
             self.edit_cell(*self.place)
         else:
             super().keyPressEvent(event)
+
+    def _paste(self) -> None:
+        """Take the clipboard's matrix, or its one number for the cell of the cursor."""
+        text = clipboard_text()
+        if not is_one_number(text):
+            self.pasted.emit(text)
+        elif not self._writing.formulas:
+            self.edit_cell(*self.place)
+            if self.field is not None:
+                self.field.paste()
 
     def event(self, event: QEvent) -> bool:
         kinds = QEvent.Type
@@ -500,6 +532,8 @@ class MatrixView(QWidget):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         matrix = self._matrix
         add_copies(menu, lambda form: self.copied.emit(form, matrix))
+        if self._editable:
+            menu.addAction(self.tr("Paste"), self._paste)
         menu.popup(event.globalPos())
 
 

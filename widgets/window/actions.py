@@ -79,7 +79,7 @@ class Actions(QObject):
         keys = QKeySequence.StandardKey
         self.open = self._action(
             self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
-            self.tr("Open a document, a lesson, a mesh or an exported picture"),
+            self.tr("Open a document, a lesson, a mesh, a camera or an exported picture"),
         )  # fmt: skip
         self.save = self._action(self.tr("&Save"), self._with_typed(files.save), keys.Save)
         self._save_as = self._action(

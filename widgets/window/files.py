@@ -9,7 +9,14 @@ from pathlib import Path
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QListWidget,
+    QMainWindow,
+    QMessageBox,
+)
 
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
@@ -18,16 +25,18 @@ from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
+from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import message_box
+from widgets.parts.plain import Label, message_box
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
 _T = TypeVar("_T")
 MESHES = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
+CAMERAS = "*.yml *.yaml *.xml cameras.txt images.txt"
 RECENT_LIMIT = 10
 SAID_MS = 10_000
 """Duration of the message about unsaved work in the status line."""
@@ -94,28 +103,37 @@ class Files(QObject):
 
     def open_dialog(self) -> None:
         """Ask for a file and open it."""
-        title = self.tr("Open a document, a lesson, a mesh or an exported picture")
+        title = self.tr("Open a document, a lesson, a mesh, a camera or an exported picture")
         kinds = self.tr("All supported files ({0});;All files (*)")
         folder = str(self.path.parent) if self.path else ""
-        path = self._ask(title, folder, kinds.format(f"*.json {MESHES} *.png *.md"))
+        path = self._ask(title, folder, kinds.format(f"*.json {MESHES} {CAMERAS} *.png *.md"))
         if path:
             self.open(path)
 
     def open(self, path: str | Path) -> bool:
-        """Open a document, a picture that contains one, or a mesh; return False if that fails.
+        """Open a document, a picture that contains one, a mesh or a camera; return False if not.
 
-        It asks no question, because undo restores the previous document, even unsaved.
+        It asks only for the view of a camera file, whose camera is then over the current scene:
+        undo restores the previous document, even unsaved.
         """
         path = os.path.abspath(path)
         if is_lesson(path):
             self.lesson_wanted.emit(path)
             return True
 
+        chosen = ""
+
+        def choose(views: list[str]) -> str:
+            nonlocal chosen
+            chosen = self._ask_for_view(views)
+            return chosen
+
         def opened() -> tuple[Document, Scene, Path | None]:
             if is_mesh(path):
                 scene = self._load(path, "")
                 return Document(path, scene.start), scene, None
-            document = self._with_mesh(read(path), path)
+            document = read(path, self._store.seen, choose)
+            document = self._with_mesh(document, path)
             return document, self._load(document.scene, document.mesh), self._place(path)
 
         found = self._try(opened, "" if is_mesh(path) else path)
@@ -125,8 +143,26 @@ class Files(QObject):
         self.keep(document, scene)
         if not self._change_to(document, place):
             return False
-        self._remember(path)
+        self._remember(f"{path}#{chosen}" if chosen else path)
         return True
+
+    def _ask_for_view(self, names: list[str]) -> str:
+        dialog, views = QDialog(self._window), QListWidget()
+        dialog.setWindowTitle(self.tr("Open a camera"))
+        views.addItems(names)
+        views.setCurrentRow(0)
+        views.itemActivated.connect(dialog.accept)
+        asked = Label(self.tr("The file has {0} views:").format(len(names)))
+        asked.setBuddy(views)
+        buttons = QDialogButtonBox(
+            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
+        )
+        buttons.accepted.connect(dialog.accept)
+        buttons.rejected.connect(dialog.reject)
+        in_column(asked, views, buttons, on=dialog)
+        if not dialog.exec():
+            raise Cancelled
+        return views.currentItem().text()
 
     def open_step(self, document: Document, scene: Scene, lesson: Path | None) -> bool:
         """Show the first state of a lesson; the student's changes to it are not unsaved work."""

@@ -177,7 +177,7 @@ class StartCard(QWidget):
     def _files(self, recent: Sequence[str]) -> Iterator[QToolButton]:
         yield tool_button(
             self.tr("Open a file…"),
-            self.tr("Open a document, a lesson, a mesh or an exported picture"),
+            self.tr("Open a document, a lesson, a mesh, a camera or an exported picture"),
             partial(self._leave_for, self.open_wanted), icon="open", flat=True,
         )  # fmt: skip
         for path in recent[:MOST_RECENT]:

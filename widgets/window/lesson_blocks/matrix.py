@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
+
 from PySide6.QtCore import QEvent, QObject, Qt
-from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
 
 from app.lessons import marking
 from app.lessons.blocks.matrix import Matrix
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
-from app.model.refusal import Refusal
+from app.model.matrix_text import LONGEST, read_matrix
+from app.model.refusal import Refusal, format_value
 from widgets.parts.layouts import FREE
 from widgets.parts.messages import sentence
 from widgets.parts.plain import Label, set_tip
@@ -102,10 +105,25 @@ class Fills(Attempts):
             isinstance(watched, _Cell)
             and isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
-            and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         ):
-            return self._go(watched, Qt.Key(event.key()))
+            if event.matches(QKeySequence.StandardKey.Paste):
+                return self.is_open and self._paste()
+            if not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+                return self._go(watched, Qt.Key(event.key()))
         return super().eventFilter(watched, event)
+
+    def _paste(self) -> bool:
+        """Fill all cells with the clipboard's matrix, if it has the shape of the answer."""
+        try:
+            rows = read_matrix(QGuiApplication.clipboard().text()[: LONGEST + 1]).rows
+        except Refusal:  # one number, or what the cell's own paste is for
+            return False
+        if (len(rows), len(rows[0])) != (self.question.rows, self.question.columns):
+            return False
+        for cell, number in zip(self.cells, itertools.chain(*rows), strict=True):
+            cell.setText(format_value(number))
+            cell.unmark()
+        return True
 
     def _go(self, cell: _Cell, key: Qt.Key) -> bool:
         """Go to a neighbour by an arrow key; within a text, left and right move the cursor."""

@@ -1,0 +1,111 @@
+"""Our matrices in the conventions of other programs, and the frustum's planes in world space."""
+
+from __future__ import annotations
+
+import math
+import operator
+from collections.abc import Sequence
+from fractions import Fraction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from app.arithmetic.rationals import Rationals, product
+from app.model.limits import DEPTH_RANGES, PLANES, Array
+from app.model.projection import Projection
+
+
+class Convention(NamedTuple):
+    """How another program's spaces differ from ours.
+
+    Attributes
+    ----------
+    world, view, clip : 4 int
+        The factors of x, y, z and w, 1 or -1, between our space and its.
+    depth : str
+        Its depth range; reversed ranges stay reversed.
+    rows : bool
+        Whether its vectors are rows.
+    note : str
+    """
+
+    world: tuple[int, ...]
+    view: tuple[int, ...]
+    clip: tuple[int, ...]
+    depth: str
+    rows: bool
+    note: str
+
+
+_SAME, _Y, _Z, _YZ = (1, 1, 1, 1), (1, -1, 1, 1), (1, 1, -1, 1), (1, -1, -1, 1)
+_OPENCV = "the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0"
+CONVENTIONS = {
+    "opengl": Convention(_SAME, _SAME, _SAME, "opengl", False, "looks along -z, y up"),
+    "direct3d": Convention(
+        _Z, _Z, _SAME, "direct3d", True, "left-handed: world z reversed; looks along +z, y up"
+    ),
+    "vulkan": Convention(_SAME, _SAME, _Y, "direct3d", False, "looks along -z; y of clip down"),
+    "unity": Convention(
+        _Z, _SAME, _SAME, "opengl", False,
+        "left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)",
+    ),
+    "opencv": Convention(_SAME, _YZ, _SAME, "opengl", False, _OPENCV),
+}  # fmt: skip
+
+
+def in_convention(projection: Projection, name: str, *, rows: bool) -> dict[str, Array]:
+    """Return the matrices of the camera and the lens as another program writes them.
+
+    OpenCV's lens is K, (3, 3), and its camera R and t, (3, 4).
+
+    Raises
+    ------
+    Refusal
+        For OpenCV, if the projectors do not meet in the eye.
+    """
+    other = CONVENTIONS[name]
+    ranges = (sorted(DEPTH_RANGES[depth]) for depth in (projection.depth, other.depth))
+    if len({tuple(each) for each in ranges}) > 1:
+        projection = projection.with_depth(other.depth)  # type: ignore[arg-type]
+    view_stage, clip_stage = projection.stages[1], projection.direct_stages[0]
+    view = _signed(view_stage.exact, other.view, other.world)
+    clip = _signed(clip_stage.exact, other.clip, other.view)
+    if name == "opencv":
+        fx, fy, cx, cy = map(Fraction, projection.intrinsics)
+        zero, one = Fraction(0), Fraction(1)
+        names, clip = ("camera_from_world", "image_from_camera"), [[fx, zero, cx], [zero, fy, cy]]
+        view, clip = view[:3], [*clip, [zero, zero, one]]
+    else:
+        names = view_stage.name, clip_stage.name
+    whole = f"{names[1].partition('_')[0]}_from_world"
+    found = {names[0]: view, names[1]: clip, whole: product(clip, view)}
+    arrays = {name: np.array(matrix, dtype=np.float64) for name, matrix in found.items()}
+    return {name: array.T if rows else array for name, array in arrays.items()}
+
+
+def _signed(matrix: Rationals, after: Sequence[int], before: Sequence[int]) -> Rationals:
+    return [
+        [sign * part for part in map(operator.mul, row, before)]
+        for sign, row in zip(after, matrix, strict=True)
+    ]
+
+
+def world_planes(projection: Projection) -> dict[str, list[float] | None]:
+    """Return a, b, c, d of the view volume's six planes, with ``ax + by + cz + d >= 0`` inside.
+
+    The normal a, b, c has length 1 and points inwards. A plane at infinity is None.
+    """
+    x, y, z, w = projection.direct_stages[1].exact
+    z_near, z_far = map(Fraction, projection.depth_range)
+    sign = 1 if z_far > z_near else -1
+
+    def combined(a: Any, row: Sequence[Any], b: Any) -> list[Any]:
+        return [a * part + b * one for part, one in zip(row, w, strict=True)]
+
+    sides = [combined(s, row, 1) for row in (x, y) for s in (1, -1)]
+    rows = [combined(sign, z, -sign * z_near), combined(-sign, z, sign * z_far), *sides]
+    found: dict[str, list[float] | None] = {}
+    for name, row in zip(PLANES, rows, strict=True):
+        length = math.hypot(*map(float, row[:3]))
+        found[name] = [float(part) / length + 0.0 for part in row] if length else None
+    return found

@@ -1,0 +1,100 @@
+"""The command ``matrices``: other programs' conventions, planes, and matrices after ``--set``."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from app.commands import options
+from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
+from app.scenes.scene import load
+from tests.support.commands import one_sentence, run_here
+
+START = load("letter-f").start
+NUMPY = "[[1.8,0,0,0],[0,2.4,0,0],[0,0,-1.002,-0.2002],[0,0,-1,0]]"
+
+
+def test_the_options_are_those_of_the_table() -> None:
+    assert tuple(CONVENTIONS) == options.CONVENTIONS
+
+
+@pytest.mark.parametrize("name", CONVENTIONS)
+@pytest.mark.parametrize("vectors", [None, "rows", "columns"])
+def test_camera_and_lens_are_printed_as_another_program_writes_them(
+    name: str, vectors: str | None
+) -> None:
+    rows = vectors == "rows" or (vectors is None and name == "direct3d")
+    wanted = in_convention(START, name, rows=rows)
+    asked = ["--convention", name, *(["--vectors", vectors] if vectors else [])]
+    found = json.loads(run_here("matrices", *asked, "--format=json").stdout)
+    assert found == {name: (matrix + 0.0).tolist() for name, matrix in wanted.items()}
+    first, *blocks = run_here("matrices", *asked).stdout.split("\n\n")
+    assert first.startswith(f"{name}: ")
+    assert first.endswith("row vectors, p M" if rows else "column vectors, M p")
+    for block, (title, matrix) in zip(blocks, wanted.items(), strict=True):
+        lines = block.splitlines()
+        assert lines[0] == title
+        assert (
+            np.array([list(map(float, line.split())) for line in lines[1:]]).tolist()
+            == (matrix + 0.0).tolist()
+        )
+
+
+def test_the_planes_are_printed_with_their_names() -> None:
+    found = json.loads(
+        run_here("matrices", "--planes", "--format=json", "--set=lens.far=inf").stdout
+    )
+    assert list(found) == ["near", "far", "left", "right", "bottom", "top"]
+    assert found["far"] is None
+    first, *lines = run_here("matrices", "--planes").stdout.splitlines()
+    assert "a x + b y + c z + d >= 0" in first
+    assert {line.split()[0]: list(map(float, line.split()[1:])) for line in lines} == world_planes(
+        START
+    )
+    assert "far     at infinity\n" in run_here("matrices", "--planes", "--set=lens.far=inf").stdout
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["--vectors=rows"], ["--planes", "--convention=unity"], ["--planes", "--format=latex"],
+        ["--convention=unity", "--format=latex"], ["--convention=directx"],
+        ["--convention=opencv", "--set=lens.kind=orthographic"],
+    ],
+)  # fmt: skip
+def test_what_cannot_be_printed_is_refused(arguments: list[str]) -> None:
+    one_sentence(run_here("matrices", *arguments), 2)
+
+
+@pytest.mark.parametrize("text", [NUMPY, f"np.array({NUMPY})", NUMPY.replace("],", "];\n")])
+def test_a_matrix_is_set_as_its_text(text: str) -> None:
+    done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "-1.002  -0.2002" in done.stdout
+
+
+def test_a_matrix_of_another_convention_is_described() -> None:
+    text = NUMPY.replace("-1.002", "1.002").replace("-1,0", "1,0")
+    done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")
+    said = "left-handed: looks along +z, y up; z from −1 at near to 1 at far; fov 45.24°, near 0.1"
+    assert said in done.stdout
+    view = "[0.955336 -0.29552 0 0; 0.29552 0.955336 0 0; 0 0 1 -3]"
+    done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.view_from_world={view}")
+    assert "  (rows are orthonormal to 1e−06: rounded to 6 digits)\n" in done.stdout
+    assert "  (the nearest camera would move the picture by at most 0.001" in done.stdout
+
+
+@pytest.mark.parametrize(
+    ("text", "bound"),
+    [
+        ("[[1,0],[0,1]]", "must be 9, 12 or 16 numbers, but has 4"),
+        ("1 0 0 0 1 0 0 0 1", "must be four rows of four finite numbers"),
+        (NUMPY.replace("2.4", "cos(1)"), "must be a matrix of numbers, but has cos(...)"),
+    ],
+)
+def test_a_text_that_is_no_matrix_is_refused(text: str, bound: str) -> None:
+    done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")
+    said = one_sentence(done, 2)
+    assert "lens.clip_from_view = '" in said and said.rstrip(".\n").endswith(bound)
