@@ -63,14 +63,12 @@ def decode(content: bytes) -> tuple[str, str]:
         return content.decode(encoding, "replace"), DAMAGED
 
 
-def text_of(content: bytes, path: str | os.PathLike[str]) -> str:
-    """Return the text of a file, and log the note on its encoding, if there is one."""
-    text, note = decode(content)
+def warn(path: str | os.PathLike[str], note: str) -> None:
+    """Log the note on a file's encoding, if there is one."""
     if note:
         import logging  # seldom: not at the start
 
         logging.getLogger(__name__).warning("%s %s.", printable(os.fspath(path)), note)
-    return text
 
 
 def encoding_of(content: bytes) -> str:

@@ -24,6 +24,8 @@ from app.scenes.phenomena import PHENOMENA
 
 Tree: TypeAlias = dict[str, Any]
 
+_UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
+
 THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
 THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
@@ -79,7 +81,7 @@ class Field(NamedTuple):
         """Convert a text to the field's JSON value; return None if that is impossible."""
         assert self.kind is not None
         if self.unit and self.kind in (NUMBER, VECTOR, PIXELS, NUMBER_OR_WORD):
-            text = re.sub(rf"(?<=[0-9.])\s{{0,2}}{re.escape(self.unit)}(?=[\s,)\]]|$)", "", text)
+            text = _UNIT.sub(lambda found: "" if found[1] == self.unit else found[0], text)
         return self.kind.read(text)
 
 

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, BinaryIO
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
-from app.strangers import decode, open_regular, text_of
+from app.strangers import decode, open_regular, warn
 
 if sys.platform != "win32":
     import fcntl
@@ -142,7 +142,10 @@ def read(
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
                 raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)
-            return parse(_decode(content, path), folder)
+            text, note = _decode(content)
+            document = parse(text, folder)
+            warn(path, note)
+            return document
         except Refusal as error:
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
@@ -172,12 +175,18 @@ def _views(path: str, content: bytes) -> Views:
     def beside(name: str) -> str:
         other = os.path.join(os.path.dirname(path), name)
         with blamed_on(other, UNREADABLE):
-            return (
-                _decode(content_of(other, LARGEST_CAMERAS), other) if os.path.isfile(other) else ""
-            )
+            return _decode(content_of(other, LARGEST_CAMERAS))[0] if os.path.isfile(other) else ""
 
     camera_files.refuse_others(path)
-    return camera_files.views_of(path, _decode(content, path), beside) or {}
+    return camera_files.views_of(path, _decode(content)[0], beside) or {}
+
+
+def _decode(content: bytes) -> tuple[str, str]:
+    """Return the text of a file, and the note on its encoding; refuse what is no text."""
+    text, note = decode(content)
+    if note and re.search("[\0-\x08]", text):
+        raise Refusal.in_document(NOT_TEXT)
+    return text, note
 
 
 def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) -> str:
@@ -204,13 +213,6 @@ def holds_document(path: Path) -> bool:
     with open_regular(path) as file:
         content = file.read(LARGEST_DOCUMENT)
     return not content.startswith(_PNG) and _has_mark(content)
-
-
-def _decode(content: bytes, path: Path) -> str:
-    text, note = decode(content)
-    if note and not text.lstrip().startswith("{"):
-        raise Refusal.in_document(NOT_TEXT)
-    return text_of(content, path)
 
 
 def _read_bytes(path: Path) -> bytes:

@@ -38,7 +38,7 @@ from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import decode, open_regular, text_of
+from app.strangers import decode, open_regular, warn
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
@@ -184,13 +184,13 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
         Receives the refusal of every faulty block and step; the lesson then lacks these.
     """
     with blamed_on(path, UNREADABLE):
-        content = content_of(path, LARGEST)
-        text, note = decode(content)
+        text, note = decode(content_of(path, LARGEST))
+        lesson = parse_lesson(text, Path(path), complain)
         if note and complain is not None:
             complain(Refusal.in_document(NOT_UTF8, file=os.fspath(path)))
         else:
-            text = text_of(content, path)
-        return parse_lesson(text, Path(path), complain)
+            warn(path, note)
+        return lesson
 
 
 class Head(NamedTuple):

@@ -26,7 +26,7 @@ from app.lessons.practice import Mark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, mended, one_line
 from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import text_of
+from app.strangers import decode, warn
 
 FORMAT, VERSION = "frustum-lab-results", 1
 LARGEST = 4 * 2**20
@@ -112,11 +112,13 @@ def read(path: AnyPath) -> Results:
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
         try:
-            tree = json.loads(text_of(content, path))
+            text, note = decode(content)
+            tree = json.loads(text)
         except (ValueError, RecursionError) as error:
             raise Refusal.in_document(NO_RESULTS) from error
         if not isinstance(tree, dict) or tree.get("format") != FORMAT:
             raise Refusal.in_document(NO_RESULTS)
+        warn(path, note)
         version, answers = tree.get("version"), tree.get("answers")
         if type(version) is not int or not isinstance(answers, list):
             raise Refusal.in_document(NO_RESULTS)
