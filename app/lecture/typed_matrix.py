@@ -477,9 +477,11 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
     The list is empty if the matrix is exact, or belongs to no camera. The camera of `projection`
     may be that camera already.
     """
-    camera = recognised_camera(cells, projection.camera)
     nearest = nearest_rotation(np.array(cells)[:3, :3])
-    if camera is None or nearest is None or _is_rigid([row[:3] for row in rationals(cells)[:3]]):
+    if nearest is None or _is_rigid([row[:3] for row in rationals(cells)[:3]]):
+        return []
+    camera = recognised_camera(cells, projection.camera)
+    if camera is None:
         return []
     rounding = nearest.rounding
     how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
