@@ -21,6 +21,7 @@ from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
 from app.model.refusal import Refusal
 from app.precision.quality import Quality
+from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB
 from tests.support.drawings import MakeScreen, off_screen
@@ -245,6 +246,26 @@ def test_the_depth_buffer_of_the_document_decides_between_dots(
         drawing.remove()
     # In 16 bits both are at the same depth, and the second is drawn over the first.
     assert colours == [[255, 0, 0], [0, 255, 0]]
+
+
+def test_fewer_dots_are_drawn_in_every_precision_and_all_again(
+    tmp_path: Path, off_screen: MakeScreen
+) -> None:
+    points = np.random.default_rng(3).uniform(-1.0, 1.0, (2_000, 3)).round(3)
+    scene = cloud(tmp_path / "m.obj", points)
+    fewer = reduced(scene, 0.05)
+    for tolerance_px, precision in ((1.0, "float32"), (0.0, "float64")):
+        screen = off_screen(640, 360)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        counts = []
+        for shown in (None, fewer, None):
+            drawing.show_detail(shown)
+            drawing.show_projection(CAMERA)
+            assert drawing.precision == precision
+            screen.render_window.Render()
+            counts.append(len(discs(shapes_of(screen.render_window, 1))))
+        drawing.remove()
+        assert counts == [2_000, 100, 2_000]
 
 
 def test_a_cloud_is_counted_described_and_bounded_in_figures(
