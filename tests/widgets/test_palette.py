@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QRect
+from PySide6.QtCore import QPoint, QRect, QSize
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import (
     QApplication,
@@ -27,7 +27,7 @@ from tests.support.window import rgb_of
 from widgets.parts import palette
 from widgets.parts.combo import Combo
 from widgets.parts.escape import HeldSlider
-from widgets.parts.icons import WarningLabel
+from widgets.parts.icons import WarningLabel, icon
 from widgets.parts.plain import Label
 
 
@@ -231,3 +231,8 @@ def test_a_warning_has_its_sign_beside_its_text(dressed: Callable[..., None], qt
     label.set_warns(False)
     label.setText("")
     assert label.indent() == 0
+
+
+def test_an_icon_without_room_paints_nothing(qapp: object) -> None:
+    """Qt warns of a painter without an image, and warnings are errors."""
+    assert icon("warning").pixmap(QSize(16, 16), 0.01).isNull()

@@ -159,6 +159,8 @@ class _Drawn(QIconEngine):
         return made
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, _state: QIcon.State) -> QPixmap:
+        if size.isEmpty():  # the button has no room, and no image to paint on
+            return QPixmap()
         return QPixmap.fromImage(_image(self._name, size, *_colour(mode)))
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
