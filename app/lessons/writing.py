@@ -6,6 +6,7 @@ still show the same.
 
 from __future__ import annotations
 
+import codecs
 import contextlib
 import json
 import os
@@ -185,7 +186,8 @@ def add_step(
     _check_own(path)
     before = read(path)
     with blamed_on(path, UNREADABLE):
-        text, _ = decode(Path(path).read_bytes())
+        content = Path(path).read_bytes()
+        mark, text = content.startswith(codecs.BOM_UTF8) * codecs.BOM_UTF8, decode(content)[0]
         names = [step.name for step in before.steps]
         name = _free(slug(title), names.__contains__)
         step = _step(before, title, name, document, panes)
@@ -197,7 +199,7 @@ def add_step(
             if _following(before, place) == _following(lesson, place + 1):
                 break
         step.keep(document)
-        write_bytes_atomically(path, added.encode())
+        write_bytes_atomically(path, mark + added.encode())
     return Added(name, place)
 
 
