@@ -27,7 +27,7 @@ class Rounding(NamedTuple):
 
     @property
     def is_float32(self) -> bool:
-        return self.digits >= 7
+        return 7 <= self.digits <= 9
 
     @property
     def of_rotation(self) -> float:
@@ -46,7 +46,7 @@ class Rounding(NamedTuple):
 
 
 def rounding_of(numbers: Iterable[float]) -> Rounding | None:
-    """Return how numbers were rounded, or None if they have few digits or all of float64."""
+    """Return how numbers were rounded, or None if they have one or two digits or all of float64."""
     nonzero = [number for number in numbers if number]
     parts = [Decimal(repr(number)).normalize().as_tuple() for number in nonzero]
     digits = max((len(part.digits) for part in parts), default=0)
@@ -54,8 +54,9 @@ def rounding_of(numbers: Iterable[float]) -> Rounding | None:
     if digits > 9:
         with np.errstate(over="ignore"):
             if any(float(np.float32(number)) != number for number in nonzero):
-                return None
-    elif digits < 4 and not (digits > 1 and decimals >= 4):  # as in 1.0000 0.0012
+                return Rounding(digits, decimals) if digits < 15 else None
+        digits = 9
+    elif digits < 3 and not (digits > 1 and decimals >= 4):  # as in 1.0000 0.0012
         return None
     return Rounding(digits, decimals)
 

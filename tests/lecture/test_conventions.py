@@ -162,6 +162,8 @@ ROUNDINGS: dict[str, Callable[[float], float]] = {
     "float32": lambda number: float(np.float32(number)),
     "float32 printed": lambda number: float(str(np.float32(number))),
     "six digits": lambda number: float(f"{number:.6g}"),
+    "ten digits": lambda number: float(f"{number:.10g}"),
+    "thirteen digits": lambda number: float(f"{number:.13g}"),
 }
 EXACT_ASPECT = Fraction(*SIZE)
 IN_HAND = Perspective()
@@ -231,7 +233,11 @@ VIEWS = {
     "float32": [[0.9553365, -0.29552022, 0, 0], [0.29552022, 0.9553365, 0, 0], [0, 0, 1, -3]],
     "six digits": [[0.955336, -0.29552, 0, 0], [0.29552, 0.955336, 0, 0], [0, 0, 1, -3]],
     "four digits": [[0.9553, -0.2955, 0, 0], [0.2955, 0.9553, 0, 0], [0, 0, 1, -3]],
-}
+    "three digits": [[0.955, -0.296, 0, 0], [0.296, 0.955, 0, 0], [0, 0, 1, -3]],
+    "ten digits": [
+        [0.9553364891, -0.2955202067, 0, 0], [0.2955202067, 0.9553364891, 0, 0], [0, 0, 1, -3],
+    ],
+}  # fmt: skip
 
 
 @pytest.mark.parametrize(
@@ -243,6 +249,10 @@ VIEWS = {
                         "the nearest camera would move the picture by at most 0.001 px"]),
         ("four digits", ["rows are orthonormal to 8e−05: rounded to 4 digits",
                          "the nearest camera would move the picture by at most 0.08 px"]),
+        ("three digits", ["rows are orthonormal to 0.0004: rounded to 3 digits",
+                          "the nearest camera would move the picture by at most 0.35 px"]),
+        ("ten digits", ["rows are orthonormal to 3e−11: rounded to 10 digits",
+                        "the nearest camera would move the picture by at most 2.6e−08 px"]),
     ],
 )  # fmt: skip
 def test_a_rounded_view_matrix_is_the_nearest_camera(name: str, said: list[str]) -> None:
@@ -250,7 +260,8 @@ def test_a_rounded_view_matrix_is_the_nearest_camera(name: str, said: list[str])
     found = with_matrix(START, "view_from_world", cells)
     assert found.lens == START.lens
     assert (found.camera.eye, found.camera.target) == ((0.0, 0.0, 3.0), (0.0, 0.0, -2.0))
-    assert found.camera.orbit.roll_deg == pytest.approx(math.degrees(0.3), abs=2e-3)
+    off = 0.04 if name == "three digits" else 2e-3
+    assert found.camera.orbit.roll_deg == pytest.approx(math.degrees(0.3), abs=off)
     assert list(map(str, rounded_view(found, cells))) == [
         said[0], said[1].replace("camera would move", "camera is used; it moves")
     ]  # fmt: skip
@@ -266,6 +277,7 @@ def test_a_rounded_view_matrix_is_the_nearest_camera(name: str, said: list[str])
         np.eye(3) * 1.01, np.eye(3) * 1.001, np.eye(3) * 1.0001, np.diag([1.0, 1.00001, 1.0]),
         np.eye(3) + np.diag([0.01, 0.0], 1), np.eye(3) + np.diag([1e-7], 2),
         np.array(VIEWS["float32"])[:, :3] * 1.00001,
+        np.array(VIEWS["ten digits"])[:, :3] * (1.0 + 1e-9), np.diag([1.0, 0.999, 1.0]),
         np.array(VIEWS["six digits"])[:, :3] + [[0, 0.0001, 0], [0, 0, 0], [0, 0, 0]],
     ],
 )  # fmt: skip
@@ -276,7 +288,7 @@ def test_a_wrong_view_matrix_is_no_camera(rows: Any) -> None:
     assert NOT_RIGID in [each.template for each in properties(typed, "view_from_world")]
 
 
-@pytest.mark.parametrize("places", [7, 6, 5, 4])
+@pytest.mark.parametrize("places", [12, 10, 7, 6, 5, 4])
 @pytest.mark.parametrize(
     "lens",
     [
