@@ -29,13 +29,13 @@ _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
 _MOST_SPLITS = 200  # more than as many as there are faces
-_MOST_CROSSINGS, _MOST_CUTS = 20_000, 500_000  # of faces, and of parts of tangled ones
+_MOST_CROSSINGS, _MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
 TANGLED = QT_TRANSLATE_NOOP(
     "Refusal",
-    "has faces that cross each other in too many places for a figure without pixels, "
-    "{0} at most: write it as .png",
+    "has faces that cross each other in too many places for a figure without pixels: "
+    "write it as .png",
 )
 
 Colour: TypeAlias = tuple[float, float, float]
@@ -272,15 +272,12 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
                 crossing.setdefault(first, []).append(last)
                 count += 1
                 if count > _MOST_CROSSINGS + most_faces:
-                    raise _refused(_MOST_CROSSINGS)
+                    raise Refusal.in_document(TANGLED, field="scene")
         if count > most_faces:
-            for i in {*crossing}.union(*crossing.values()):
+            tangled = {*crossing}.union(*crossing.values())
+            for i in tangled:
                 faces[i].is_tangled = True
-            relations = [
-                each
-                for each in relations
-                if not (faces[each[0]].is_tangled or faces[each[1]].is_tangled)
-            ]
+            relations = [each for each in relations if not tangled.intersection(each[:2])]
             break
         fresh = _split_some(faces, crossing) if left else np.zeros(0, dtype=np.bool_)
         if not fresh.any():
@@ -298,10 +295,6 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
         relations += _related(faces, fresh, watch)
         order, ring = _sorted(faces, relations)
     return order
-
-
-def _refused(most: int) -> Refusal:
-    return Refusal.in_document(TANGLED, most, field="scene")
 
 
 def _related(faces: Sequence[Cell], fresh: Any, watch: Callable[[], None]) -> Iterator[_Relation]:
@@ -408,7 +401,7 @@ def visible(
         watch()
         ends.append((face, _without(face, before.before(face.points), work)))
         if tangled and next(work, None) is None:
-            raise _refused(_MOST_CUTS)
+            raise Refusal.in_document(TANGLED, field="scene")
     if any(len(rings) > _MOST_PARTS for _, rings in ends) and not tangled:
         ends = []
     taken = {id(face) for face, _ in ends}

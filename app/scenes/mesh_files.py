@@ -469,10 +469,8 @@ def _strips(named: Ints, lengths: Ints) -> Ints:
     return found
 
 
-_PLY_HEADER, _PLY_OF_OLD_MAC = (
-    re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r?\n|\Z)", re.DOTALL),
-    re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r|\Z)", re.DOTALL),
-)
+_PLY_HEADER = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r?\n|\Z)", re.DOTALL)
+_PLY_OF_OLD_MAC = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r|\Z)", re.DOTALL)
 """The lines of a file end with a carriage return alone if its first one does."""
 
 
@@ -483,8 +481,8 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[st
     """
     data = source.file.read()
     start = re.match(rb"ply[ \t]*(\r\n?|\n)", data[:100])
-    is_old = start is not None and start[1] == b"\r"
-    header = (_PLY_OF_OLD_MAC if is_old else _PLY_HEADER).match(data[:1_000_000])
+    is_old, head = start is not None and start[1] == b"\r", data[:1_000_000]
+    header = _PLY_OF_OLD_MAC.match(head) if is_old else _PLY_HEADER.match(head)
     if header is None:
         raise Refusal.saying(NOT_OF_KIND, source.path, "PLY")
     try:

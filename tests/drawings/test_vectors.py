@@ -467,7 +467,7 @@ def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPa
 @pytest.mark.parametrize("limit", ["_MOST_CROSSINGS", "_MOST_CUTS"])
 def test_too_many_crossings_are_refused(limit: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hidden, limit, 10)
-    with pytest.raises(Refusal, match=r"cross each other in too many places.*10 at most"):
+    with pytest.raises(Refusal, match="cross each other in too many places"):
         list(hidden.visible(hidden.in_order(soup(80))))
 
 
