@@ -11,12 +11,13 @@ import heapq
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import combinations, pairwise
+from itertools import combinations, islice, pairwise
 from typing import Any, TypeAlias
 
 import numpy as np
 
 from app.model.projection import Array
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 _OPAQUE = 0.995
 _LEAST_PX2 = 0.01  # of what two faces have in common, or of a face
@@ -27,7 +28,15 @@ _LEAST_PX = 0.25  # of a part of a line between two borders of faces; less is no
 _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
+_MOST_SPLITS = 200  # more than as many as there are faces
+_MOST_CROSSINGS, _MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
+
+TANGLED = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "has faces that cross each other in too many places for a figure without pixels: "
+    "write it as .png",
+)
 
 Colour: TypeAlias = tuple[float, float, float]
 """Red, green and blue, 0 to 1."""
@@ -50,6 +59,8 @@ class Cell:
     low: tuple[float, float, float] = (0.0, 0.0, 0.0)
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)
     flat: list[tuple[float, float]] = field(default_factory=list)
+    is_tangled: bool = False
+    """Whether it is one of too many faces that cross others: only what is seen of it is drawn."""
 
     @property
     def is_opaque(self) -> bool:
@@ -157,8 +168,12 @@ def _common(one: Cell, other: Cell) -> Points:
         part = _half(part, begin, around[(i + 1) % len(around)])
         if len(part) < 3:
             return []
-    twice = sum(p * s - q * r for (p, q), (r, s) in zip(part, [*part[1:], part[0]], strict=True))
-    return part if abs(twice) > 2.0 * _LEAST_PX2 else []
+    return part if _area(part) > _LEAST_PX2 else []
+
+
+def _area(part: Points) -> float:
+    around = zip(part, [*part[1:], part[0]], strict=True)
+    return abs(sum(p * s - q * r for (p, q), (r, s) in around)) / 2.0
 
 
 def _apart(one: Cell, other: Cell, part: Points) -> tuple[float, float]:
@@ -239,20 +254,31 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
     """Return faces from the back to the front; without those that are seen from their edges.
 
     Faces that pass through others are split, and so is one of each ring in which every face is
-    before the next. `watch` is called now and then, and may raise an exception.
+    before the next. Where that takes too many splits, which are as many at least as faces that
+    cross, they become tangled. `watch` is called now and then, and may raise an exception.
     """
     faces = _joined([face for face in faces if _measure(face)])
+    most_faces = 2 * len(faces) + _MOST_SPLITS
     relations = list[_Relation]()
     fresh = np.ones(len(faces), dtype=np.bool_)
     for left in reversed(range(_ROUNDS)):
-        found = list(_related(faces, fresh, watch))
-        relations += found
         crossing: dict[int, list[int]] = {}
-        for i, j, least, most in found:
+        count = len(faces)
+        for i, j, least, most in _related(faces, fresh, watch):
+            relations.append((i, j, least, most))
             is_opaque = faces[i].is_opaque
             if least < -_SAME_DEPTH and most > _SAME_DEPTH and (is_opaque or faces[j].is_opaque):
                 first, last = (i, j) if is_opaque else (j, i)
                 crossing.setdefault(first, []).append(last)
+                count += 1
+                if count > _MOST_CROSSINGS + most_faces:
+                    raise Refusal.in_document(TANGLED, field="scene")
+        if count > most_faces:
+            tangled = {*crossing}.union(*crossing.values())
+            for i in tangled:
+                faces[i].is_tangled = True
+            relations = [each for each in relations if not tangled.intersection(each[:2])]
+            break
         fresh = _split_some(faces, crossing) if left else np.zeros(0, dtype=np.bool_)
         if not fresh.any():
             break
@@ -347,54 +373,79 @@ def _ring(start: int, before: Sequence[Sequence[int]], is_done: Sequence[bool]) 
     return path[path.index(at) :]
 
 
-def visible(faces: list[Cell]) -> Iterator[tuple[Cell, list[Points]]]:
+def visible(
+    faces: list[Cell], watch: Callable[[], None] = lambda: None
+) -> Iterator[tuple[Cell, list[Points]]]:
     """Yield faces from the back to the front, with what of them has to be drawn.
 
     Translucent faces are blended in the order of drawing. Where an opaque one between two of them
-    asks for the other order, they follow at the end, without what opaque faces hide of them.
+    asks for the other order, they follow at the end, without what opaque faces hide of them. So do
+    tangled faces, and all translucent ones after them.
     """
     place = {id(face): number for number, face in enumerate(faces)}
     late = [face for face in faces if not face.is_opaque]
-    wrong = [
-        max(one.place, other.place)
-        for one, other in combinations(late, 2)
-        if (one.place < other.place) != (place[id(one)] < place[id(other)]) and _common(one, other)
-    ]
     opaque = [face for face in faces if face.is_opaque]
-    late = [face for face in late if wrong and face.place >= min(wrong)]
-    ends = [(face, _without(face, opaque)) for face in sorted(late, key=lambda each: each.place)]
-    if any(len(rings) > _MOST_PARTS for _, rings in ends):
-        ends, late = [], []
-    taken = {id(face) for face in late}
+    tangled = [face for face in opaque if face.is_tangled]
+    if not tangled:
+        wrong = [
+            max(one.place, other.place)
+            for one, other in combinations(late, 2)
+            if (one.place < other.place) != (place[id(one)] < place[id(other)])
+            and _common(one, other)
+        ]
+        late = [face for face in late if wrong and face.place >= min(wrong)]
+    # What is large hides most: the less is left, the less is cut by those that follow.
+    before = Hiding(sorted(opaque, key=lambda each: -_area(each.flat)))
+    ends, work = list[tuple[Cell, list[Points]]](), iter(range(_MOST_CUTS))
+    for face in [*tangled, *sorted(late, key=lambda each: each.place)]:
+        watch()
+        ends.append((face, _without(face, before.before(face.points), work)))
+        if tangled and next(work, None) is None:
+            raise Refusal.in_document(TANGLED, field="scene")
+    if any(len(rings) > _MOST_PARTS for _, rings in ends) and not tangled:
+        ends = []
+    taken = {id(face) for face, _ in ends}
     yield from ((face, [face.flat]) for face in faces if id(face) not in taken)
-    yield from ends
+    yield from ((face, rings) for face, rings in ends if rings)
 
 
-def _without(face: Cell, others: Iterable[Cell]) -> list[Points]:
-    """What opaque faces before a face leave of it, as convex polygons."""
+def _without(face: Cell, others: Iterable[Cell], work: Iterator[int]) -> list[Points]:
+    """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
     rings = [face.flat]
     for other in others:
-        part = _common(face, other)
+        part = _common(face, other) if rings else []
         if not part:
             continue
         least, most = _apart(face, other, part)
-        if least + most <= 0.0:  # the other one is behind
+        if max(abs(least), abs(most)) < _SAME_DEPTH:
+            is_before = other.place > face.place
+        else:
+            is_before = least + most > 0.0
+        hole = other.flat
+        if least < -_SAME_DEPTH and most > _SAME_DEPTH:
+            a, b, c = (p - q for p, q in zip(face.plane, other.plane, strict=True))
+            length = math.hypot(a, b)
+            x, y = -c * a / length**2, -c * b / length**2
+            hole = _half(hole, (x, y), (x + b / length, y - a / length))
+        elif not is_before:
             continue
-        left = []
-        for ring in rings:
-            inside = ring
-            for i, begin in enumerate(other.flat):
-                end = other.flat[(i + 1) % len(other.flat)]
-                outside = _half(inside, end, begin)
-                inside = _half(inside, begin, end)
-                if len(outside) > 2:
-                    left.append(outside)
-                if len(inside) < 3:
-                    break
-        rings = left
-        if len(rings) > _MOST_PARTS:
+        if sum(1 for _ in islice(work, len(rings))) < len(rings):
             break
+        rings = [part for ring in rings for part in _outside(ring, hole)]
     return rings
+
+
+def _outside(ring: Points, hole: Points) -> list[Points]:
+    """What a convex polygon leaves of another one, which stays whole if they are apart."""
+    parts, inside = list[Points](), ring
+    for begin, end in zip(hole, [*hole[1:], hole[0]], strict=True):
+        outside = _half(inside, end, begin)
+        inside = _half(inside, begin, end)
+        if len(inside) < 3:
+            return [ring]
+        if len(outside) > 2 and _area(outside) > _LEAST_PX2:
+            parts.append(outside)
+    return parts
 
 
 def _half(part: Points, begin: tuple[float, float], end: tuple[float, float]) -> Points:
@@ -451,7 +502,7 @@ class Hiding:
         self._low = np.array([face.low for face in faces]).reshape(-1, 3)
         self._high = np.array([face.high for face in faces]).reshape(-1, 3)
 
-    def _before(self, points: Array) -> list[Cell]:
+    def before(self, points: Array) -> list[Cell]:
         """The faces whose boxes reach before a box."""
         low, high = points.min(axis=0), points.max(axis=0)
         meet = (self._low[:, :2] <= high[:2]).all(axis=1) & (self._high[:, :2] >= low[:2]).all(
@@ -462,13 +513,13 @@ class Hiding:
 
     def hides(self, point: Cell) -> bool:
         ends = np.concatenate([point.points[:1]] * 2)
-        return any(face.is_opaque and _covered(face, *ends.tolist()) for face in self._before(ends))
+        return any(face.is_opaque and _covered(face, *ends.tolist()) for face in self.before(ends))
 
     def seen(self, line: Cell) -> Iterator[Cell]:
         """Yield the parts of a polyline that are seen, in the colours in which they are seen."""
         for begin, end in zip(line.points[:-1], line.points[1:], strict=True):
             tints, hidden = list[tuple[float, float, Cell]](), list[tuple[float, float]]()
-            for face in sorted(self._before(np.stack([begin, end])), key=lambda each: each.place):
+            for face in sorted(self.before(np.stack([begin, end])), key=lambda each: each.place):
                 part = _covered(face, begin.tolist(), end.tolist())
                 if part is not None and face.is_opaque:
                     hidden.append(part)
@@ -499,7 +550,7 @@ class Hiding:
         for begin, end in zip(line.points[:-1], line.points[1:], strict=True):
             parts = (
                 _covered(face, begin.tolist(), end.tolist())
-                for face in self._before(np.stack([begin, end]))
+                for face in self.before(np.stack([begin, end]))
                 if face.is_opaque
             )
             marks = [0.0, *(t for ends in _rest([p for p in parts if p]) for t in ends), 1.0]

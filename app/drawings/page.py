@@ -23,6 +23,7 @@ from app.document.document import Document
 from app.document.lengths import Size
 from app.drawings.figure_size import PANE_PX
 from app.drawings.figures import render, shapes
+from app.drawings.hidden import TANGLED
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
 from app.drawings.vectors import TOO_MANY, Picture, Shape
@@ -178,7 +179,7 @@ def drawn(
     try:
         return Drawn(*shapes(scene, document.projection, **options), said)
     except Refusal as error:
-        if error.bound != TOO_MANY:
+        if error.bound not in (TOO_MANY, TANGLED):
             raise
     options.pop("hidden", None)
     pixels = render(scene, document.projection, scale=_SHARPER, **options)

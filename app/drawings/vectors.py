@@ -420,7 +420,7 @@ class _Pane:
         self, faces: list[Cell], lines: list[Cell], points: list[Cell]
     ) -> Iterator[Shape]:
         faces = in_order(faces, self._watch)
-        for face, rings in visible(faces):
+        for face, rings in visible(faces, self._watch):
             yield Area([self._placed(ring) for ring in rings], face.colour, face.opacity)
         hiding = Hiding(faces)
         if self._hidden != "none":

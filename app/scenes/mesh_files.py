@@ -469,6 +469,11 @@ def _strips(named: Ints, lengths: Ints) -> Ints:
     return found
 
 
+_PLY_HEADER = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r?\n|\Z)", re.DOTALL)
+_PLY_OF_OLD_MAC = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r|\Z)", re.DOTALL)
+"""The lines of a file end with a carriage return alone if its first one does."""
+
+
 def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[str, Ints]]:
     """Return the elements up to the last one that is drawn, the body, and the lines of a text.
 
@@ -476,10 +481,8 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[st
     """
     data = source.file.read()
     start = re.match(rb"ply[ \t]*(\r\n?|\n)", data[:100])
-    end = b"\r" if start is not None and start[1] == b"\r" else b"\r?\n"
-    header = re.match(
-        rb"ply\s.*?[\r\n]end_header[ \t]*(?:" + end + rb"|\Z)", data[:1_000_000], re.DOTALL
-    )
+    is_old, head = start is not None and start[1] == b"\r", data[:1_000_000]
+    header = _PLY_OF_OLD_MAC.match(head) if is_old else _PLY_HEADER.match(head)
     if header is None:
         raise Refusal.saying(NOT_OF_KIND, source.path, "PLY")
     try:

@@ -19,7 +19,7 @@ from PySide6.QtSvg import QSvgRenderer
 from app.document.document import Document
 from app.document.lengths import Size
 from app.document.settings import set_values
-from app.drawings import vectors
+from app.drawings import hidden, vectors
 from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor, put_in_front
 from app.drawings.figures import render, shapes, write_shapes
 from app.drawings.label import laid, pieces_of
@@ -412,9 +412,13 @@ def colour_at(found: list[vectors.Shape], x: float, y: float) -> tuple[float, fl
     return colour
 
 
+@pytest.mark.parametrize("most_splits", [200, -100])
 @pytest.mark.parametrize("seed", range(4))
-def test_everywhere_the_nearest_face_is_seen(seed: int) -> None:
-    """Also where faces pass through each other, and where they lie in a ring."""
+def test_everywhere_the_nearest_face_is_seen(
+    seed: int, most_splits: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where faces pass through each other, split or not, and where they lie in a ring."""
+    monkeypatch.setattr(hidden, "_MOST_SPLITS", most_splits)
     chance = random.Random(seed)
     planes, actors = [], []
     for number in range(7):
@@ -437,6 +441,34 @@ def test_everywhere_the_nearest_face_is_seen(seed: int) -> None:
             continue
         red = colour_at(found, (x + 1.0) / 2.0 * SIDE, (1.0 - y) / 2.0 * SIDE)[0]
         assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
+
+
+def soup(count: int) -> list[hidden.Cell]:
+    """Random triangles on a screen of 200 pixels, most of which cross many others."""
+    corners = np.random.default_rng(1).random((count, 3, 3)) * [200.0, 200.0, 1.0]
+    return [
+        hidden.Cell(each, (0.0, 0.0, number / count), 1.0, (0, number))
+        for number, each in enumerate(corners)
+    ]
+
+
+def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPatch) -> None:
+    compared = []
+    common = hidden._common
+    monkeypatch.setattr(hidden, "_common", lambda *faces: compared.append(faces) or common(*faces))
+    count = 80
+    faces = hidden.in_order(soup(count))
+    assert len(faces) <= count
+    found = list(hidden.visible(faces))
+    assert 10 < len(found) <= count
+    assert len(compared) < 2 * count**2, "each pair once for the order and twice for what is seen"
+
+
+@pytest.mark.parametrize("limit", ["_MOST_CROSSINGS", "_MOST_CUTS"])
+def test_too_many_crossings_are_refused(limit: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(hidden, limit, 10)
+    with pytest.raises(Refusal, match="cross each other in too many places"):
+        list(hidden.visible(hidden.in_order(soup(80))))
 
 
 def test_a_line_that_leaves_the_frame_and_comes_back_is_two() -> None:
