@@ -58,7 +58,7 @@ def _of_p(assignments: Sequence[str]) -> str:
     texts = [text for name, _, text in pairs if name.strip() == CAMERA_P.path]
     if not texts:
         return ""
-    scale, k, rotation, translation = taken_apart(read_matrix(texts[-1]).rows)
+    scale, k, rotation, translation = taken_apart(read_matrix(texts[-1]))
     notes = [
         "for x right, y down, z forward; pixels from the centre of the first one",
         f"scale = {format_value(scale)} is free, and so is its sign",

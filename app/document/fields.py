@@ -111,7 +111,7 @@ def _looks(text: str) -> dict[str, Any] | None:
 
 def _matrix(text: str) -> list[list[float]] | None:
     """Read a 4x4 matrix, or a 3x4 one to which the row 0 0 0 1 is added; None for 3x3."""
-    rows = read_matrix(text).rows
+    rows = read_matrix(text)
     if len(rows[0]) == 3:
         rows = [list(column) for column in zip(*rows, strict=True)]
     if len(rows[0]) == 3:
@@ -121,7 +121,7 @@ def _matrix(text: str) -> list[list[float]] | None:
 
 def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
     """Read a matrix of this size; None for another one."""
-    rows = read_matrix(text).rows
+    rows = read_matrix(text)
     return rows if (len(rows), len(rows[0])) == (height, width) else None
 
 

@@ -87,14 +87,3 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
     if fixed == "axis":
         found |= {"height", "width", *(("interval",) if planes else ())}
     return found
-
-
-def unknown_names(document: Document, scene: Scene) -> tuple[str, ...]:
-    """Return those names of a document's view that no pane can show."""
-    names = document.view.names
-    if names is None or names == EVERYTHING:
-        return ()
-    known = frozenset[str]().union(
-        *(nameable(pane, document, scene) for pane in ("world", "ndc", "image"))
-    )
-    return tuple(name for name in names if name not in known)

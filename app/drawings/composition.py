@@ -86,7 +86,6 @@ class Measured(NamedTuple):
     pane: str
     size_px: tuple[int, int]
     labels: tuple[Placed, ...]
-    on_ink: tuple[float, ...]
     fill: tuple[float, float]
     left_out: tuple[str, ...] = ()
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
@@ -190,8 +189,6 @@ def _measured(
         points = tuple((text, (to_right + x, up + y)) for text, (x, y) in board.points if are_drawn)
         for _, actor in actors:
             actor.SetVisibility(False)
-        window.Render()
-        bare_ink = _ink(pixels_of(window))
         if isinstance(drawing, ImageDrawing):
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
@@ -202,8 +199,7 @@ def _measured(
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
         needs_area = not drawing.fixed and (pane != "world" or view.step is None)
-    on_ink = tuple(_under(bare_ink, each) for each in labels)
-    return Measured(pane, size_px, tuple(labels), on_ink, fill, left_out, points, needs_area)
+    return Measured(pane, size_px, tuple(labels), fill, left_out, points, needs_area)
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
@@ -222,14 +218,6 @@ def _ink(pixels: Pixels) -> NDArray[np.bool_]:
         # Whole bounds, because bytes are compared ten times as fast as float64.
         ink |= (channel > math.floor(ground + _INK)) | (channel < math.ceil(ground - _INK))
     return ink
-
-
-def _under(ink: NDArray[np.bool_], label: Placed) -> float:
-    """The share of a label's box that has ink under it."""
-    height = ink.shape[0]
-    rows = slice(max(0, round(height - label.high)), max(0, round(height - label.low)))
-    part = ink[rows, max(0, round(label.left)) : max(0, round(label.right))]
-    return float(part.mean()) if part.size else 0.0
 
 
 def _window_in(drawing: Drawing, scene: Scene) -> Array:

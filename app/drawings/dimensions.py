@@ -74,32 +74,22 @@ class Half(NamedTuple):
     """Half a window, from the axis to its top or its right."""
 
     angle_deg: float | None  # at the eye; None without an eye, or off the axis
-    at_far: float  # its length on the far plane; infinite if far is
     has_eye: bool = True
 
 
 def half_of(projection: Projection, axis: int) -> Half | None:
-    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix.
-
-    Lecture 001: half the height on the far plane is ``f tan(fov/2)``.
-    """
+    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix."""
     lens = projection.lens
     if lens.planes is None:
         return None
-    near, far = lens.planes
-    low, high = projection.window[2 * axis : 2 * axis + 2]
     if not lens.central:
-        return Half(None, high, has_eye=False)
-    aspect = Fraction(*projection.image_size)
-    angles = lens.angles(aspect) if lens.symmetric else None
+        return Half(None, has_eye=False)
+    angles = lens.angles(Fraction(*projection.image_size)) if lens.symmetric else None
     if angles is not None:
-        angle_deg: float | None = angles[axis] / 2.0
-        slope = math.tan(math.radians(angles[axis] / 2.0))
-    else:
-        slope = high / near
-        halved = abs(low + high) <= _SAME * (high - low)
-        angle_deg = math.degrees(math.atan(slope)) if halved else None
-    return Half(angle_deg, far * slope)
+        return Half(angles[axis] / 2.0)
+    low, high = projection.window[2 * axis : 2 * axis + 2]
+    is_halved = abs(low + high) <= _SAME * (high - low)
+    return Half(math.degrees(math.atan(high / lens.near)) if is_halved else None)
 
 
 class Dimensions:
@@ -177,7 +167,7 @@ class Dimensions:
             else:
                 self._along(ground, spots, measured, size_px, lowest, all_spots)
                 if corners is not None:
-                    self._beside(ground, spots, measured)
+                    self._beside(spots, measured)
         self._lines.end()
         self._thin.end()
 
@@ -241,7 +231,7 @@ class Dimensions:
         half = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         self._board.want_beside((_KEY, name), (*half, 1.0), LENGTH, (1.0, 0.0))
 
-    def _beside(self, ground: Ground, spots: Array, measured: Measured) -> None:
+    def _beside(self, spots: Array, measured: Measured) -> None:
         """Half the angle at the eye, half the window on the far plane, and where that half is 1."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)

@@ -171,7 +171,7 @@ class _Vertices:
     """
 
     def __init__(self, part: _Part, made: _Made, projection: Projection) -> None:
-        per_z, constant = _w_of_z(projection)
+        per_z, constant = projection.passage.w_of_z  # a constant alone where w is divided out
         clip = part.clip
         if not per_z:
             w = clip[:, 3:]
@@ -340,11 +340,6 @@ def _projected_part(made: _Made, projection: Projection, origin: Array, space: S
         vertex=vertices if part.vertex is None else vertices[part.vertex],
         cell=kept if part.cell is None else kept[part.cell],
     )
-
-
-def _w_of_z(projection: Projection) -> tuple[float, float]:
-    """w from z of clip space: per z, and constant; a constant alone where w is divided out."""
-    return projection.passage.w_of_z
 
 
 def _planes(projection: Projection) -> tuple[Array, Array]:

@@ -171,7 +171,7 @@ def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
 
 class _Slot:
     def __init__(self, canvas: Canvas, renderer: Any) -> None:
-        self._canvas, self._style = canvas, canvas.style
+        self._style = canvas.style
         style, em = canvas.style, canvas.style.font_size
         self._space = Space()
         self._line = line_actor(

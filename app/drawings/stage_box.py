@@ -74,7 +74,6 @@ class StageBox:
         self._canvas, self._words, self._names, self._board = canvas, words, names, board
         self._space = Space()
         self._at: dict[Label, Array] = {}
-        self._is_pyramid = False
         self._written: set[Label] = set()
         """The labels to show if there is room."""
         self._add_volume()
@@ -235,7 +234,6 @@ class StageBox:
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         is_pyramid = lens.has_pyramid
-        self._is_pyramid = stop <= CANONICAL_PERSPECTIVE and is_pyramid
         self._at |= {self.near: near, self.far: far}
         near_text, far_text = words["near"], words["far"]
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")

@@ -461,14 +461,10 @@ def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Pr
         found.append(Property(MIRRORED_CLIP))
     if projection.frustum_sign < 0 and any(matrix[3][:3]):
         found.append(Property(ALL_BEHIND))
-    if projection.frustum_sign == 0 and _is_regular_view(projection):
+    # A view matrix without an inverse is a property of its own.
+    if projection.frustum_sign == 0 and eliminate(projection.exact_from_eye[0]).rank == 4:
         found.append(Property(THROUGH_INFINITY))
     return found + _of_last_row(matrix[3], write)
-
-
-def _is_regular_view(projection: Projection) -> bool:
-    """Whether the view matrix has an inverse; if not, its own properties state that."""
-    return eliminate(projection.exact_from_eye[0]).rank == 4
 
 
 def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[Property]:

@@ -56,8 +56,6 @@ _BUSY = 3.0
 """A 95th percentile of more than this many least times comes from other programs."""
 STEADY = 0.05
 """Least times that differ by a smaller part are equal: rounds repeat them no better."""
-COSTS = ("time", "bytes")
-"""What a choice can cost."""
 COLUMNS = {
     "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
     "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),

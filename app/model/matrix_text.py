@@ -10,7 +10,6 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_name
 
@@ -30,19 +29,10 @@ COMMAS = QT_TRANSLATE_NOOP(
 )
 
 
-class MatrixText(NamedTuple):
-    """The numbers of a text in rows: (3, 3), (3, 4), (4, 3) or (4, 4).
+def read_matrix(text: str, field: str = "matrix") -> list[list[float]]:
+    """Return 16, 12 or 9 numbers in rows for column vectors: (3, 3), (3, 4), (4, 3) or (4, 4).
 
-    `by_columns` tells that the text's notation has columns first, as glm and GLSL do. The rows are
-    rows for column vectors in any case.
-    """
-
-    rows: list[list[float]]
-    by_columns: bool = False
-
-
-def read_matrix(text: str, field: str = "matrix") -> MatrixText:
-    """Read 16, 12 or 9 numbers.
+    Notations that have columns first, such as those of glm and GLSL, are known.
 
     Raises
     ------
@@ -69,8 +59,7 @@ def read_matrix(text: str, field: str = "matrix") -> MatrixText:
     width = 3 if count == 9 or (count == 12 and {len(line) for line in lines} == {3}) else 4
     flat = [number for line in lines for number in line]
     rows = [flat[i : i + width] for i in range(0, count, width)]
-    by_columns = _BY_COLUMNS.search(text) is not None
-    return MatrixText(list(map(list, zip(*rows, strict=True))) if by_columns else rows, by_columns)
+    return list(map(list, zip(*rows, strict=True))) if _BY_COLUMNS.search(text) else rows
 
 
 def _refused(bound: object, *limits: object) -> Refusal:

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from app.document.document import Document
-from app.document.naming import inks, nameable, named_in, unknown_names
+from app.document.naming import inks, nameable, named_in
 from app.document.settings import set_values
 from app.document.view import EVERYTHING, MOST_NAMES, PANES
 from app.scenes.scene import BUILT_IN, Scene, load
@@ -49,15 +49,6 @@ def test_the_cube_beside_a_scene_names_its_ends() -> None:
     assert {"near", "far"} <= names
     names = named_in("ndc", load("clipping"))  # the cube itself is the picture, of one plane
     assert not {"near", "far"} & names
-
-
-def test_a_name_that_no_pane_can_show_is_found() -> None:
-    document, scene = opened("similar-triangles", "view.fixed=side", "view.names=y_p,eye,Q,u")
-    assert unknown_names(document, scene) == ("Q",)
-    free, scene = opened("similar-triangles", "view.fixed=", "view.names=y_p,P'")
-    assert unknown_names(free, scene) == ("y_p",)  # measured in the flat view alone
-    everything, scene = opened("cube", "view.names=*")
-    assert unknown_names(everything, scene) == ()
 
 
 def test_letters_of_formulas_have_the_colours_of_what_is_named() -> None:

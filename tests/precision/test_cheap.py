@@ -13,9 +13,10 @@ from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS
 from app.model.projection import Camera, Lens, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from app.precision.cheap import CELLS, Hardware, cheap, cheap_formats, stored
-from app.precision.levels import Reference, cell_terms, trace
+from app.precision.levels import cell_terms, trace
 from tests.fuzz.cheap import ratios_of
 from tests.support.lenses import LENSES, SLANTED, free_matrix
+from tests.support.reference import Reference
 from tests.support.samples import pairwise, with_depths
 
 EVERY_LENS = LENSES | {"matrix": free_matrix()}

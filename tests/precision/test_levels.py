@@ -39,7 +39,6 @@ from app.model.projection import (
 )
 from app.model.refusal import Refusal
 from app.model.typed_cells import TypedCells
-from app.precision import levels as precision
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,
     PRECISIONS,
@@ -57,6 +56,7 @@ from tests.oracles import exact
 from tests.support import lenses as samples
 from tests.support.bounds import drawing_bound_px
 from tests.support.lenses import ONE_OF_EACH, SLANTED, free_matrix, made
+from tests.support.reference import Reference
 from tests.support.samples import pairwise
 
 HD = (1920, 1080)
@@ -614,7 +614,7 @@ def test_float64_keeps_the_bound_of_the_readme() -> None:
             answers = np.column_stack([traced.image, traced.depth])
             points, answers = (part[~traced.outside.any(axis=1)] for part in (points, answers))
             if len(points):
-                errors = precision.Reference.of(projection, points).errors(answers)
+                errors = Reference.of(projection, points).errors(answers)
                 worst, count = max(worst, float(errors[:, :2].max())), count + len(points)
     assert count > 30_000 and 3e-13 < worst < 1e-12
 
@@ -703,7 +703,7 @@ def test_no_point_of_a_cloud_is_off_by_more_than_predicted(
         points = np.insert(points, where, some, axis=0)
         kinds = np.insert(kinds, where, kind_of[kind])
     has_picture = projection.trace(points).in_front
-    reference = precision.Reference.of(projection, points)
+    reference = Reference.of(projection, points)
     parts = [np.isin(kinds, (0, number)) for number in (*kind_of.values(), -1)]
     parts.append(np.ones(len(points), dtype=bool))
     parts += [np.arange(len(points)) == i for i in np.flatnonzero(kinds)]
@@ -818,7 +818,7 @@ def test_predictions_of_the_readmes_documents_are_as_tight_as_it_says() -> None:
         for depth in DEPTH_RANGES:
             projection = start.with_depth(depth)
             points = scene.vertices[projection.trace(scene.vertices).in_front]
-            reference = precision.Reference.of(projection, points)
+            reference = Reference.of(projection, points)
             predictions = predict(projection, scene.vertices, scene.origin)
             assert predictions is not None and precision_for_reading(predictions) == "float64"
             for level in PRECISIONS:

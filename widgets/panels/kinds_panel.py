@@ -5,7 +5,6 @@ The model (`app.lecture.kinds`) finds the kind of any picture, and projects the 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import replace
 from functools import lru_cache, partial
 
@@ -183,12 +182,6 @@ class _Tree(QWidget):
         self.levels = 1 + max(len(path(name)) for name in KINDS if name not in self.leaves)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
 
-    def _level(self, name: str) -> int:
-        return self.levels - 1 if name in self.leaves else len(path(name)) - 1
-
-    def _children(self, name: str) -> Iterator[str]:
-        return (kind.name for kind in KINDS.values() if kind.parent == name)
-
     def minimumSizeHint(self) -> QSize:
         sizes = {name: node.sizeHint() for name, node in self.nodes.items()}
         inner = max(size.height() for name, size in sizes.items() if name not in self.leaves)
@@ -216,10 +209,11 @@ class _Tree(QWidget):
         middles = {name: (i + 0.5) * column for i, name in enumerate(self.leaves)}
         for name in reversed(self.nodes):  # children first
             if name not in middles:
-                below = [middles[child] for child in self._children(name)]
+                below = [middles[kind.name] for kind in KINDS.values() if kind.parent == name]
                 middles[name] = (min(below) + max(below)) / 2.0
         for name, node in self.nodes.items():
-            top = self._level(name) * (inner + _GAP_PX)
+            level = self.levels - 1 if name in self.leaves else len(path(name)) - 1
+            top = level * (inner + _GAP_PX)
             size = QSize(node.sizeHint().width() + 8, inner)
             if name in self.leaves:
                 size = QSize(int(column) - 2, self.height() - top)

@@ -259,7 +259,7 @@ class MatrixPanel(ReadablePanel):
         if projection is None:
             return
         try:
-            rows = read_matrix(text, stage_title(name)).rows
+            rows = read_matrix(text, stage_title(name))
             if self._writing.rows:
                 rows = [list(row) for row in zip(*rows, strict=True)]
             signed = [

@@ -283,7 +283,7 @@ class LessonCard(QFrame):
 
     def _fill(self) -> None:
         """Make the page of the step; it takes the focus unless the user types elsewhere."""
-        takes = self._may_take_focus
+        takes = self._has_focus or not isinstance(QApplication.focusWidget(), QLineEdit)
         self._make_page()
         turn = next((block for block in self.blocks if block.is_open), None)
         if turn is None and self.blocks:
@@ -690,11 +690,6 @@ class LessonCard(QFrame):
     def _has_focus(self) -> bool:
         focus = QApplication.focusWidget()
         return focus is not None and self.isAncestorOf(focus)
-
-    @property
-    def _may_take_focus(self) -> bool:
-        """Whether the user is not typing elsewhere."""
-        return self._has_focus or not isinstance(QApplication.focusWidget(), QLineEdit)
 
     def _take_focus(self) -> None:
         """Give the focus to the first open block, else to the button Next."""

@@ -115,7 +115,7 @@ class Fills(Attempts):
     def _paste(self) -> bool:
         """Fill all cells with the clipboard's matrix, if it has the shape of the answer."""
         try:
-            rows = read_matrix(QGuiApplication.clipboard().text()[: LONGEST + 1]).rows
+            rows = read_matrix(QGuiApplication.clipboard().text()[: LONGEST + 1])
         except Refusal:  # one number, or what the cell's own paste is for
             return False
         if (len(rows), len(rows[0])) != (self.question.rows, self.question.columns):
