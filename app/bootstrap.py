@@ -256,6 +256,7 @@ def _ensure_system(missing: Sequence[System]) -> None:
 
 #: Distributions whose import name differs from their own name.
 _IMPORT_NAME = {
+    "mapbox-earcut": "mapbox_earcut",
     "markdown-it-py": "markdown_it",
     "pillow": "PIL",
     "vtk": "vtkmodules",

@@ -6,7 +6,6 @@ All slow work on a large mesh is here, so that `app.scenes.reading` can do it in
 from __future__ import annotations
 
 import math
-from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -46,6 +45,8 @@ TOO_FAR = QT_TRANSLATE_NOOP(
 )
 FARTHEST = 1e12
 """Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
+DIVIDING = 0.9
+"""Progress from which only faces are divided."""
 FACES_WITH_EDGES = 5_000
 """Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
 than the pixels."""
@@ -154,7 +155,7 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     for first in range(0, faces, _BLOCK):
         which = slice(first, min(first + _BLOCK, faces))
         light[which, 0] = brightness(_normals(mesh, which))
-        report(progress, 0.6 + 0.3 * which.stop / faces)
+        report(progress, 0.6 + (DIVIDING - 0.6) * which.stop / faces)
     return (paint * light).astype(np.uint8)
 
 
@@ -221,12 +222,16 @@ def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints,
     if not large.size:
         return mesh.offsets, mesh.corners, rgb
     corners, face = [mesh.corners[np.repeat(is_whole, counts)]], [np.flatnonzero(is_whole)]
-    for which in _blocks(large):
+
+    def tell(polygon: int) -> None:
+        report(progress, DIVIDING + (1.0 - DIVIDING) * polygon / len(large))
+
+    for number, which in enumerate(_blocks(large)):
         ends = np.concatenate([[0], np.cumsum(counts[which])])
         places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
-        done = 0.9 + 0.1 * np.searchsorted(large, which[0]) / len(large)
+        before = number * _BLOCK
         triangles, owners = divided(
-            mesh.points, ends, mesh.corners[places], partial(report, progress, float(done))
+            mesh.points, ends, mesh.corners[places], lambda polygon, b=before: tell(b + polygon)
         )
         corners.append(triangles.ravel())
         face.append(which[owners])

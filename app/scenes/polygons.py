@@ -1,19 +1,12 @@
 """Divide polygons into triangles that cover them exactly, in any plane, also around holes.
 
-A polygon whose triangles about one of its corners all turn the same way is their fan. All other
-polygons are swept from left to right (Hertel and Mehlhorn, *Fast Triangulation of Simple Polygons*,
-1983), in a time proportional to n log n. The sweep counts the turns of the outline around each
-place. So an edge that runs there and back cancels, such as the bridge to a hole, and corners may
-touch edges.
+A polygon whose triangles about one of its corners all turn the same way is their fan. All others
+are divided by mapbox-earcut.
 """
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable
-from functools import cmp_to_key
-from itertools import pairwise
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,14 +15,12 @@ from app.scenes.mesh import Floats, Ints
 
 _FIRSTS = 8
 """Corners of each polygon that are tried as the centre of a fan, for all polygons at once."""
-_GRIDS = 2.0**50, 2.0**21
-"""Steps of a grid along a swept polygon, for float64 and float32: its cross products are exact."""
+_STARTS = 8
+"""Corners from which ears are tried: rounded touches spoil some."""
+_RIGHT = 1e-9
+"""Part of its area by which a divided polygon may differ."""
 _ROUNDING = 1e-15
 """Part of a polygon's area by which a triangle of its fan may turn backwards."""
-_TOUCHES = 2
-"""Steps between an edge and a corner that touches it."""
-
-_Places: TypeAlias = list[tuple[int, int]]
 
 
 def following(offsets: Ints) -> Ints:
@@ -80,12 +71,12 @@ def _is_backward(one: Floats, other: Floats, areas: Floats) -> NDArray[np.bool_]
 
 
 def divided(
-    points: Floats, offsets: Ints, corners: Ints, tell: Callable[[], None]
+    points: Floats, offsets: Ints, corners: Ints, tell: Callable[[int], None]
 ) -> tuple[Ints, Ints]:
     """Return triangles (k, 3) of polygons as indices of points, and the polygon of each.
 
-    A polygon that crosses itself becomes the fan about its first corner. `tell` is called before
-    each polygon that takes long.
+    A polygon that crosses itself becomes its ears or the fan about its first corner, whichever is
+    closer to its area. `tell` is called with each polygon that takes long, before it is divided.
     """
     counts, areas = np.diff(offsets), area_vectors(points, offsets, corners)
     waiting = np.arange(len(counts))
@@ -99,9 +90,9 @@ def divided(
         owners.append(owner[is_fan[owner]])
         waiting = waiting[~is_fan[waiting]]
     for polygon in waiting.tolist():
-        tell()
+        tell(polygon)
         places = corners[offsets[polygon] : offsets[polygon + 1]]
-        triangles.append(places[_swept(points[places], areas[polygon])])
+        triangles.append(places[_cut(points[places], areas[polygon])])
         owners.append(np.full(len(triangles[-1]), polygon))
     return np.concatenate(triangles), np.concatenate(owners)
 
@@ -116,10 +107,7 @@ def _fans(offsets: Ints, which: Ints, first: int) -> tuple[Ints, Ints]:
     return offsets[owner][:, None] + around % np.repeat(sizes, counts)[:, None], owner
 
 
-# --------------------------------------------------------------------------- the sweep
-
-
-def _swept(points: Floats, area: Floats) -> Ints:
+def _cut(points: Floats, area: Floats) -> Ints:
     """Return triangles (k, 3) of a polygon (n, 3) as numbers of its corners."""
     away = points - points[0]
     turns = _crossed(away, np.roll(away, -1, axis=0))
@@ -127,156 +115,70 @@ def _swept(points: Floats, area: Floats) -> Ints:
     if area @ area < _ROUNDING * (largest @ largest):  # the sum of its parts is lost in rounding
         area = largest
     axis = int(np.abs(area).argmax())
-    flat = points[:, [(axis + 1) % 3, (axis + 2) % 3]][:, :: 1 if area[axis] > 0.0 else -1]
-    flat = flat - flat.min(axis=0)
-    for steps in _GRIDS if len(points) > 4 else ():
-        grid = np.rint(flat * (steps / flat.max())).astype(np.int64).tolist()
-        corner = {(x, y): i for i, (x, y) in enumerate(grid)}
-        places = sorted(corner)
-        number = {place: i for i, place in enumerate(places)}
-        triangles = _sweep(places, [number[x, y] for x, y in grid])
-        if triangles is not None:  # a polygon that encloses nothing keeps a triangle without area
-            corners = np.array([corner[place] for place in places])
-            found: Ints = corners[np.array(triangles or [(0, 0, len(corners) - 1)])]
-            return found
-    return _fans(np.array([0, len(points)]), np.zeros(1, dtype=np.int64), 0)[0]
+    flat = away[:, [(axis + 1) % 3, (axis + 2) % 3]][:, :: 1 if area[axis] > 0.0 else -1]
+    flat = flat / np.abs(flat).max()
+    enclosed, count = _shoelace(flat), len(flat)
+    best = _fans(np.array([0, count]), np.zeros(1, dtype=np.int64), 0)[0]
+    least = _wrong(flat[best], enclosed)
+    for start in range(0, count, -(-count // _STARTS)):
+        ears = (_ears(np.roll(flat, -start, axis=0)) + start) % count
+        wrong = _wrong(flat[ears], enclosed)
+        if wrong < least:
+            best, least = ears, wrong
+        if least <= _RIGHT * enclosed:
+            break
+    return best if len(best) else np.array([[0, 0, count - 1]])  # something keeps its colour
 
 
-class _Edge:
-    """An edge that the sweep has reached, and the place above it.
+def _ears(flat: Floats) -> Ints:
+    """Return what mapbox-earcut makes of a counter-clockwise outline (n, 2)."""
+    from mapbox_earcut import triangulate_float64  # few meshes need it
 
-    Attributes
-    ----------
-    end : int
-        Number of the point where it ends, on the right.
-    change : int
-        By how much `winding` there is larger than below the edge.
-    winding : int
-        The turns of the outline around the place; it is outside if they are 0.
-    front : list of int
-        Points of the place, upwards, to the right of which no triangle has been made.
-    foremost : int
-        Position of the rightmost point of the front.
-    """
-
-    __slots__ = ("along", "change", "end", "foremost", "front", "touch", "up", "winding", "x", "y")
-
-    def __init__(self, flat: _Places, start: int, end: int, change: int, winding: int) -> None:
-        self.end, self.change, self.winding = end, change, winding
-        self.front, self.foremost = [start], 0
-        (self.x, self.y), (end_x, end_y) = flat[start], flat[end]
-        self.along, self.up = end_x - self.x, end_y - self.y
-        self.touch = _TOUCHES * (self.along + abs(self.up))
-
-    def side(self, point: tuple[int, int]) -> int:
-        """Above 0 for a point above the edge, below 0 for one below, 0 if it touches the edge."""
-        turn = self.along * (point[1] - self.y) - self.up * (point[0] - self.x)
-        return turn if abs(turn) > self.touch else 0
+    rings = [(_shoelace(flat[ring]), ring) for ring in _rings(flat)]
+    least = _ROUNDING * abs(sum(size for size, _ in rings))
+    holes = [ring for size, ring in rings if size < -least]
+    outlines = [[ring] for size, ring in sorted(rings, key=lambda each: -each[0]) if size > least]
+    ears = [np.empty(0, dtype=np.int64)]
+    for number, outline in enumerate(outlines):
+        parts = outline if number else [*outline, *holes]
+        places = np.concatenate(parts)
+        ends = np.cumsum([len(part) for part in parts]).astype(np.uint32)
+        ears.append(places[triangulate_float64(np.ascontiguousarray(flat[places]), ends)])
+    return np.concatenate(ears).reshape(-1, 3)
 
 
-def _sweep(flat: _Places, outline: list[int]) -> list[tuple[int, int, int]] | None:
-    """Return the triangles inside an outline, or None if it crosses itself between its points.
-
-    Parameters
-    ----------
-    flat : list of tuples of 2 ints
-        Points, from left to right.
-    outline : list of int
-        Numbers of the points, in the order of the outline.
-    """
-    changes: defaultdict[int, defaultdict[int, int]] = defaultdict(lambda: defaultdict(int))
-    for one, other in pairwise([*outline, outline[0]]):
-        changes[min(one, other)][max(one, other)] += (one < other) - (one > other)
-    triangles: list[tuple[int, int, int]] = []
-    arriving: defaultdict[int, int] = defaultdict(int)
-    reached: list[_Edge] = []  # upwards
-
-    def turn(a: int, b: int, c: int) -> int:
-        (x, y), (bx, by), (cx, cy) = flat[a], flat[b], flat[c]
-        return (bx - x) * (cy - y) - (by - y) * (cx - x)
-
-    for point, place in enumerate(flat):
-        first, last = 0, len(reached)
-        while first < last:
-            middle = (first + last) // 2
-            if reached[middle].side(place) > 0:
-                first = middle + 1
-            else:
-                last = middle
-        while last < len(reached) and reached[last].side(place) == 0:
-            last += 1
-        met = reached[first:last]
-        for edge in met:
-            arriving[edge.end] -= 1
-            if edge.end != point:  # the point touches the edge
-                changes[point][edge.end] += edge.change
-        leaving = _leaving(point, flat, changes, turn)
-        is_disordered = (first and reached[first - 1].side(place) <= 0) or (
-            last < len(reached) and reached[last].side(place) >= 0
-        )
-        if is_disordered or arriving[point]:
-            return None
-        if not met and not leaving:
-            continue
-
-        below = reached[first - 1] if first else _Edge(flat, 0, 0, 0, 0)
-        lower: list[int] = []
-        upper: list[int] = []
-        if met:
-            lower, upper = below.front, met[-1].front
-        elif below.winding:
-            at = below.foremost
-            lower, upper = below.front[: at + 1], below.front[at:]
-        winding = met[-1].winding if met else below.winding
-        if below.winding:
-            while len(lower) > 1 and turn(lower[-2], point, lower[-1]) > 0:
-                triangles.append((lower[-2], point, lower.pop()))
-            lower.append(point)
-        for edge in met[:-1]:
-            if edge.winding:
-                triangles += [(one, point, next_one) for one, next_one in pairwise(edge.front)]
-        if winding:
-            while len(upper) > 1 and turn(upper[0], point, upper[1]) > 0:
-                triangles.append((upper.pop(0), point, upper[0]))
-            upper.insert(0, point)
-
-        edges, around = [], below.winding
-        for end, change in leaving:
-            around += change
-            arriving[end] += 1
-            edges.append(_Edge(flat, point, end, change, around))
-        if around != winding:
-            return None
-        reached[first:last] = edges
-        if edges:
-            below.front, below.foremost = lower, len(lower) - 1
-            edges[-1].front, edges[-1].foremost = upper, 0
-        elif winding:
-            below.front, below.foremost = lower + upper[1:], len(lower) - 1
-    return triangles
+def _shoelace(ring: Floats) -> float:
+    """Return twice the signed area of a ring (n, 2)."""
+    x, y = (ring - ring[0]).T
+    return float(x @ np.roll(y, -1) - y @ np.roll(x, -1))
 
 
-def _leaving(
-    point: int,
-    flat: _Places,
-    changes: defaultdict[int, defaultdict[int, int]],
-    turn: Callable[[int, int, int], int],
-) -> list[tuple[int, int]]:
-    """Return the ends and changes of the edges that leave a point, upwards."""
+def _wrong(triangles: Floats, enclosed: float) -> float:
+    """Return by how much twice the area of triangles (k, 3, 2) differs from that of the outline."""
+    (x, y), (other_x, other_y) = ((triangles[:, i] - triangles[:, 0]).T for i in (1, 2))
+    return abs(float(np.abs(x * other_y - y * other_x).sum()) - enclosed)
 
-    def upwards(one: int, other: int) -> int:
-        return -turn(point, one, other)
 
-    leaving = changes.pop(point, defaultdict(int))
-    while True:
-        ends = [end for end, change in leaving.items() if change]
-        ends.sort(key=cmp_to_key(upwards))
-        for one, other in pairwise(ends):
-            near, far = min(one, other), max(one, other)
-            if _Edge(flat, point, far, 0, 0).side(flat[near]) == 0:
-                # They overlap: the longer edge goes on where the shorter one ends.
-                changes[near][far] += leaving[far]
-                leaving[near] += leaving.pop(far)
-                break
-        else:
-            return [(end, leaving[end]) for end in ends]
+def _rings(flat: Floats) -> list[Ints]:
+    """Split an outline (n, 2) where it returns to a place: so bridges to holes vanish."""
+    rings: list[list[int]] = []
+    way: list[int] = []
+    position: dict[tuple[float, float], int] = {}
+    corners = [(x, y) for x, y in flat.tolist()]
+    for number, place in enumerate(corners):
+        if place in position:
+            at = position[place]
+            rings.append(way[at:])
+            for each in way[at:]:
+                del position[corners[each]]
+            del way[at:]
+        position[place] = len(way)
+        way.append(number)
+    return [np.array(ring) for ring in (*rings, way) if len(ring) > 2]
+
+
+def _doubled(triangles: Floats) -> Floats:
+    """Return twice the signed areas of triangles (k, 3, 2)."""
+    (x, y), (other_x, other_y) = ((triangles[:, i] - triangles[:, 0]).T for i in (1, 2))
+    doubled: Floats = x * other_y - y * other_x
+    return doubled

@@ -23,21 +23,29 @@ import numpy as np
 from app import modules
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes import mesh_files as meshes
-from app.scenes.finishing import Finished, finished
+from app.scenes.finishing import DIVIDING, Finished, finished
 from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
 
 SMALL = 2**20
 """Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
 SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
-SMALL_POLYGONS = 2_000
-"""Most corners of such a mesh in faces of more than four, which take time to be divided."""
+SMALL_POLYGONS = 500
+"""Most corners of such a mesh in faces of more than four: the worst take 0.05 s to be divided."""
+DIVIDING_S = 120
+"""Longest time between two reports while faces are divided: it grows with the square of a face's
+corners, or faster."""
 MEMORY = 6 * 2**30
 """Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
 ENDED = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: the process that reads it ended too early; make it smaller, or export or download the "
     "file again.",
+)
+TOO_LONG = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: its faces are not divided into triangles within {1} s; give them fewer corners, or "
+    "divide them before the export.",
 )
 _POLL_S = 0.05
 
@@ -75,13 +83,15 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
     # Not every system can wait for a pipe together with the window's events.
     listener = threading.Thread(target=_listen, args=(child.stdout, answers), daemon=True)
     listener.start()
-    done = 0.0
+    done, heard = 0.0, time.monotonic()
     try:
         while True:
             report(progress, done)
             try:
                 answer = answers.get(timeout=_POLL_S)
             except Empty:
+                if done >= DIVIDING and time.monotonic() - heard > DIVIDING_S:
+                    raise Refusal.saying(TOO_LONG, path, DIVIDING_S) from None
                 continue
             if isinstance(answer, Finished):
                 return answer
@@ -90,7 +100,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
             if "refused" in answer:
                 template, *parts = answer["refused"]
                 raise Refusal.saying(template, path, *parts[1:])
-            done = answer["done"]
+            done, heard = answer["done"], time.monotonic()
     finally:
         child.kill()
         child.wait()
@@ -138,6 +148,7 @@ def main(path: Path) -> None:
 
     def progress(fraction: float) -> bool:
         nonlocal said
+        fraction = round(fraction, 4)  # not an answer for each of a million faces
         if fraction != said:
             said = fraction
             say({"done": fraction})

@@ -53,7 +53,7 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
     "app.drawings": ("matplotlib",),
-    "app.scenes": VTK,
+    "app.scenes": (*VTK, "mapbox_earcut"),
     "app.lessons": ("markdown_it", "matplotlib"),
     "app.measure": ("matplotlib", "PIL", "mpmath"),
     "widgets.panes": VTK,

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.model.refusal import Refusal
 from app.scenes import reading
 from app.scenes.finishing import finished
 from app.scenes.mesh import Mesh
@@ -30,7 +31,7 @@ def triangles(ring: Floats) -> Floats:
     """The triangles (k, 3, 2 or 3) of a polygon in the plane or in space."""
     points = np.column_stack([ring, np.zeros(len(ring))]) if ring.shape[1] == 2 else ring
     ends = np.array([0, len(ring)])
-    found, owner = divided(points, ends, np.arange(len(ring)), lambda: None)
+    found, owner = divided(points, ends, np.arange(len(ring)), lambda _: None)
     assert (owner == 0).all()
     return ring[found]
 
@@ -142,8 +143,7 @@ def test_a_polygon_that_is_not_quite_flat_stays_whole() -> None:
     assert found > shoelace(outline)
 
 
-def test_time_grows_little_faster_than_the_corners() -> None:
-    """A face of 100 000 corners takes seconds; with time that grows by squares it takes hours."""
+def test_a_star_of_10_000_corners_takes_less_than_seconds() -> None:
     count = 10_000
     turn = np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
     radius = np.random.default_rng(1).uniform(0.1, 1.0, count)
@@ -152,6 +152,34 @@ def test_time_grows_little_faster_than_the_corners() -> None:
     found = triangles(ring)
     assert time.process_time() - began < 5.0
     assert areas(found).sum() == pytest.approx(shoelace(ring[:, :2]), rel=1e-12)
+
+
+def test_an_outline_that_repeats_itself_takes_no_time_of_its_cube() -> None:
+    ring = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.3, 0.5]] * 2_500)
+    began = time.process_time()
+    assert areas(triangles(np.column_stack([ring, ring[:, 0]]))).sum() > 0.0
+    assert time.process_time() - began < 5.0
+
+
+def test_triangles_turn_like_their_polygon() -> None:
+    outline, _ = keyholed(np.random.default_rng(4))
+    for ring in (outline, outline[::-1]):
+        a, b, c = triangles(ring).transpose(1, 2, 0)
+        turns = (b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]
+        assert (turns * np.sign(shoelace(ring)) >= -1e-12).all()
+
+
+def test_faces_that_take_too_long_are_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A random outline crosses itself a million times."""
+    places = np.random.default_rng(5).uniform(size=(8_000, 2)).tolist()
+    lines = [f"v {x} {y} 0" for x, y in places]
+    (tmp_path / "m.obj").write_text("\n".join([*lines, f"f {' '.join(map(str, range(1, 8_001)))}"]))
+    monkeypatch.setattr(reading, "DIVIDING_S", 0.2)
+    with pytest.raises(Refusal) as caught:
+        reading.read(tmp_path / "m.obj")
+    assert caught.value.bound == reading.TOO_LONG
 
 
 HOLE = (
