@@ -30,6 +30,7 @@ from app.scenes.mesh import (
     NO_MEMORY,
     NOT_FINITE_LINE,
     NOT_OF_KIND,
+    UNSUPPORTED,
     Colours,
     Floats,
     Ints,
@@ -493,6 +494,10 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[st
         source.fail("header")
     source.check_size(vertices, faces + lines, 3 * faces + 2 * lines)
     drawn = ("vertex", "face", "edge", "tristrips")
+    for each in elements:  # faces by another name: the vertices alone are not what it shows
+        is_list = any(column.counter is not None for column in each.properties)
+        if is_list and each.rows and each.name not in drawn and not faces:
+            raise Refusal.saying(UNSUPPORTED, source.path, f"element {each.name}")
     needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
     body = data[header.end() :]
     lines_of: dict[str, Ints] = {}

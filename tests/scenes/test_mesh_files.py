@@ -323,6 +323,15 @@ def test_triangle_strips_of_ply_are_read(encoding: str, tmp_path: Path) -> None:
     assert not found.notes  # a repeated corner joins strips
 
 
+def test_faces_of_ply_by_another_name_are_refused_by_it(tmp_path: Path) -> None:
+    """Their vertices alone would be a cloud that the file does not show."""
+    path = tmp_path / "m.ply"
+    xyz = "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID.tolist())
+    header = ply_header("ascii", 5, 1).replace("element face", "element trifans")
+    path.write_text(f"{header}{xyz}4 0 1 2 3\n")
+    assert refused(path).limits[1:] == ("element trifans",)
+
+
 def test_triangle_strips_of_ply_may_stand_beside_faces(tmp_path: Path) -> None:
     header = ply_header("ascii", 5, 1).replace(
         "end_header", "element tristrips 1\nproperty list int int vertex_indices\nend_header"
