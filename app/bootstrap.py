@@ -256,7 +256,6 @@ def _ensure_system(missing: Sequence[System]) -> None:
 
 #: Distributions whose import name differs from their own name.
 _IMPORT_NAME = {
-    "mapbox-earcut": "mapbox_earcut",
     "markdown-it-py": "markdown_it",
     "pillow": "PIL",
     "vtk": "vtkmodules",

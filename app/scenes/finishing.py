@@ -6,6 +6,7 @@ All slow work on a large mesh is here, so that `app.scenes.reading` can do it in
 from __future__ import annotations
 
 import math
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -223,15 +224,14 @@ def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints,
         return mesh.offsets, mesh.corners, rgb
     corners, face = [mesh.corners[np.repeat(is_whole, counts)]], [np.flatnonzero(is_whole)]
 
-    def tell(polygon: int) -> None:
-        report(progress, DIVIDING + (1.0 - DIVIDING) * polygon / len(large))
+    def tell(before: int, polygon: int) -> None:
+        report(progress, DIVIDING + (1.0 - DIVIDING) * (before + polygon) / len(large))
 
     for number, which in enumerate(_blocks(large)):
         ends = np.concatenate([[0], np.cumsum(counts[which])])
         places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
-        before = number * _BLOCK
         triangles, owners = divided(
-            mesh.points, ends, mesh.corners[places], lambda polygon, b=before: tell(b + polygon)
+            mesh.points, ends, mesh.corners[places], partial(tell, number * _BLOCK)
         )
         corners.append(triangles.ravel())
         face.append(which[owners])
