@@ -47,7 +47,7 @@ READING_TOLERANCE_DEPTH = 1e-12
 _UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53
 _LARGEST_32, _LEAST_32 = 2.0**127, 2.0**-126  # the largest with room for a sum
 _CHUNK = 8192
-_CERTAIN = 2.0**-16  # of an ulp: below this bound, computing with rationals is not worthwhile
+CERTAIN = 2.0**-16  # of an ulp: below this bound, computing with rationals is not worthwhile
 _ROUNDED_UP = 1.0 + 2.0**-10  # for products of roundings, and for those of the bounds themselves
 
 
@@ -514,14 +514,14 @@ def _bounded(number: Any) -> _Bounded:
 def _trace_exact(
     projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
 ) -> Trace:
-    numbers, _, outside = _exact_numbers(projection, placed, given, space, one)
+    numbers, _, outside = exact_numbers(projection, placed, given, space, one)
     traced = empty_trace(placed.world)
     seen = (numbers[6] > 0.0) & np.isfinite(numbers[7:]).all(axis=0)
     _keep(traced, (*(numbers + 0.0), seen, *outside))
     return traced
 
 
-def _exact_numbers(
+def exact_numbers(
     projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Rows: view 3, clip 4, NDC 3, image 2, depth; rounding errors of the last 3; outside 6.
@@ -543,7 +543,7 @@ def _exact_numbers(
             numbers[row, block] = number.value.hi
             if row >= 10:
                 rests[row - 10, block] = number.value.lo
-            rounds = number.error <= _CERTAIN * np.spacing(np.abs(number.value.hi))
+            rounds = number.error <= CERTAIN * np.spacing(np.abs(number.value.hi))
             doubtful |= ~rounds if row < 7 else in_front & ~rounds
         for plane, number in enumerate(first[7:]):
             outside[plane, block] = number.value.hi < 0.0
@@ -558,7 +558,7 @@ def _exact_numbers(
 def _rational_numbers(
     projection: Projection, given: Array, space: Space, one: int
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Compute `_exact_numbers` in rationals, each number rounded once."""
+    """Compute `exact_numbers` in rationals, each number rounded once."""
     passage, point = projection.passage, tuple(map(Quotients.of, given.T))
     if space == "object":
         point = projection.placement.exactly(point, one)

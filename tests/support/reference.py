@@ -31,7 +31,7 @@ class Reference(NamedTuple):
         with np.errstate(all="ignore"):
             placed = projection.placed(points, space)
             given = np.reshape(np.asarray(points, dtype=np.float64), (-1, 3))
-            numbers, rests, _ = levels._exact_numbers(projection, placed, given, space)
+            numbers, rests, _ = levels.exact_numbers(projection, placed, given, space)
         numbers[:, ~(numbers[6] > 0.0)] = np.nan
         return cls(numbers[10:].T, rests.T)
 
@@ -40,6 +40,6 @@ class Reference(NamedTuple):
 
         NaN where the answer is NaN or there is no picture.
         """
-        unknown = levels._CERTAIN * np.spacing(np.abs(self.numbers))
+        unknown = levels.CERTAIN * np.spacing(np.abs(self.numbers))
         errors: Array = np.abs((answers - self.numbers) - self.rests) + unknown
         return errors
