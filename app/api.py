@@ -54,13 +54,7 @@ from app.model.projection import (
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.picking.picking import Probe
-from app.precision.levels import (
-    Precision,
-    precision_for_reading,
-    predict,
-    trace,
-    trace_homogeneous,
-)
+from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.scene import BUILT_IN, Scene
 from app.scenes.scene import load as load_scene
 

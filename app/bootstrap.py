@@ -228,7 +228,7 @@ def _ensure_system(missing: Sequence[System]) -> None:
         raise SetupError(advice(missing))
     packages = _packages(missing)
     _say(f"this system lacks {' '.join(packages)}")
-    with _stoppable(), _Progress() as progress:
+    with _stoppable(), _Activity() as progress:
         for text, command in (
             # An unreachable repository is no reason to stop: the necessary one may be reachable.
             ("updating the list of system packages", ["apt-get", "update"]),
@@ -435,7 +435,7 @@ class Environment:
             self._bring_back()
         _say(f"set up in {time.monotonic() - started:.0f} s")
 
-    def _make_anew(self, held: Held) -> None:
+    def _make_anew(self, held: HeldLock) -> None:
         if self.read_stamp() in (None, _UNFINISHED):
             self._clear(self.folder)
         else:  # it serves another Python, or the program while the tests' part is half-made
@@ -532,7 +532,7 @@ class Environment:
         tag, pip, *old = [*done.stdout.split("\n")[:-1], "", ""][:3]
         return tag, bool(pip), old[0] if done.stdout.count("\n") > 2 else None
 
-    def _install(self, held: Held) -> None:
+    def _install(self, held: HeldLock) -> None:
         """Install the tested versions or, if they are not available here, newer ones."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
@@ -563,7 +563,7 @@ class Environment:
             why = "no package server could be reached"  # whatever pip's own conclusion
         return SetupError(what.replace("{}", why, 1))
 
-    def _pip(self, held: Held, command: list[str]) -> tuple[int, list[str]]:
+    def _pip(self, held: HeldLock, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
         told: set[str] = set()  # pip names a package again after inspecting it
 
@@ -634,7 +634,7 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 # --- one set-up at a time -------------------------------------------------------------------------
 
 
-class _Progress:
+class _Activity:
     """Shows the current activity repeatedly, so that the program does not seem to hang.
 
     On a terminal the line counts the seconds; elsewhere a new line appears now and then.
@@ -686,7 +686,7 @@ class _Progress:
             print(file=sys.stderr, flush=True)
 
 
-class Held(_Progress):
+class HeldLock(_Activity):
     """A held lock with its progress. Programs that run under it hold the lock too.
 
     If a set-up is killed, its pip may continue for a while (on Linux it is killed too). Because pip
@@ -730,7 +730,7 @@ def die_with_parent() -> None:
 
 
 @contextlib.contextmanager
-def _lock(path: Path) -> Iterator[Held]:
+def _lock(path: Path) -> Iterator[HeldLock]:
     """Hold a lock that the operating system releases if the process dies."""
 
     def without_waiting(name: str, flags: int) -> int:  # for the reader of a pipe
@@ -741,7 +741,7 @@ def _lock(path: Path) -> Iterator[Held]:
             _say("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
                 time.sleep(0.2)
-        with Held(file) as held:
+        with HeldLock(file) as held:
             yield held
 
 

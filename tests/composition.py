@@ -14,7 +14,7 @@ from itertools import product
 
 from app.commands.composed import PANE_EM_PX, faults_in
 from app.document.document import Document
-from app.drawings.composition import Measured, measured
+from app.drawings.composition import ComposedPicture, measured
 from app.drawings.style import DARK, LIGHT
 from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
@@ -27,7 +27,7 @@ WINDOWS = {
 STYLES = {"light": LIGHT, "dark": DARK}
 
 
-def pictures(scene: str, window: str, style: str) -> Iterator[tuple[str, Measured]]:
+def pictures(scene: str, window: str, style: str) -> Iterator[tuple[str, ComposedPicture]]:
     """Measure the panes of a scene as they open in a window."""
     found = load(scene)
     document = Document(scene, found.start)

@@ -22,10 +22,7 @@ from app.document.settings import open_with, set_values
 from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
-from app.model.projection import (
-    NOT_THE_EYE,
-    Projection,
-)
+from app.model.projection import NOT_THE_EYE, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 

@@ -56,7 +56,7 @@ _YES = {"yes": True, "no": False}
 Draw = Callable[[argparse.Namespace, str, "str | None"], str]
 
 
-class Line(NamedTuple):
+class ListedFigure(NamedTuple):
     """A figure of a list: where the list asks for it, and its cells by column."""
 
     where: str
@@ -100,7 +100,7 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
 # --------------------------------------------------------------------------- reading
 
 
-def _lines(found: argparse.Namespace) -> Iterator[Line]:
+def _lines(found: argparse.Namespace) -> Iterator[ListedFigure]:
     source, ending = found.batch, found.format or "png"
     if os.path.isdir(source):
         with blamed_on(source, UNREADABLE):
@@ -111,12 +111,12 @@ def _lines(found: argparse.Namespace) -> Iterator[Line]:
         for path in paths:
             stem = os.path.splitext(os.path.basename(path))[0]
             if is_lesson(path):
-                yield from _of_steps(path, Line(path, {"file": path}, (path,)), ending)
+                yield from _of_steps(path, ListedFigure(path, {"file": path}, (path,)), ending)
             else:
-                yield Line(path, {"out": f"{stem}.{ending}", "file": path}, (path,))
+                yield ListedFigure(path, {"out": f"{stem}.{ending}", "file": path}, (path,))
         return
     if is_lesson(lesson := lesson_file(source)):
-        yield from _of_steps(lesson, Line(lesson, {"file": lesson}, (lesson,)), ending)
+        yield from _of_steps(lesson, ListedFigure(lesson, {"file": lesson}, (lesson,)), ending)
         return
     if found.format:
         raise CliError("--format: is for a folder or a lesson; in a list the endings decide.")
@@ -140,7 +140,7 @@ def _is_drawn(path: str) -> bool:
     return True
 
 
-def _of_steps(lesson: str, line: Line, ending: str = "") -> Iterator[Line]:
+def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[ListedFigure]:
     """Yield a line for each step of a lesson.
 
     Its figure is named by lesson and step if there is an ending, else by a number in the column
@@ -166,10 +166,10 @@ def _of_steps(lesson: str, line: Line, ending: str = "") -> Iterator[Line]:
     for place, out in enumerate(outs, 1):
         cells = line.cells | {"out": out, "step": str(place)}
         where = f"{line.where}, step {place}"
-        yield Line(where, cells, (*line.sources, *files))
+        yield ListedFigure(where, cells, (*line.sources, *files))
 
 
-def _of_list(source: str) -> Iterator[Line]:
+def _of_list(source: str) -> Iterator[ListedFigure]:
     with blamed_on(source, UNREADABLE):
         content = content_of(source, LARGEST_LIST)
     text, note = decode(content)
@@ -191,7 +191,7 @@ def _of_list(source: str) -> Iterator[Line]:
             wrong = ""
             if len(cells) > len(columns):
                 wrong = f"has {len(cells)} columns, but the first row names {len(columns)}."
-            yield Line(where, named, (source,), wrong)
+            yield ListedFigure(where, named, (source,), wrong)
     except csv.Error as error:
         raise CliError(f"{source}, line {begin}: is not CSV ({error}).") from error
     if is_empty:
@@ -221,7 +221,7 @@ def _options(parser: Parser) -> dict[str, argparse.Action]:
 
 
 def _asked(
-    parser: Parser, found: argparse.Namespace, line: Line
+    parser: Parser, found: argparse.Namespace, line: ListedFigure
 ) -> tuple[argparse.Namespace, str | None]:
     """Return the options and the FILE of a line; those of the command line where it has none."""
     options, words, given = _options(parser), list[str](), dict[str, bool]()

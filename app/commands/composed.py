@@ -17,7 +17,7 @@ from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal, counted
 
 if TYPE_CHECKING:
-    from app.drawings.composition import Measured
+    from app.drawings.composition import ComposedPicture
 
 SLIDE_PX, SLIDE_HIGH_PX = (1920, 1080), 910
 """A screen of a class, and the height that title and formula leave of it for the picture."""
@@ -27,7 +27,7 @@ SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
 PANE_PX, PANE_EM_PX = (580, 660), 15.5
 """The large pane of a window of 1366 by 768 pixels, and the letters there."""
 
-Measure = Callable[[Document, str, tuple[int, int], float], "list[Measured]"]
+Measure = Callable[[Document, str, tuple[int, int], float], "list[ComposedPicture]"]
 
 
 @dataclass
@@ -96,19 +96,12 @@ def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:
     return {pane: (round(share * SLIDE_PX[0]), SLIDE_HIGH_PX) for pane in panes}
 
 
-def faults_in(picture: Measured, screen_px: int | None) -> Iterator[tuple[str, str]]:
+def faults_in(picture: ComposedPicture, screen_px: int | None) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with a picture: its kind, and a sentence with its numbers.
 
     `screen_px` is the height of the screen that a class looks at; None for a window.
     """
-    from app.drawings.composition import (
-        CAPITAL,
-        FULL,
-        LEAST_AREA,
-        LEAST_FILL,
-        LETTERS,
-        MOST_LABELS,
-    )
+    from app.drawings.composition import CAPITAL, FULL, LEAST_AREA, LEAST_FILL, LETTERS, MOST_LABELS
 
     for one, other in picture.overlaps:
         yield "overlap", f"“{one}” overlaps “{other}”."

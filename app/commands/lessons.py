@@ -9,7 +9,7 @@ from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.commands.results import results
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read
 from app.lessons.names import page
@@ -39,7 +39,7 @@ def lesson(arguments: Sequence[str]) -> int:
     if what == "list":
         write_out(map(_line, files))
         return 0
-    report, composed = Report(), Composed()
+    report, composed = CheckReport(), Composed()
     write_out(_checked(report, composed, files, own=not names))
     return 1 if report.wrong or composed.wrong else 0
 
@@ -52,10 +52,12 @@ def _line(file: Path) -> str:
     return f"{kind:<7}{topics:<8}{counted(steps, 'step'):>9}  {found.title}  ({file.name})\n"
 
 
-def _checked(report: Report, composed: Composed, files: Sequence[Path], own: bool) -> Iterator[str]:
+def _checked(
+    report: CheckReport, composed: Composed, files: Sequence[Path], own: bool
+) -> Iterator[str]:
     """Yield a line for each mistake or warning, and the lines that sum them up."""
     if own:
-        ideas_report = Report()
+        ideas_report = CheckReport()
         ideas_report.take(ideas().lesson)
         report.wrong += ideas_report.wrong
     for file in files:

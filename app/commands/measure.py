@@ -25,7 +25,7 @@ from app.drawings import off_screen
 from app.measure import chart, measuring
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
-from app.measure.results import GAPS, Results, table, to_csv, to_json
+from app.measure.results import GAPS, Measurements, table, to_csv, to_json
 from app.model.projection import LENSES
 from app.model.refusal import Cancelled
 
@@ -149,7 +149,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
             print("\r      \r", end="", file=sys.stderr, flush=True)
 
 
-def _measured(results: Results, cost: str) -> Iterator[str]:
+def _measured(results: Measurements, cost: str) -> Iterator[str]:
     """Yield the results as tables, each trade with its meaning for this cost."""
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"

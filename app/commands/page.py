@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from app.commands import sweep
 from app.commands.arguments import importing
 from app.commands.options import CliError
-from app.document.compare import Written, names_in
+from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
@@ -57,14 +57,14 @@ def write(
     """Write the page of states, which `told` yields too; return a warning if it is large."""
     with importing():
         from app.drawings.describing import describe
-        from app.drawings.page import LARGEST, State, drawn, page
+        from app.drawings.page import LARGEST, SliderPosition, drawn, page
     values = _values(found, states, scene)
     shown = []
     for value, state in zip(values, told, strict=True):
         about = describe(state, scene, sweep.panes(found))
         given = {**options(state), "hidden": found.hidden or "none"}
         panes = [drawn(pane, said, state, scene, **given) for pane, said in about.panes.items()]
-        shown.append(State(value, panes, about.general, (*about.cut, *about.risky)))
+        shown.append(SliderPosition(value, panes, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in found.panes)
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
@@ -90,7 +90,7 @@ def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
         return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
 
-    written = Written(named, lambda text: in_letters(text, letters), figure)
+    written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
     values = names_in([""] * len(states), [each.state for each in states], settings, written)
     if len(states) > 1 and not all(values):  # nothing that a picture compares, such as a stage

@@ -43,14 +43,14 @@ def run(arguments: Sequence[str]) -> int:
         traced = trace_homogeneous(projection, rows, precision, found.space)
     else:
         traced = trace(projection, rows[:, :3], precision, space=found.space)
-    answer = _Answer(projection, traced, precision, predictions, found.space, read.columns)
+    answer = _ProjectedPoints(projection, traced, precision, predictions, found.space, read.columns)
     if found.format == "table":
         write_out([f"{lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[found.format](answer))
     return 0
 
 
-class _Answer(NamedTuple):
+class _ProjectedPoints(NamedTuple):
     """The data that `project` prints."""
 
     projection: Projection
@@ -90,13 +90,13 @@ class _Answer(NamedTuple):
         return len(self.stages[0][1])
 
 
-class _Block(NamedTuple):
+class _PointBlock(NamedTuple):
     """Some of the points, ready for output.
 
     Attributes
     ----------
     numbers : (n, k) float64 array
-        The columns of `_Answer.stages`; NaN where there is no picture, and no minus zero.
+        The columns of `_ProjectedPoints.stages`; NaN where there is no picture, and no minus zero.
     in_front, lost : list of bool
     outside_of : list of tuple of str
     """
@@ -128,7 +128,7 @@ _HOMOGENEOUS = tuple(
 _BLOCK = 4096
 
 
-def _blocks(answer: _Answer) -> Iterator[_Block]:
+def _blocks(answer: _ProjectedPoints) -> Iterator[_PointBlock]:
     trace, lost = answer.trace, answer.lost
     named = [
         tuple(plane for i, plane in enumerate(PLANES) if code >> i & 1)
@@ -138,7 +138,7 @@ def _blocks(answer: _Answer) -> Iterator[_Block]:
         part = Trace._make(column[start : start + _BLOCK] for column in trace)
         codes = part.outside @ (1 << np.arange(len(PLANES)))
         stages = part.world, part.view, part.clip, part.ndc, part.image, part.depth
-        yield _Block(
+        yield _PointBlock(
             np.column_stack(stages) + 0.0,
             part.in_front.tolist(),
             lost[start : start + _BLOCK].tolist(),
@@ -146,7 +146,7 @@ def _blocks(answer: _Answer) -> Iterator[_Block]:
         )
 
 
-def _project_json(answer: _Answer) -> Iterator[str]:
+def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
     parts = [
         f'"{stage}": {"[%s]" if len(names) > 1 else "%s"}' % ", ".join(["%s"] * len(names))
         for stage, names in answer.stages
@@ -204,7 +204,7 @@ def _finite_or_text(error: float) -> float | str:
     return error if math.isfinite(error) else "inf"
 
 
-def _project_csv(answer: _Answer) -> Iterator[str]:
+def _project_csv(answer: _ProjectedPoints) -> Iterator[str]:
     columns = [name for _, names in answer.stages for name in names]
     others = answer.columns.written(lambda row: f",{_csv_row(row)}")
     names = f",{_csv_row(answer.columns.names)}" if answer.columns.names else ""
@@ -235,7 +235,7 @@ def _csv_row(cells: list[str]) -> str:
     return text.getvalue()
 
 
-def _project_table(answer: _Answer) -> Iterator[str]:
+def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
     labels = ("world", "view", "clip", "NDC", "image px", "depth")
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
     seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
@@ -320,7 +320,7 @@ def _why_none(numbers: list[float]) -> str:
     return "the picture is at infinity too: w = 0, and lines of this direction stay parallel"
 
 
-_PROJECT_FORMATS: dict[str, Callable[[_Answer], Iterator[str]]] = {
+_PROJECT_FORMATS: dict[str, Callable[[_ProjectedPoints], Iterator[str]]] = {
     "table": _project_table,
     "csv": _project_csv,
     "json": _project_json,

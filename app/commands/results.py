@@ -15,7 +15,7 @@ from app.commands.options import BAD_INPUT, CliError, complain, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.course import idea_named
 from app.lessons.record import RIGHT, SHOWN, WRONG
-from app.lessons.results import Marked, Marker, Results, read
+from app.lessons.results import Marker, RemarkedAnswer, StudentResults, read
 from app.model.refusal import Refusal, counted
 from app.strangers import printable
 
@@ -37,7 +37,7 @@ def results(found: argparse.Namespace, files: Sequence[str]) -> int:
         raise CliError("lesson results needs a FILE.")
     if found.csv:
         check_out("--csv", found.csv)
-    read_files: list[tuple[str, Results]] = []
+    read_files: list[tuple[str, StudentResults]] = []
     for file in files:
         try:
             read_files.append((Path(file).name, read(file)))
@@ -53,7 +53,7 @@ def results(found: argparse.Namespace, files: Sequence[str]) -> int:
 
 
 def _rows(
-    file: str, student: Results, answers: Iterable[Marked], marker: Marker
+    file: str, student: StudentResults, answers: Iterable[RemarkedAnswer], marker: Marker
 ) -> Iterator[Sequence[object]]:
     for attempt, word, right, _ in answers:
         mark = word if word in (RIGHT, SHOWN, "") else WRONG
@@ -83,14 +83,14 @@ def _csv(rows: Iterable[Sequence[object]]) -> bytes:
     return text.getvalue().encode("utf-8-sig")
 
 
-def _idea(answer: Marked) -> tuple[str, str] | None:
+def _idea(answer: RemarkedAnswer) -> tuple[str, str] | None:
     """Return what names a wrong idea: its lesson, if only that knows it, and its name."""
     if answer.word in (RIGHT, SHOWN, WRONG, ""):
         return None
     return answer.attempt.lesson if answer.says else "", answer.word
 
 
-def _summary(students: Sequence[Sequence[Marked]]) -> Iterator[str]:
+def _summary(students: Sequence[Sequence[RemarkedAnswer]]) -> Iterator[str]:
     """Yield the counts of a class, its wrong ideas, and what no idea explained."""
     answers = [each for student in students for each in student]
     words = Counter(each.word for each in answers)

@@ -10,7 +10,7 @@ from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.composed import SLIDE_PX, Composed, measure, taken
 from app.commands.options import CliError, one_of, parser_of, write_out
 from app.document.files import write_bytes_atomically
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import Course, file_of
 from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal, counted
@@ -47,7 +47,7 @@ def talk(arguments: Sequence[str]) -> int:
 
 def _tried(path: Path) -> tuple[list[str], list[str]]:
     """Return everything that is wrong with a talk, and the warnings and lines that sum it up."""
-    report, composed, left = Report(), Composed(), ""
+    report, composed, left = CheckReport(), Composed(), ""
     try:
         course = report.take(read(path))
     except Refusal as error:

@@ -21,8 +21,8 @@ from app.document.compare import (
     MOST_PICTURES,
     PARTS,
     SOME_PICTURES,
+    ComparedPicture,
     Held,
-    Picture,
 )
 from app.document.document import SCENE_NAME, Document, is_mesh
 from app.document.fields import (
@@ -39,15 +39,7 @@ from app.document.fields import (
 )
 from app.document.view import read_view, view_tree
 from app.model.object_transform import NOT_MOVED, ObjectTransform
-from app.model.projection import (
-    FINITE_NUMBER,
-    LENSES,
-    ONE_OF,
-    Camera,
-    FreeMatrix,
-    Lens,
-    Projection,
-)
+from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import Quality
 from app.scenes.phenomena.settings import YES_OR_NO
@@ -339,7 +331,7 @@ def _pane_camera(section: Any, path: str) -> Camera:
     return camera
 
 
-def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
+def _pictures(value: Any, scene: str, mesh: Any) -> tuple[ComparedPicture, ...]:
     """Read the compared pictures, as `_picture_tree` writes them."""
     path = "view.compare"
     if not isinstance(value, list) or len(value) > MOST_PICTURES:
@@ -359,7 +351,9 @@ def _pictures(value: Any, scene: str, mesh: Any) -> tuple[Picture, ...]:
                 raise Refusal.in_document(bound, field=f"{where}.{key}", value=values[key])
         held = _held(part["held"], f"{where}.held", scene, mesh) if "held" in part else None
         with document_paths(where):
-            pictures.append(Picture(values["name"], tuple(values["set"]), held, values["live"]))
+            pictures.append(
+                ComparedPicture(values["name"], tuple(values["set"]), held, values["live"])
+            )
     return tuple(pictures)
 
 
@@ -500,7 +494,7 @@ def _add(tree: Tree, extra: Tree) -> None:
             _add(tree[key], value)
 
 
-def _picture_tree(picture: Picture, scene: str) -> Tree:
+def _picture_tree(picture: ComparedPicture, scene: str) -> Tree:
     tree: Tree = {"name": picture.name, "set": list(picture.changes), "live": picture.live}
     tree = {key: value for key, value in tree.items() if value}
     if picture.held is not None:

@@ -54,7 +54,7 @@ class Held:
 
 
 @dataclass(frozen=True)
-class Picture:
+class ComparedPicture:
     """One of the compared pictures.
 
     Parameters
@@ -87,7 +87,7 @@ class Picture:
                 raise Refusal("set", change, ONLY_OF_THE_PICTURE)
 
 
-def check_pictures(pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
+def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float]) -> None:
     """Refuse a wrong number of pictures, and dividers that do not divide them."""
     count = len(pictures)
     live = sum(picture.live for picture in pictures)
@@ -147,7 +147,7 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
 
 
 @dataclass(frozen=True)
-class Written:
+class DifferenceWriter:
     """How to write a difference in a language: functions for the name of a model field, for a text
     of the phenomena (a setting's name, unit or choice; ``on`` and ``off``), and for a number with
     so many digits.
@@ -159,10 +159,10 @@ class Written:
 
 
 def in_words(
-    pictures: Sequence[Picture],
+    pictures: Sequence[ComparedPicture],
     states: Sequence[Held],
     settings: Sequence[Setting],
-    written: Written,
+    written: DifferenceWriter,
 ) -> list[str]:
     """Describe in words how pictures differ: ``near 4 \u2192 8``.
 
@@ -176,7 +176,10 @@ def in_words(
 
 
 def names_in(
-    own: Sequence[str], states: Sequence[Held], settings: Sequence[Setting], written: Written
+    own: Sequence[str],
+    states: Sequence[Held],
+    settings: Sequence[Setting],
+    written: DifferenceWriter,
 ) -> list[str]:
     """The name of each picture: its own one, or what differs: ``near 4``, ``near 8``.
 
@@ -200,13 +203,15 @@ def names_in(
     return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
 
 
-def _in_words(path: str, values: Sequence[Any], setting: Setting | None, written: Written) -> str:
+def _in_words(
+    path: str, values: Sequence[Any], setting: Setting | None, written: DifferenceWriter
+) -> str:
     label, texts = _written(path, values, setting, written)
     return f"{label} {ARROW.join(texts)}" if all(texts) else label
 
 
 def _written(
-    path: str, values: Sequence[Any], setting: Setting | None, written: Written
+    path: str, values: Sequence[Any], setting: Setting | None, written: DifferenceWriter
 ) -> tuple[str, list[str]]:
     """What a value is called, and the text of each, with its unit; no text for a matrix."""
     _, _, name = path.rpartition(".")
@@ -230,7 +235,7 @@ def _written(
     return label, [f"{text}{unit}" for text in texts]
 
 
-def _value(value: Any, written: Written, digits: int) -> str:
+def _value(value: Any, written: DifferenceWriter, digits: int) -> str:
     """Write a number, a point or a word; return an empty text for anything larger."""
     if isinstance(value, bool):
         return written.text(ON if value else OFF)

@@ -37,7 +37,7 @@ LOOKS = QT_TRANSLATE_NOOP(
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
-class Kind(NamedTuple):
+class FieldKind(NamedTuple):
     """How a value is typed after ``--set``.
 
     Attributes
@@ -69,7 +69,7 @@ class Field(NamedTuple):
 
     section: str
     name: str
-    kind: Kind | None
+    kind: FieldKind | None
     required: bool = False
     unit: str = ""
 
@@ -131,16 +131,16 @@ def _number_or_word(text: str) -> float | str:
     return word if value is None else value
 
 
-TEXT = Kind(str)
-NUMBER = Kind(number, (FINITE_NUMBER,))
-NUMBER_OR_WORD = Kind(_number_or_word)
-PIXELS = Kind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
-SWITCH = Kind(lambda text: {"true": True, "false": False}.get(text, text))
-VECTOR = Kind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
-MATRIX = Kind(_matrix, (FOUR_BY_FOUR,))
-PROBES = Kind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
-PANES = Kind(_looks, (LOOKS,))
-NAMES = Kind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
+TEXT = FieldKind(str)
+NUMBER = FieldKind(number, (FINITE_NUMBER,))
+NUMBER_OR_WORD = FieldKind(_number_or_word)
+PIXELS = FieldKind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
+SWITCH = FieldKind(lambda text: {"true": True, "false": False}.get(text, text))
+VECTOR = FieldKind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
+MATRIX = FieldKind(_matrix, (FOUR_BY_FOUR,))
+PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
+PANES = FieldKind(_looks, (LOOKS,))
+NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
 
 
 # --------------------------------------------------------------------------- the table
@@ -149,7 +149,9 @@ _BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
 _BY_DEFAULT = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 
 
-def _fields(section: str, owner: type, required: bool, **kinds: Kind | None) -> tuple[Field, ...]:
+def _fields(
+    section: str, owner: type, required: bool, **kinds: FieldKind | None
+) -> tuple[Field, ...]:
     """Return the fields of a section that is a dataclass; texts and options are never required."""
     found = []
     for each in fields(owner):
@@ -201,9 +203,9 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     )
 
 
-CAMERA_P = Field("camera", "P", Kind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
+CAMERA_P = Field("camera", "P", FieldKind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
 CALIBRATED = (
-    Field("lens", "K", Kind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
+    Field("lens", "K", FieldKind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
     *(
         Field("lens", name, NUMBER)
         for name in ("fx", "fy", "cx", "cy", "focal_mm", "sensor_width_mm", "sensor_height_mm")

@@ -9,7 +9,7 @@ from dataclasses import replace
 from typing import Any, TypeAlias
 
 from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
-from app.document.compare import NAME_ENDS, SOME_DIVIDERS, Picture
+from app.document.compare import NAME_ENDS, SOME_DIVIDERS, ComparedPicture
 from app.document.document import Document
 from app.document.fields import (
     ANGLES,
@@ -304,7 +304,7 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
             own = states.index(document)
             found[own] = replace(found[own], live=True)
         elif found:
-            found.append(Picture(live=True))
+            found.append(ComparedPicture(live=True))
         with document_paths("view"):
             view = replace(document.view, compare=tuple(found), dividers=())
             document = replace(document, view=view)
@@ -316,21 +316,21 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
     return document
 
 
-def _picture(text: str) -> Picture:
+def _picture(text: str) -> ComparedPicture:
     """Read a picture as `picture_text` writes it: its values, perhaps after its name."""
     name, ends, values = text.partition(NAME_ENDS)
     if not ends or "=" in name:
         name, values = "", text
-    return Picture(name.strip(), tuple(change.strip() for change in values.split(";")))
+    return ComparedPicture(name.strip(), tuple(change.strip() for change in values.split(";")))
 
 
-def picture_text(picture: Picture) -> str:
+def picture_text(picture: ComparedPicture) -> str:
     """Write a picture's part of ``view.compare``: ``phone: settings.preset=phone``."""
     values = ";".join(picture.changes)
     return f"{picture.name}{NAME_ENDS}{values}" if picture.name else values
 
 
-def pictured(document: Document, picture: Picture) -> Document:
+def pictured(document: Document, picture: ComparedPicture) -> Document:
     """Return the document as one of the compared pictures shows it.
 
     Raises
@@ -362,7 +362,7 @@ def compared(document: Document, name: str) -> Document:
     if name not in ready:
         names = ", ".join(ready) or "none"
         raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)
-    pictures = [Picture(*each) for each in ready[name].pictures]
+    pictures = [ComparedPicture(*each) for each in ready[name].pictures]
     states = [pictured(document, picture) for picture in pictures]
     own = states.index(document) if document in states else len(states) - 1
     pictures[own] = replace(pictures[own], live=True)
@@ -370,7 +370,7 @@ def compared(document: Document, name: str) -> Document:
     return replace(states[own], view=view)
 
 
-def name_of(document: Document, picture: Picture) -> str:
+def name_of(document: Document, picture: ComparedPicture) -> str:
     """Return the name that was given to a compared picture; empty if it has none now.
 
     The document's own picture keeps its name only while the document has its values.

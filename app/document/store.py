@@ -32,7 +32,7 @@ class Origin:
     """Whether it must not get lost. A student's trials at a lesson's step may."""
 
 
-class _Step(NamedTuple):
+class _UndoStep(NamedTuple):
     document: Document
     origin: Origin
 
@@ -78,11 +78,11 @@ class Store(QObject):
         self._document = document
         self.origin = Origin(saved or document)
         self.look: Callable[[], View] = lambda: self._document.view
-        self._undo: list[_Step] = []
-        self._redo: list[_Step] = []
+        self._undo: list[_UndoStep] = []
+        self._redo: list[_UndoStep] = []
         here = document.scene, document.mesh
         if saved is not None and saved != document and (saved.scene, saved.mesh) == here:
-            self._undo.append(_Step(saved, self.origin))
+            self._undo.append(_UndoStep(saved, self.origin))
         self._gestures = 0
         self._gesture_start: Document | None = None
         self._before: tuple[Any, ...] | None = None
@@ -191,7 +191,7 @@ class Store(QObject):
             return replace(document, view=view) if document.view is old else document
 
         for steps in (self._undo, self._redo):
-            steps[:] = [_Step(kept(step.document), step.origin) for step in steps]
+            steps[:] = [_UndoStep(kept(step.document), step.origin) for step in steps]
         self._document = kept(self._document)
         if self._gesture_start is not None:
             self._gesture_start = kept(self._gesture_start)
@@ -295,10 +295,10 @@ class Store(QObject):
         self._close_gesture()
         self._go(self._redo, self._undo)
 
-    def _go(self, steps: list[_Step], others: list[_Step]) -> None:
+    def _go(self, steps: list[_UndoStep], others: list[_UndoStep]) -> None:
         if steps:
             self._leave(*steps[-1])
-            others.append(_Step(self._document, self.origin))
+            others.append(_UndoStep(self._document, self.origin))
             document, self.origin = steps.pop()
             self._show(document)
             self._restart_gesture()
@@ -313,7 +313,7 @@ class Store(QObject):
             self._gesture_start = self._document
 
     def _remember(self, document: Document) -> None:
-        self._undo.append(_Step(document, self.origin))
+        self._undo.append(_UndoStep(document, self.origin))
         del self._undo[:-UNDO_LIMIT]
 
     def _show(self, document: Document) -> bool:

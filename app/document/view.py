@@ -9,7 +9,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from app.document.compare import SOME_DIVIDERS, Picture, check_pictures
+from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
 from app.lecture.notation import LETTERS, Letters
 from app.lecture.stages import IMAGE, NDC
@@ -96,7 +96,7 @@ class View:
     """The probes, in the order of their numbers."""
     pinned: frozenset[int] = frozenset()
     """Numbers of the probes that the next click does not move."""
-    compare: tuple[Picture, ...] = ()
+    compare: tuple[ComparedPicture, ...] = ()
     """The compared pictures from left to right, one of them the document's own; or none."""
     dividers: tuple[float, ...] = ()
     """The dividers of overlaid pictures, as fractions of the width; none if they are side by
@@ -190,7 +190,7 @@ AS_EVER = View()
 
 
 def read_view(
-    values: Mapping[str, Any], panes: dict[str, Camera], compare: tuple[Picture, ...] = ()
+    values: Mapping[str, Any], panes: dict[str, Camera], compare: tuple[ComparedPicture, ...] = ()
 ) -> View:
     """Read a view from its part of a document, as `view_tree` writes it.
 

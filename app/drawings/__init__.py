@@ -25,7 +25,7 @@ _OWN: Mapping[str, str] = {
 }
 
 
-class Words(dict[str, str]):
+class DrawingWords(dict[str, str]):
     """The words written into the drawings, and a scene's own, in English with a lecture's letters.
 
     A mapping with the same keys translates them.
@@ -42,7 +42,7 @@ class Words(dict[str, str]):
         return self[word]
 
 
-WORDS: Mapping[str, str] = Words()
+WORDS: Mapping[str, str] = DrawingWords()
 
 AXES = "axes"
 """A layer that no document names: the pixel axes, which compared pictures hide."""

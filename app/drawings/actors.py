@@ -36,7 +36,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkProp,
 )
 
-from app.drawings.label import Label
+from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
@@ -114,7 +114,7 @@ class Space:
         self.set(matrix * 2.0**-exponent)
 
 
-class Canvas:
+class PropGroup:
     """A drawing's props in one render window, added together and taken out together.
 
     `screen` has `render_window` and `renderer`; it is not kept. ``layout(width_px, height_px)`` is
@@ -131,7 +131,7 @@ class Canvas:
         self._unwanted: set[vtkProp] = set()
         self.hidden: frozenset[str] = frozenset()
         """The layers that are switched off."""
-        self._labels: list[Label] = []
+        self._labels: list[SceneLabel] = []
         self.labels_light = 1.0
         """Part of the labels' opacity that is shown."""
         self._layout = weakref.WeakMethod(layout)
@@ -179,8 +179,8 @@ class Canvas:
         for label in self._labels:
             label.set_shown("labels" not in hidden)
 
-    def label(self, text: str, renderer: Any = None, **options: Any) -> Label:
-        label = Label(text, self.style, **options)
+    def label(self, text: str, renderer: Any = None, **options: Any) -> SceneLabel:
+        label = SceneLabel(text, self.style, **options)
         label.set_shown("labels" not in self.hidden)
         label.fade(self.labels_light)
         self._labels.append(label)

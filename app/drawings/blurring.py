@@ -19,7 +19,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
 
-from app.drawings.actors import Canvas, identity_camera, lifted, unlit_actor
+from app.drawings.actors import PropGroup, identity_camera, lifted, unlit_actor
 from app.drawings.off_screen import OffScreen, pixels_of, take_screen
 from app.drawings.precision import ModelActors
 from app.drawings.style import Style, rgb
@@ -136,7 +136,7 @@ class Blurring:
         if self._screen is None:
             self._screen = take_screen(*self._size)
             renderer = self._screen.renderer
-            Canvas.make_ready(renderer)
+            PropGroup.make_ready(renderer)
             renderer.SetActiveCamera(identity_camera())
             for actor in self._model.actors:
                 renderer.AddViewProp(actor)

@@ -13,7 +13,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space, applied
+from app.drawings.actors import PropGroup, Space, applied
 from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
 from app.drawings.names import Names
 from app.drawings.pane_view import PaneView
@@ -38,7 +38,7 @@ _BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
 
-class Standing(NamedTuple):
+class CameraPose(NamedTuple):
     """How the model's camera stands in a scene; scene-local, world units."""
 
     camera: Camera
@@ -65,7 +65,7 @@ class CameraDrawing:
         What the frame's construction adds; None before it is first shown.
     """
 
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: PropGroup) -> None:
         self._canvas = canvas
         style, add = canvas.style, partial(canvas.add, layer="camera")
         width = style.line_width
@@ -103,7 +103,7 @@ class CameraDrawing:
         """Whether the axes are what the picture is about."""
         self._show_parts()
 
-    def show(self, standing: Standing) -> None:
+    def show(self, standing: CameraPose) -> None:
         """Place the camera; `follow` then sets its size."""
         self._standing = standing
         self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))

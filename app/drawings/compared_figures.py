@@ -9,16 +9,16 @@ from typing import NamedTuple, TypeVar
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from app.document.compare import Written, in_words, names_in
+from app.document.compare import DifferenceWriter, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.settings import name_of, pictured
-from app.drawings.label import Label, font_file
+from app.drawings.label import SceneLabel, font_file
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import illustration_of
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.style import Style, rgb
-from app.drawings.vectors import Area, Shape, Stroke, Text, moved, within
+from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
 from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import figure
@@ -55,7 +55,7 @@ def compared_in(
     pictures, dividers = document.view.compare, document.view.dividers
     phenomenon = scene.phenomenon
     settings = () if phenomenon is None else phenomenon.settings
-    written = Written(
+    written = DifferenceWriter(
         lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
         lambda text: words.get(text, text),
         figure,
@@ -151,7 +151,7 @@ def compared_shapes(
             found += within(part, left, right)
         for x in edges[1:-1]:
             ends = [(float(x), 0.0), (float(x), float(height))]
-            found.append(Stroke(ends, rgb(style.ink), 1.0, style.line_width))
+            found.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
     for (*each, name), (left, top, wide, high) in zip(
         compared.shown, compared.places, strict=False
     ):
@@ -169,11 +169,11 @@ def compared_shapes(
     return found
 
 
-def _line_of_text(text: str, x: float, y: float, style: Style) -> Text:
+def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
     """A line of words round a point."""
-    written = Label(text, style, plain=True).written
+    written = SceneLabel(text, style, plain=True).written
     left, low = written.place
-    return Text(written, (x + left, y - low), written.em)
+    return TextShape(written, (x + left, y - low), written.em)
 
 
 def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from app.document.document import Document
 from app.document.settings import pictured
-from app.drawings import Words
+from app.drawings import DrawingWords
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, pieces_of
@@ -48,7 +48,7 @@ _OF_PLANES = "near", "far", "angle", "height", "width"
 """Names for whose sake a flat view frames the frustum."""
 
 
-class Placed(NamedTuple):
+class PlacedText(NamedTuple):
     """A label in a picture: its text, and its letters in pixels from the left and the bottom."""
 
     text: str
@@ -58,7 +58,7 @@ class Placed(NamedTuple):
     high: float
     em: float
 
-    def overlaps(self, other: Placed) -> bool:
+    def overlaps(self, other: PlacedText) -> bool:
         return (
             self.left < other.right - 0.5
             and other.left < self.right - 0.5
@@ -67,7 +67,7 @@ class Placed(NamedTuple):
         )
 
 
-class Measured(NamedTuple):
+class ComposedPicture(NamedTuple):
     """A picture of a pane.
 
     Attributes
@@ -85,7 +85,7 @@ class Measured(NamedTuple):
 
     pane: str
     size_px: tuple[int, int]
-    labels: tuple[Placed, ...]
+    labels: tuple[PlacedText, ...]
     fill: tuple[float, float]
     left_out: tuple[str, ...] = ()
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
@@ -143,7 +143,7 @@ def measured(
     size_px: tuple[int, int],
     em_px: float,
     style: Style = LIGHT,
-) -> list[Measured]:
+) -> list[ComposedPicture]:
     """Measure a pane's picture, or each of the pictures that are compared there."""
     style = style.enlarged(em_px / style.font_size)
     if pane != document.view.compares_in or not document.view.compare:
@@ -165,14 +165,15 @@ def _measured(
     size_px: tuple[int, int],
     style: Style,
     bare: bool,
-) -> Measured:
+) -> ComposedPicture:
     illustration = None
     if scene.phenomenon is not None:
         settings = scene.phenomenon.checked(of.settings)
         illustration = scene.phenomenon.illustration(of.projection, settings, scene.subject)
     view = document.view
     with drawn_pane(
-        pane, scene, of.projection, illustration, size_px, style=style, words=Words(view.letters),
+        pane, scene, of.projection, illustration, size_px, style=style,
+        words=DrawingWords(view.letters),
         framed=True, view=view, quality=document.quality, bare=bare,
     ) as (window, drawing):  # fmt: skip
         labels, actors = [], list(_actors(window))
@@ -182,7 +183,7 @@ def _measured(
                 continue
             left, right, low, high = label.box_px
             x, y = renderer.GetOrigin()
-            labels.append(Placed(label.text, x + left, y + low, x + right, y + high, label.em))
+            labels.append(PlacedText(label.text, x + left, y + low, x + right, y + high, label.em))
         board, are_drawn = drawing.board, "labels" not in view.layers
         left_out = tuple(board.left_out) if are_drawn else ()
         to_right, up = board.renderer.GetOrigin()
@@ -199,7 +200,7 @@ def _measured(
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
         needs_area = not drawing.fixed and (pane != "world" or view.step is None)
-    return Measured(pane, size_px, tuple(labels), fill, left_out, points, needs_area)
+    return ComposedPicture(pane, size_px, tuple(labels), fill, left_out, points, needs_area)
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
@@ -231,7 +232,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     return spots[np.isfinite(spots).all(axis=1)]
 
 
-def _fill(ink: NDArray[np.bool_], labels: list[Placed], spots: Array) -> tuple[float, float]:
+def _fill(ink: NDArray[np.bool_], labels: list[PlacedText], spots: Array) -> tuple[float, float]:
     """Of the width and height: the box round ink, labels and spots, (n, 2) from the top left."""
     height, width = ink.shape
     rows, columns = np.flatnonzero(ink.any(axis=1)), np.flatnonzero(ink.any(axis=0))

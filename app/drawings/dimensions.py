@@ -26,7 +26,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.drawings.actors import Canvas, ScreenCells
+from app.drawings.actors import PropGroup, ScreenCells
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
 from app.drawings.labels import LENGTH, Board, written_distance
 from app.drawings.names import Names
@@ -51,7 +51,7 @@ _KEY = "length"  # begins the keys of the letters on the pane's board
 Way = tuple[float, float]
 
 
-class Measured(NamedTuple):
+class Dimension(NamedTuple):
     """What is measured; scene-local."""
 
     view: str  # one of `app.document.view.FIXED`; empty for nothing
@@ -96,7 +96,7 @@ class Dimensions:
     """The lines and their letters; `board` is the pane's, and `inks` are the letters' colours."""
 
     def __init__(
-        self, board: Board, canvas: Canvas, words: Mapping[str, str], inks: Mapping[str, str]
+        self, board: Board, canvas: PropGroup, words: Mapping[str, str], inks: Mapping[str, str]
     ) -> None:
         self._board, self._words, self._em = board, words, board.em
         for name, colour in inks.items():
@@ -113,19 +113,19 @@ class Dimensions:
             lines.begin()
             lines.end()
 
-    def below_em(self, size_px: tuple[int, int], measured: Measured) -> float:
+    def below_em(self, size_px: tuple[int, int], measured: Dimension) -> float:
         """Return how much room the lines and the sentence need below the drawing, in ems."""
         said = len(self._said(size_px, measured))
         return self._rows_em(measured) + (0.5 + 1.5 * said if said else 0.0)
 
-    def _rows_em(self, measured: Measured) -> float:
+    def _rows_em(self, measured: Dimension) -> float:
         if measured.view == "axis":
             across = _ACROSS_EM if "width" in measured.names else 0.0
             return across + (_INTERVAL_EM if _has_interval(measured) else 0.0)
         count = len(self._ways(measured)) if measured.view in ("side", "top") else 0
         return _ROW_EM * (count + 0.5) if count else 0.0
 
-    def written(self, measured: Measured) -> set[str]:
+    def written(self, measured: Dimension) -> set[str]:
         """The names that `want` writes, and nobody else has to."""
         if _has_interval(measured):
             return {"l", "r"}
@@ -138,7 +138,7 @@ class Dimensions:
         ground: Ground,
         seen: Callable[[Array], Sequence[Spot]],
         size_px: tuple[int, int],
-        measured: Measured,
+        measured: Dimension,
     ) -> None:
         """Draw the lines, and ask for the places of their letters.
 
@@ -181,7 +181,7 @@ class Dimensions:
         self,
         ground: Ground,
         spots: Array,
-        measured: Measured,
+        measured: Dimension,
         size_px: tuple[int, int],
         y: float,
         drawn: Array,
@@ -210,7 +210,7 @@ class Dimensions:
                 self._thin.add((end, y), (end, height))
         ground.keep_box(0.0, 0.0, float(size_px[0]), y - 0.8 * self._em)
 
-    def _ways(self, measured: Measured) -> list[tuple[str, float]]:
+    def _ways(self, measured: Dimension) -> list[tuple[str, float]]:
         projection, ways = measured.projection, dict[str, float]()
         if projection.has_camera:
             ways = {"d": projection.camera.distance, **dict(measured.distances)}
@@ -221,7 +221,7 @@ class Dimensions:
         named = [way for way in ways.items() if way[0] in measured.names]
         return sorted(named, key=lambda way: abs(way[1]))
 
-    def _unit(self, spots: Array, measured: Measured) -> float:
+    def _unit(self, spots: Array, measured: Dimension) -> float:
         """A unit along the axis, in pixels."""
         return float(spots[1, 0] - spots[0, 0]) / measured.projection.camera.distance
 
@@ -231,7 +231,7 @@ class Dimensions:
         half = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         self._board.want_beside((_KEY, name), (*half, 1.0), LENGTH, (1.0, 0.0))
 
-    def _beside(self, spots: Array, measured: Measured) -> None:
+    def _beside(self, spots: Array, measured: Dimension) -> None:
         """Half the angle at the eye, half the window on the far plane, and where that half is 1."""
         axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
         half = half_of(measured.projection, axis)
@@ -271,7 +271,7 @@ class Dimensions:
 
             self._board.want(key, [(x, y)], places, LENGTH)
 
-    def _across(self, ground: Ground, spots: Array, measured: Measured) -> None:
+    def _across(self, ground: Ground, spots: Array, measured: Dimension) -> None:
         """Half the height and half the width of the window, seen along the axis."""
         upper, half_width = (half_of(measured.projection, axis) for axis in (1, 0))
         if upper is None or half_width is None:
@@ -291,7 +291,7 @@ class Dimensions:
             self._interval(spots[2:6], measured, ground.limits)
 
     def _interval(
-        self, window: Array, measured: Measured, limits: tuple[float, float, float, float]
+        self, window: Array, measured: Dimension, limits: tuple[float, float, float, float]
     ) -> None:
         """Two lines of numbers below the window: from l to r, and from -1 to 1.
 
@@ -395,13 +395,13 @@ class Dimensions:
         if said:
             ground.keep_box(0.0, 0.0, float(ground.limits[2]), (0.5 + 1.5 * len(said)) * self._em)
 
-    def _said(self, size_px: tuple[int, int], measured: Measured) -> list[str]:
+    def _said(self, size_px: tuple[int, int], measured: Dimension) -> list[str]:
         """The lines of the sentence that says what the lens lacks."""
         name = self._lacks(measured)
         across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
         return textwrap.wrap(self._words[name], across)[:_LINES] if name else []
 
-    def _lacks(self, measured: Measured) -> str:
+    def _lacks(self, measured: Dimension) -> str:
         """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
         if not any(name in measured.names for name in ("angle", "height", "width")):
             return ""
@@ -414,7 +414,7 @@ class Dimensions:
         return "" if has_angle else "no half angle"
 
 
-def _has_interval(measured: Measured) -> bool:
+def _has_interval(measured: Dimension) -> bool:
     is_there = measured.view == "axis" and measured.projection.lens.planes is not None
     return is_there and measured.names.wants("interval") and not measured.names.all
 
@@ -422,7 +422,7 @@ def _has_interval(measured: Measured) -> bool:
 class _Segments:
     """Lines of one colour in the plane of the screen, drawn anew at each step."""
 
-    def __init__(self, canvas: Canvas, colour: str, width: float) -> None:
+    def __init__(self, canvas: PropGroup, colour: str, width: float) -> None:
         self._cells, self._used = ScreenCells(_SEGMENTS, 2), 0
         self._cells.px[..., :2] = _AWAY_PX
         actor = self._cells.actor

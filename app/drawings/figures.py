@@ -24,7 +24,7 @@ from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import AS_EVER, PANES, View
-from app.drawings import WORDS, Words
+from app.drawings import WORDS, DrawingWords
 from app.drawings.compared_figures import compared_in, compared_pixels, compared_shapes
 from app.drawings.describing import Description
 from app.drawings.drawing import Drawing
@@ -162,7 +162,7 @@ def _drawn(
     images = [None if p != "image" or view.compare else projection.aspect for p in panes]
     style = replace(style, margin=style.background, font_size=em).enlarged(scale)
     if words is WORDS:
-        words = Words(view.letters)
+        words = DrawingWords(view.letters)
     illustration = illustration_of(scene, projection, settings)
     scene = printed(reduced(scene, quality.detail), style)
     places = panes_in(size_px, images, column)

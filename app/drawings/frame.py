@@ -14,7 +14,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space, put_in_front
+from app.drawings.actors import PropGroup, Space, put_in_front
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array, Camera
@@ -35,7 +35,7 @@ _SQUARE = 0.55  # side of a right angle's mark
 
 
 class FrameSteps:
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: PropGroup) -> None:
         self._canvas, style = canvas, canvas.style
         self._space, self._up_space = Space(), Space()
         width = style.line_width
@@ -115,7 +115,7 @@ class ObjectAxes:
     mappings by `OBJECT_AXES`' names.
     """
 
-    def __init__(self, canvas: Canvas, size: float) -> None:
+    def __init__(self, canvas: PropGroup, size: float) -> None:
         style = canvas.style
         self.reach = axes_reach(size)
         self._space = Space()

@@ -23,7 +23,7 @@ _REMEMBERED = 300  # frames after which a level's time is no longer believed
 _SMOOTH_COSTS = 2.0  # times as much as without, until it is known
 
 
-class Level(NamedTuple):
+class FrameQuality(NamedTuple):
     """One quality: with or without smoothing, and a share of the triangles, 0..1."""
 
     smooth: bool
@@ -41,7 +41,7 @@ class FrameBudget:
     level of the first frame.
     """
 
-    def __init__(self, levels: Sequence[Level], target_ms: float, first: int = 0) -> None:
+    def __init__(self, levels: Sequence[FrameQuality], target_ms: float, first: int = 0) -> None:
         self._levels = tuple(levels)
         self.target_ms = target_ms
         self._now = first
@@ -51,7 +51,7 @@ class FrameBudget:
         self._is_new = first > 0
 
     @property
-    def level(self) -> Level:
+    def level(self) -> FrameQuality:
         return self._levels[self._now]
 
     @property

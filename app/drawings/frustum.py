@@ -4,8 +4,9 @@ The cube has the reversed depth range, whatever the model's own is. There 1/w of
 1/far itself. In [-1, 1] it is a difference of two numbers of the size of 1/near, of which float32
 keeps nothing once far/near reaches 1e6.
 
-Distances along the line of sight are drawn to scale from `Reach.low` to `Reach.high`. Planes
-beyond are drawn at the limit, behind a visible break, with their true distances written there::
+Distances along the line of sight are drawn to scale from `DrawnDepths.low` to `DrawnDepths.high`.
+Planes beyond are drawn at the limit, behind a visible break, with their true distances written
+there::
 
     eye <------ near ============== / / - - far 1e+06
     0           1                   break   high
@@ -19,8 +20,8 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import Canvas, Space, applied
-from app.drawings.camera import Standing
+from app.drawings.actors import PropGroup, Space, applied
+from app.drawings.camera import CameraPose
 from app.drawings.names import QUIET, Names
 from app.drawings.pane_view import PaneView
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis, outline
@@ -50,7 +51,7 @@ _VOLUME = ("near", "far", "fov")
 _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 
 
-class Reach(NamedTuple):
+class DrawnDepths(NamedTuple):
     """The distances from the eye plane that are drawn to scale; world units."""
 
     low: float  # the limits; low is negative, behind the eye, for a parallel lens
@@ -89,10 +90,10 @@ class FrustumDrawing:
         None under a typed matrix, which may have no frustum at all (`seen`).
     """
 
-    def __init__(self, canvas: Canvas, size: float) -> None:
+    def __init__(self, canvas: PropGroup, size: float) -> None:
         self._canvas, self._size = canvas, size
         style, self._em = canvas.style, canvas.style.font_size
-        self.reach: Reach | None = None
+        self.reach: DrawnDepths | None = None
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
@@ -127,7 +128,7 @@ class FrustumDrawing:
         self.dimmable = *lines, walls
         canvas.add(*lines, far_face, walls, near_face, layer="frustum")
 
-    def show(self, projection: Projection, standing: Standing, held_depth: float = 0.0) -> None:
+    def show(self, projection: Projection, standing: CameraPose, held_depth: float = 0.0) -> None:
         """Take over the model's volume; `held_depth` is the depth of a scene's own grips."""
         self._extent = standing.extent
         self.reach = self._reach_of(projection.lens, standing, held_depth)
@@ -136,7 +137,7 @@ class FrustumDrawing:
         else:
             self._show_broken(projection, standing, self.reach)
 
-    def _show_whole(self, projection: Projection, standing: Standing) -> None:
+    def _show_whole(self, projection: Projection, standing: CameraPose) -> None:
         """Draw the cube under the inverse of a free matrix; nothing if it has none."""
         self.seen = projection.frustum_sign != 0
         for actor in (*self._volume, self._body):
@@ -153,7 +154,9 @@ class FrustumDrawing:
             self.space.set(frustum)
             self._body_space.set(frustum)
 
-    def _show_broken(self, projection: Projection, standing: Standing, reach: Reach) -> None:
+    def _show_broken(
+        self, projection: Projection, standing: CameraPose, reach: DrawnDepths
+    ) -> None:
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
         self.seen = True
@@ -188,7 +191,7 @@ class FrustumDrawing:
         if ends is not None:
             self._break_ends[name] = ends
 
-    def _reach_of(self, lens: Lens, standing: Standing, held_depth: float) -> Reach | None:
+    def _reach_of(self, lens: Lens, standing: CameraPose, held_depth: float) -> DrawnDepths | None:
         if lens.planes is None:
             return None
         size, extent = self._size, standing.extent
@@ -210,7 +213,7 @@ class FrustumDrawing:
         elif far < _BREAK * low:
             far, far_break = _BREAK * low, (_BREAK * low, _BREAK**2 * low)
         far = max(far, near + 1e-9 * (high - low))
-        return Reach(low, high, near, far, near_break, far_break)
+        return DrawnDepths(low, high, near, far, near_break, far_break)
 
     def tint(self, pane: PaneView, light: float) -> None:
         """Tint the planes, less where they would flood the pane; `light` is at most 1."""

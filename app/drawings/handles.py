@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-from app.drawings.actors import Canvas, ScreenCells
+from app.drawings.actors import PropGroup, ScreenCells
 from app.drawings.style import rgb
 from app.picking.handles import Handle, Spot
 
@@ -48,7 +48,7 @@ class HandleMarks:
     `show` on. `shown` are the handles that can be taken, in pixels from the pane's top left.
     """
 
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: PropGroup) -> None:
         self.held: Handle | None = None
         self.draws_all = False
         self.called = frozenset[str]()

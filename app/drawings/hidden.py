@@ -44,7 +44,7 @@ Points: TypeAlias = list[tuple[float, float]]
 
 
 @dataclass
-class Cell:
+class ScreenCell:
     """A polygon, polyline or point on the screen: (n, 3), pixels from left and bottom, depth."""
 
     points: Array
@@ -87,7 +87,7 @@ def cut(points: Array, plane: Array, closed: bool) -> Array:
 # --------------------------------------------------------------------------- faces
 
 
-def _measure(face: Cell) -> bool:
+def _measure(face: ScreenCell) -> bool:
     """Set a face's plane and box; False if it is seen from its edge."""
     points: list[list[float]] = face.points.tolist()
     count = len(points)
@@ -109,12 +109,12 @@ def _measure(face: Cell) -> bool:
     return True
 
 
-def _joined(faces: list[Cell]) -> list[Cell]:
+def _joined(faces: list[ScreenCell]) -> list[ScreenCell]:
     """Join neighbours of one colour that lie in a plane, as long as they stay convex."""
-    at_edge: dict[object, Cell] = {}
+    at_edge: dict[object, ScreenCell] = {}
     gone: set[int] = set()
     waiting = [*reversed(faces)]
-    whole: dict[int, Cell] = {}
+    whole: dict[int, ScreenCell] = {}
     while waiting:
         face = waiting.pop()
         corners = [(round(x, 3), round(y, 3)) for x, y in face.flat]
@@ -139,7 +139,9 @@ def _joined(faces: list[Cell]) -> list[Cell]:
     return sorted(whole.values(), key=lambda each: each.place)
 
 
-def _union(one: Cell, edge: int, other: Cell, begin: tuple[float, float]) -> Cell | None:
+def _union(
+    one: ScreenCell, edge: int, other: ScreenCell, begin: tuple[float, float]
+) -> ScreenCell | None:
     """Join two faces at an edge; None if they are not in a plane, or not convex together."""
     a, b, c = one.plane
     if any(abs(a * x + b * y + c - z) > _IN_PLANE for x, y, z in other.points.tolist()):
@@ -161,7 +163,7 @@ def _union(one: Cell, edge: int, other: Cell, begin: tuple[float, float]) -> Cel
     return joined if len(kept) > 2 and _measure(joined) else None
 
 
-def _common(one: Cell, other: Cell) -> Points:
+def _common(one: ScreenCell, other: ScreenCell) -> Points:
     """What two convex faces have in common on the screen."""
     part, around = one.flat, other.flat
     for i, begin in enumerate(around):
@@ -176,14 +178,14 @@ def _area(part: Points) -> float:
     return abs(sum(p * s - q * r for (p, q), (r, s) in around)) / 2.0
 
 
-def _apart(one: Cell, other: Cell, part: Points) -> tuple[float, float]:
+def _apart(one: ScreenCell, other: ScreenCell, part: Points) -> tuple[float, float]:
     """The least and the largest of how much farther one face is than another."""
     a, b, c = (p - q for p, q in zip(one.plane, other.plane, strict=True))
     away = [a * x + b * y + c for x, y in part]
     return min(away), max(away)
 
 
-def _pairs(faces: Sequence[Cell], fresh: Any) -> Iterator[tuple[int, int]]:
+def _pairs(faces: Sequence[ScreenCell], fresh: Any) -> Iterator[tuple[int, int]]:
     """Yield the pairs of faces that may have something in common, one of them at least `fresh`.
 
     A grid finds those whose boxes overlap; then a line between two faces may separate them.
@@ -223,7 +225,7 @@ def _pairs(faces: Sequence[Cell], fresh: Any) -> Iterator[tuple[int, int]]:
         yield from some[~_separated(faces, some)].tolist()
 
 
-def _separated(faces: Sequence[Cell], pairs: Any) -> Any:
+def _separated(faces: Sequence[ScreenCell], pairs: Any) -> Any:
     """Whether an edge of one of two faces separates them, for each pair; (n, 2) to (n,)."""
     most = 4
     used, places = np.unique(pairs, return_inverse=True)
@@ -250,7 +252,9 @@ _Relation: TypeAlias = tuple[int, int, float, float]
 """Two faces with something in common, and how much farther the first is: least and most."""
 
 
-def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) -> list[Cell]:
+def in_order(
+    faces: Iterable[ScreenCell], watch: Callable[[], None] = lambda: None
+) -> list[ScreenCell]:
     """Return faces from the back to the front; without those that are seen from their edges.
 
     Faces that pass through others are split, and so is one of each ring in which every face is
@@ -297,7 +301,9 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
     return order
 
 
-def _related(faces: Sequence[Cell], fresh: Any, watch: Callable[[], None]) -> Iterator[_Relation]:
+def _related(
+    faces: Sequence[ScreenCell], fresh: Any, watch: Callable[[], None]
+) -> Iterator[_Relation]:
     """Yield how the faces lie to each other that have something in common, and one is `fresh`."""
     for i, j in _pairs(faces, fresh) if len(faces) else ():
         watch()
@@ -306,9 +312,9 @@ def _related(faces: Sequence[Cell], fresh: Any, watch: Callable[[], None]) -> It
             yield (i, j, *_apart(faces[i], faces[j], part))
 
 
-def _split_some(faces: list[Cell], by: Mapping[int, Sequence[int]]) -> Any:
+def _split_some(faces: list[ScreenCell], by: Mapping[int, Sequence[int]]) -> Any:
     """Split each of some faces by the first of others whose plane does; return which are new."""
-    changed, added = list[int](), list[Cell]()
+    changed, added = list[int](), list[ScreenCell]()
     for i, others in by.items():
         splits = (_split(faces[i], faces[j]) for j in others)
         pieces = next((pieces for pieces in splits if len(pieces) == 2), None)
@@ -322,7 +328,9 @@ def _split_some(faces: list[Cell], by: Mapping[int, Sequence[int]]) -> Any:
     return fresh
 
 
-def _sorted(faces: Sequence[Cell], relations: Iterable[_Relation]) -> tuple[list[Cell], list[int]]:
+def _sorted(
+    faces: Sequence[ScreenCell], relations: Iterable[_Relation]
+) -> tuple[list[ScreenCell], list[int]]:
     """Return faces from the back to the front, and a ring of them if there is one.
 
     In a ring each face must come before the next, and the order is a guess. Two translucent faces
@@ -342,7 +350,7 @@ def _sorted(faces: Sequence[Cell], relations: Iterable[_Relation]) -> tuple[list
         waits[last][is_soft] += 1
         if not is_soft:
             before[last].append(first)
-    order, ring, is_done = list[Cell](), list[int](), [False] * len(faces)
+    order, ring, is_done = list[ScreenCell](), list[int](), [False] * len(faces)
     ready = [(-_middle(face), i) for i, face in enumerate(faces) if waits[i] == [0, 0]]
     heapq.heapify(ready)
     while len(order) < len(faces):
@@ -374,8 +382,8 @@ def _ring(start: int, before: Sequence[Sequence[int]], is_done: Sequence[bool]) 
 
 
 def visible(
-    faces: list[Cell], watch: Callable[[], None] = lambda: None
-) -> Iterator[tuple[Cell, list[Points]]]:
+    faces: list[ScreenCell], watch: Callable[[], None] = lambda: None
+) -> Iterator[tuple[ScreenCell, list[Points]]]:
     """Yield faces from the back to the front, with what of them has to be drawn.
 
     Translucent faces are blended in the order of drawing. Where an opaque one between two of them
@@ -395,8 +403,8 @@ def visible(
         ]
         late = [face for face in late if wrong and face.place >= min(wrong)]
     # What is large hides most: the less is left, the less is cut by those that follow.
-    before = Hiding(sorted(opaque, key=lambda each: -_area(each.flat)))
-    ends, work = list[tuple[Cell, list[Points]]](), iter(range(_MOST_CUTS))
+    before = Occlusion(sorted(opaque, key=lambda each: -_area(each.flat)))
+    ends, work = list[tuple[ScreenCell, list[Points]]](), iter(range(_MOST_CUTS))
     for face in [*tangled, *sorted(late, key=lambda each: each.place)]:
         watch()
         ends.append((face, _without(face, before.before(face.points), work)))
@@ -409,7 +417,7 @@ def visible(
     yield from ((face, rings) for face, rings in ends if rings)
 
 
-def _without(face: Cell, others: Iterable[Cell], work: Iterator[int]) -> list[Points]:
+def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]) -> list[Points]:
     """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
     rings = [face.flat]
     for other in others:
@@ -470,11 +478,11 @@ def _half(part: Points, begin: tuple[float, float], end: tuple[float, float]) ->
     return found
 
 
-def _middle(face: Cell) -> float:
+def _middle(face: ScreenCell) -> float:
     return (face.low[2] + face.high[2]) / 2.0
 
 
-def _split(face: Cell, other: Cell) -> list[Cell]:
+def _split(face: ScreenCell, other: ScreenCell) -> list[ScreenCell]:
     """Split a face by another one's plane."""
     a, b, c = (p - q for p, q in zip(face.plane, other.plane, strict=True))
     points = np.column_stack([face.points, np.ones(len(face.points))])
@@ -494,15 +502,15 @@ def _split(face: Cell, other: Cell) -> list[Cell]:
 # --------------------------------------------------------------------------- lines
 
 
-class Hiding:
+class Occlusion:
     """What faces hide of lines and points, and through which ones they are seen."""
 
-    def __init__(self, faces: Sequence[Cell]) -> None:
+    def __init__(self, faces: Sequence[ScreenCell]) -> None:
         self._faces = faces
         self._low = np.array([face.low for face in faces]).reshape(-1, 3)
         self._high = np.array([face.high for face in faces]).reshape(-1, 3)
 
-    def before(self, points: Array) -> list[Cell]:
+    def before(self, points: Array) -> list[ScreenCell]:
         """The faces whose boxes reach before a box."""
         low, high = points.min(axis=0), points.max(axis=0)
         meet = (self._low[:, :2] <= high[:2]).all(axis=1) & (self._high[:, :2] >= low[:2]).all(
@@ -511,14 +519,14 @@ class Hiding:
         meet &= self._low[:, 2] < high[2]
         return [self._faces[i] for i in np.flatnonzero(meet).tolist()]
 
-    def hides(self, point: Cell) -> bool:
+    def hides(self, point: ScreenCell) -> bool:
         ends = np.concatenate([point.points[:1]] * 2)
         return any(face.is_opaque and _covered(face, *ends.tolist()) for face in self.before(ends))
 
-    def seen(self, line: Cell) -> Iterator[Cell]:
+    def seen(self, line: ScreenCell) -> Iterator[ScreenCell]:
         """Yield the parts of a polyline that are seen, in the colours in which they are seen."""
         for begin, end in zip(line.points[:-1], line.points[1:], strict=True):
-            tints, hidden = list[tuple[float, float, Cell]](), list[tuple[float, float]]()
+            tints, hidden = list[tuple[float, float, ScreenCell]](), list[tuple[float, float]]()
             for face in sorted(self.before(np.stack([begin, end])), key=lambda each: each.place):
                 part = _covered(face, begin.tolist(), end.tolist())
                 if part is not None and face.is_opaque:
@@ -544,7 +552,7 @@ class Hiding:
                     ends = np.stack([begin + low * (end - begin), begin + high * (end - begin)])
                     yield replace(line, points=ends, colour=colour)
 
-    def behind(self, line: Cell) -> Iterator[Cell]:
+    def behind(self, line: ScreenCell) -> Iterator[ScreenCell]:
         """Yield the parts of a polyline that are hidden, as long as possible."""
         chain: list[Array] = []
         for begin, end in zip(line.points[:-1], line.points[1:], strict=True):
@@ -566,7 +574,7 @@ class Hiding:
 
 
 def _covered(
-    face: Cell, begin: Sequence[float], end: Sequence[float]
+    face: ScreenCell, begin: Sequence[float], end: Sequence[float]
 ) -> tuple[float, float] | None:
     """Return from where to where a segment runs behind a face, from 0 to 1; None if nowhere."""
     first, last = 0.0, 1.0

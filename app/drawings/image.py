@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.document.naming import named_in
 from app.drawings import AXES
-from app.drawings.actors import Canvas, Space, face_actor, identity_camera, lifted, line_actor
+from app.drawings.actors import PropGroup, Space, face_actor, identity_camera, lifted, line_actor
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.label_placement import Ground
@@ -83,7 +83,7 @@ class ImageDrawing(Drawing):
         self._finer = finer
         self._style, self._words = style, words
         self._framed = framed
-        self._canvas = Canvas(screen, style, self._layout)
+        self._canvas = PropGroup(screen, style, self._layout)
         self._image_size = scene.start.image_size
         self._picture = vtkRenderer()
         self._projection = scene.start

@@ -56,7 +56,7 @@ _TOKEN = re.compile(
 )
 
 
-class Piece(NamedTuple):
+class LabelPiece(NamedTuple):
     vertices: Array  # (n, 2), in em from its place on the line
     codes: NDArray[Any]
     width: float
@@ -67,7 +67,7 @@ class Piece(NamedTuple):
         return float(left), float(low), float(right), float(high)
 
 
-class Laid(NamedTuple):
+class LabelLayout(NamedTuple):
     """A label that is set in one line, in words' em; `box` is where there is ink, y upwards."""
 
     pieces: tuple[tuple[str, bool, float, float], ...]  # each with its size and its left end
@@ -107,7 +107,7 @@ def _tex(letter: str, sub: str) -> str:
 
 
 @lru_cache(maxsize=256)
-def laid(text: str, plain: bool = False) -> Laid:
+def laid(text: str, plain: bool = False) -> LabelLayout:
     """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
     pieces = [(text, False)] if plain else [_drawable(*piece) for piece in pieces_of(text)]
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
@@ -122,7 +122,7 @@ def laid(text: str, plain: bool = False) -> Laid:
             boxes.append((x + left, low, x + right, high))
         x += drawn.width * size
     lefts, lows, rights, highs = zip(*boxes or [(0.0, 0.0, 0.0, 0.0)], strict=True)
-    return Laid(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
+    return LabelLayout(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
 
 
 def _drawable(piece: str, is_tex: bool) -> tuple[str, bool]:
@@ -140,10 +140,10 @@ def is_set_in_words(piece: str) -> bool:
 
 
 @lru_cache(maxsize=1024)
-def piece_of(text: str, is_tex: bool) -> Piece:
+def piece_of(text: str, is_tex: bool) -> LabelPiece:
     if is_tex:
         drawn = outline(text)
-        return Piece(drawn.vertices, drawn.codes, drawn.width)
+        return LabelPiece(drawn.vertices, drawn.codes, drawn.width)
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
@@ -154,7 +154,7 @@ def piece_of(text: str, is_tex: bool) -> Piece:
     width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
     vertices, codes = reader.get_text_path(font, text, ismath=False)
     points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _SIZE
-    return Piece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
+    return LabelPiece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
 def drawn(
@@ -251,10 +251,10 @@ def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
-class Written(NamedTuple):
-    """A label as text: its pieces as of `Laid`, and where its line of writing begins, in pixels.
+class LabelText(NamedTuple):
+    """A label as text: its pieces as of `LabelLayout`, and where its line of writing begins.
 
-    `place` is counted from the renderer's left and bottom; `turn` is in radians.
+    `place` is in pixels, counted from the renderer's left and bottom; `turn` is in radians.
     """
 
     text: str
@@ -274,10 +274,10 @@ class Written(NamedTuple):
 class LabelActor(vtkTexturedActor2D):
     """The actor of a label, by which a window's labels are found."""
 
-    label: weakref.ref[Label]
+    label: weakref.ref[SceneLabel]
 
 
-class Label:
+class SceneLabel:
     """A text at a pixel of a renderer, of constant size, in the dark tone of a colour.
 
     `anchor` says which part of the letters is at the position: -1 left, 0 centre, 1 right; -1
@@ -402,7 +402,7 @@ class Label:
         self._corners.Modified()
 
     @property
-    def written(self) -> Written:
+    def written(self) -> LabelText:
         label = laid(self._text, self._plain)
         left, low, _, _ = label.box
         (x, y, turn), (to_right, to_top) = self._place, self._anchor
@@ -411,7 +411,7 @@ class Label:
         up = -(to_top + 1) / 2.0 * high - low * self.em
         place = x + cos * along - sin * up, y + sin * along + cos * up
         widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
-        return Written(
+        return LabelText(
             self._text, label.pieces, widths, place, turn, self.em, self._tone,
             self._style.background, self._opacity * self._light, self._underlined, to_right,
         )  # fmt: skip

@@ -79,7 +79,7 @@ class Wish(NamedTuple):
     rank: float = 0.0
 
 
-class Kept(NamedTuple):
+class KeptSpot(NamedTuple):
     """Where a label stands, from one of its spots."""
 
     spot: int
@@ -88,13 +88,13 @@ class Kept(NamedTuple):
     leads: bool
 
 
-class Placed(NamedTuple):
+class PlacedLabel(NamedTuple):
     """Where a label stands, with its leader from the mark's rim to its box."""
 
     centre: Spot
     turn: float
     leader: tuple[Spot, Spot] | None
-    kept: Kept
+    kept: KeptSpot
     is_free: bool = True
 
 
@@ -134,8 +134,8 @@ def beyond(tip: Spot, way: Spot, size: tuple[float, float], em: float) -> Places
         return around(tip, size, em)._replace(leads=False)
     along = np.array(way) / length
     gaps, turns = em * _PAST[:, 0], _PAST[:, 1, None]
-    outs = np.cos(turns) * along + np.sin(turns) * (-along[1], along[0])
-    centres = np.array(tip) + outs * (_reach(outs, size) + gaps)[:, None]
+    outward = np.cos(turns) * along + np.sin(turns) * (-along[1], along[0])
+    centres = np.array(tip) + outward * (_reach(outward, size) + gaps)[:, None]
     count = len(centres)
     return Places(
         centres, np.zeros(count), np.tile(tip, (count, 1)),
@@ -151,25 +151,25 @@ def on(spot: Spot) -> Places:
 def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) -> Places:
     """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level."""
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
-    ways = ends[:, 1] - ends[:, 0]
-    lengths = np.hypot(*ways.T)
+    spans = ends[:, 1] - ends[:, 0]
+    lengths = np.hypot(*spans.T)
     # Upper edges first, and of them the longest: there is most room.
     mids = ends.mean(axis=1)
     order = np.argsort(-(mids[:, 1] - middle[1] + 0.1 * lengths), kind="stable")
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
     order = order[lengths[order] >= 1.0]
-    ends, ways, lengths, mids = ends[order], ways[order], lengths[order], mids[order]
-    across = ways / lengths[:, None]
+    ends, spans, lengths, mids = ends[order], spans[order], lengths[order], mids[order]
+    across = spans / lengths[:, None]
     turns = np.arctan2(across[:, 1], across[:, 0])
     turns -= math.pi * np.round(turns / math.pi)
-    outs = np.stack([-across[:, 1], across[:, 0]], axis=1)
-    outs[((mids - middle) * outs).sum(axis=1) < 0.0] *= -1.0
+    outward = np.stack([-across[:, 1], across[:, 0]], axis=1)
+    outward[((mids - middle) * outward).sum(axis=1) < 0.0] *= -1.0
     is_turned = (np.abs(turns) <= _STEEPEST) & (lengths > size[0])
-    half = np.abs(outs) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
+    half = np.abs(outward) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
     away = np.where(is_turned, size[1] / 2.0, half) + 0.35 * em
-    anchors = np.concatenate([ends[:, 0] + part * ways for part in (0.5, 0.2, 0.8)])
+    anchors = np.concatenate([ends[:, 0] + part * spans for part in (0.5, 0.2, 0.8)])
     count = len(anchors)
-    centres = anchors + np.tile(away[:, None] * outs, (3, 1))
+    centres = anchors + np.tile(away[:, None] * outward, (3, 1))
     turns = np.tile(np.where(is_turned, turns, 0.0), 3)
     places = Places(centres, turns, anchors, np.full(count, 0.35 * em))
     return joined(places, round_mids)
@@ -194,8 +194,8 @@ def flanking(
     half = np.abs(across) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
     beside = _BESIDE[(_BESIDE[:, 2] > 0.0) | (half + em * _BESIDE[:, 1] <= abs(room))]
     at = points[beside[:, 0].astype(int) % len(points)]
-    outs, gaps = across * beside[:, 2:], em * beside[:, 1]
-    return Places(at + outs * (half + gaps)[:, None], np.zeros(len(at)), at, gaps)
+    outward, gaps = across * beside[:, 2:], em * beside[:, 1]
+    return Places(at + outward * (half + gaps)[:, None], np.zeros(len(at)), at, gaps)
 
 
 def joined(*places: Places) -> Places:
@@ -206,27 +206,27 @@ def joined(*places: Places) -> Places:
     return Places(centres, turns, anchors, away, any(each.leads for each in places))
 
 
-def _reach(outs: Floats, size: tuple[float, float]) -> Floats:
+def _reach(outward: Floats, size: tuple[float, float]) -> Floats:
     """How far the middle of a box is from its rim in directions, (n, 2)."""
-    reach: Floats = (np.array(size) / 2.0 / np.maximum(np.abs(outs), 1e-9)).min(axis=1)
+    reach: Floats = (np.array(size) / 2.0 / np.maximum(np.abs(outward), 1e-9)).min(axis=1)
     return reach
 
 
 def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     """Return the parts of segments, (n, 2, 2), in a frame; those outside are left out."""
-    starts, ways = segments[:, 0], segments[:, 1] - segments[:, 0]
+    starts, spans = segments[:, 0], segments[:, 1] - segments[:, 0]
     first, last = np.zeros(len(segments)), np.ones(len(segments))
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         for axis in (0, 1):
-            low = (frame[axis] - starts[:, axis]) / ways[:, axis]
-            high = (frame[axis + 2] - starts[:, axis]) / ways[:, axis]
+            low = (frame[axis] - starts[:, axis]) / spans[:, axis]
+            high = (frame[axis + 2] - starts[:, axis]) / spans[:, axis]
             first = np.fmax(first, np.fmin(low, high))
             last = np.fmin(last, np.fmax(low, high))
     first, last = np.clip(first, 0.0, 1.0), np.clip(last, 0.0, 1.0)
-    begin = starts + ways * first[:, None]
+    begin = starts + spans * first[:, None]
     inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
     inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
-    parts = np.stack([begin, starts + ways * last[:, None]], axis=1)
+    parts = np.stack([begin, starts + spans * last[:, None]], axis=1)
     found: Floats = parts[inside]
     return found
 
@@ -326,17 +326,17 @@ class Ground:
 def place(
     wishes: Sequence[Wish],
     ground: Ground,
-    kept: Mapping[Hashable, Kept] | None = None,
+    kept: Mapping[Hashable, KeptSpot] | None = None,
     *,
     patient: bool = False,
-) -> dict[Hashable, Placed]:
+) -> dict[Hashable, PlacedLabel]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
     from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
     anyway, and say whether their places are free.
     """
-    stays: dict[Hashable, Placed] = {}
+    stays: dict[Hashable, PlacedLabel] = {}
     if kept:
         stays = _stay(wishes, ground, kept, patient)
         wishes = [wish for wish in wishes if wish.key not in stays]
@@ -354,10 +354,10 @@ def place(
 
 
 def _stay(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, Kept], patient: bool
-) -> dict[Hashable, Placed]:
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool
+) -> dict[Hashable, PlacedLabel]:
     """The labels whose kept places are still free, or all; no other label may overlap them."""
-    found: dict[Hashable, Placed] = {}
+    found: dict[Hashable, PlacedLabel] = {}
     taken = ground.taken
     left_most, lowest, right_most, highest = ground.limits
     for wish in sorted(wishes, key=lambda each: each.rank):
@@ -381,7 +381,7 @@ def _stay(
         centre, leader = (x + to_right, y + up), None
         if was.leads:
             leader = _leader((x, y), centre, wish.size, ground.em)
-        found[wish.key] = Placed(centre, was.turn, leader, was, is_free)
+        found[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
     return found
 
 
@@ -529,7 +529,7 @@ def _pairs(boxes: Floats, em: float) -> NDArray[np.bool_]:
     return clash
 
 
-def _placed(wish: Wish, places: Places, number: int, em: float) -> Placed:
+def _placed(wish: Wish, places: Places, number: int, em: float) -> PlacedLabel:
     (x, y), (at_x, at_y) = places.centres[number].tolist(), places.anchors[number].tolist()
     turn = float(places.turns[number])
     leads = places.leads and bool(places.away[number] > LEADER_FROM_EM * em)
@@ -537,7 +537,9 @@ def _placed(wish: Wish, places: Places, number: int, em: float) -> Placed:
     nearest = min(range(len(apart)), key=lambda i: apart[i] if apart[i] >= 0.0 else math.inf)
     from_x, from_y = wish.spots[nearest]
     leader = _leader((at_x, at_y), (x, y), wish.size, em) if leads else None
-    return Placed((x, y), turn, leader, Kept(nearest, (x - from_x, y - from_y), turn, leads))
+    return PlacedLabel(
+        (x, y), turn, leader, KeptSpot(nearest, (x - from_x, y - from_y), turn, leads)
+    )
 
 
 def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:

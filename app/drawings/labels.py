@@ -13,13 +13,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.drawings.actors import Canvas, ScreenCells
-from app.drawings.label import Label
+from app.drawings.actors import PropGroup, ScreenCells
+from app.drawings.label import SceneLabel
 from app.drawings.label_placement import (
     NOWHERE,
     Ground,
-    Kept,
-    Placed,
+    KeptSpot,
+    PlacedLabel,
     Places,
     Wish,
     along,
@@ -61,12 +61,12 @@ def room(width_px: float, height_px: float, em: float) -> tuple[float, float, fl
 class Board:
     """The labels of one pane with their leaders."""
 
-    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
+    def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
         self._canvas, self.renderer = canvas, renderer or canvas.renderer
         self.em = canvas.style.font_size
-        self._labels: dict[Hashable, tuple[Label, Leader]] = {}
+        self._labels: dict[Hashable, tuple[SceneLabel, Leader]] = {}
         self._wishes: list[Wish] = []
-        self._kept: dict[Hashable, Kept] = {}
+        self._kept: dict[Hashable, KeptSpot] = {}
         self.is_patient = False
         """Whether labels wait for `pass_time` before they leave a place that is not free."""
         self.is_soft = False
@@ -75,7 +75,7 @@ class Board:
         """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}
         """The labels whose places are not free, and for how many seconds."""
-        self._fades: dict[Hashable, tuple[float, Kept | None]] = {}
+        self._fades: dict[Hashable, tuple[float, KeptSpot | None]] = {}
         """The labels on the way to other places, and for how many seconds."""
         self.left_out: list[str] = []
         """The texts of the labels that were wanted, and have no place."""
@@ -98,7 +98,7 @@ class Board:
         found += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
         return found
 
-    def label(self, key: Hashable, text: str = "", colour: str = "") -> Label:
+    def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
             leader = Leader(self._canvas, self.renderer)
@@ -135,7 +135,7 @@ class Board:
         """
         self._asked = self._wishes, ground, len(ground.taken)
         placed = self._place(None if afresh else self._kept)
-        goals = dict[Hashable, Kept | None]()
+        goals = dict[Hashable, KeptSpot | None]()
         if afresh:
             if self.is_soft:
                 goals = {
@@ -171,7 +171,7 @@ class Board:
         if not self.is_restless:
             self._asked = None
 
-    def _place(self, kept: Mapping[Hashable, Kept] | None) -> dict[Hashable, Placed]:
+    def _place(self, kept: Mapping[Hashable, KeptSpot] | None) -> dict[Hashable, PlacedLabel]:
         """Place what was asked for last."""
         assert self._asked is not None
         wishes, ground, taken = self._asked
@@ -186,7 +186,7 @@ class Board:
                 placed = place([*first, *later], ground, kept, patient=self.is_patient)
         return placed
 
-    def _show(self, placed: Mapping[Hashable, Placed]) -> None:
+    def _show(self, placed: Mapping[Hashable, PlacedLabel]) -> None:
         for key, (label, leader) in self._labels.items():
             found = placed.get(key)
             label.set_visible(found is not None)
@@ -246,7 +246,7 @@ class Board:
         self._fades = {}
 
 
-def _is_elsewhere(place: Kept, other: Kept) -> bool:
+def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:
     apart = math.dist(place.offset, other.offset) + abs(place.turn - other.turn)
     return place.spot != other.spot or apart > 1.0
 
@@ -269,7 +269,7 @@ class Named(NamedTuple):
 class Labels:
     """Eye, target, the camera's axes, near, far and the window's sides in the world pane."""
 
-    def __init__(self, board: Board, canvas: Canvas, words: Mapping[str, str]) -> None:
+    def __init__(self, board: Board, canvas: PropGroup, words: Mapping[str, str]) -> None:
         self._board, self._words = board, words
         self.named = {
             name: board.label(name, words[name], getattr(canvas.style, name))
@@ -281,7 +281,7 @@ class Labels:
             self.named[side] = board.label(letter, "", canvas.style.near)
         """The labels by the names of their subjects."""
 
-    def add_arrow(self, name: str, colour: str) -> Label:
+    def add_arrow(self, name: str, colour: str) -> SceneLabel:
         """Create the label of one more arrow than `AXES`."""
         word = self._words[name]
         return self._board.label(name, word if name in OBJECT_AXES else vector(word), colour)
@@ -383,7 +383,7 @@ def want_plane(
 class Leader:
     """A thin grey line in the plane of the screen, from a label to its point; hidden at first."""
 
-    def __init__(self, canvas: Canvas, renderer: Any = None) -> None:
+    def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
         self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
         self.actor = self._line.actor
         self.actor.GetProperty().SetColor(*rgb(canvas.style.leader))

@@ -33,8 +33,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
-    Canvas,
     Detail,
+    PropGroup,
     SceneActors,
     Space,
     colour_by_points,
@@ -50,7 +50,7 @@ from app.drawings.style import mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.projection import Array
-from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
+from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
 from app.scenes.scene import Scene
 
 DOT = 3.75
@@ -94,7 +94,7 @@ class MarksDrawing:
 
     def __init__(
         self,
-        canvas: Canvas,
+        canvas: PropGroup,
         scene: Scene,
         words: Mapping[str, str],
         *,
@@ -164,7 +164,7 @@ class MarksDrawing:
         if self._now is not None:
             self.show(*self._now)
 
-    def _quiet(self, mark: Line | Face | Dot) -> bool:
+    def _quiet(self, mark: Polyline | Face | Dot) -> bool:
         return mark.name != "" and mark.name not in self._names
 
     def show_highlight(self, highlighted: Highlight) -> bool:
@@ -193,7 +193,7 @@ class MarksDrawing:
             lit = bool(self._highlighted.intersection(about))
             self._board.label(key).set_underlined(lit)
 
-    def _show_lines(self, lines: Sequence[Line], placing: Placing) -> Array:
+    def _show_lines(self, lines: Sequence[Polyline], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
         if not lines:
             for batch in self._lines:

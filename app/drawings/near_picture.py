@@ -15,8 +15,8 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings import actors
-from app.drawings.actors import Canvas
-from app.drawings.camera import Standing
+from app.drawings.actors import PropGroup
+from app.drawings.camera import CameraPose
 from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
 from app.drawings.own_view import OwnView
 from app.drawings.pane_view import PaneView
@@ -35,7 +35,7 @@ _EDGE_ON = 1e-3  # sine of the angle between the near plane and a line of sight
 
 
 class NearPicture:
-    def __init__(self, canvas: Canvas, scene: Scene) -> None:
+    def __init__(self, canvas: PropGroup, scene: Scene) -> None:
         self._canvas = canvas
         self._planes = [vtkPlane() for _ in range(6)]
         self.actors = actors.SceneActors(scene, canvas.style, self._planes, in_plane=True)
@@ -50,7 +50,7 @@ class NearPicture:
     def show(
         self,
         projection: Projection,
-        standing: Standing,
+        standing: CameraPose,
         frustum: FrustumDrawing,
         own: OwnView,
         local_from_object: Array,

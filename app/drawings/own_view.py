@@ -23,7 +23,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.drawings.actors import Canvas, axes_of
+from app.drawings.actors import PropGroup, axes_of
 from app.drawings.camera import AROUND_PX, SIX_WAYS
 from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
@@ -96,7 +96,7 @@ class OwnView(PaneCamera):
     `app.document.view.FIXED`, or ``""``.
     """
 
-    def __init__(self, canvas: Canvas, origin: Array, middle: Array) -> None:
+    def __init__(self, canvas: PropGroup, origin: Array, middle: Array) -> None:
         super().__init__(canvas)
         self._origin, self._middle = origin, middle
         self._framed: Framed | None = None

@@ -26,7 +26,7 @@ from app.drawings.figures import render, shapes
 from app.drawings.hidden import TANGLED
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
-from app.drawings.vectors import TOO_MANY, Picture, Shape
+from app.drawings.vectors import TOO_MANY, PixelShape, Shape
 from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from app.strangers import printable
@@ -96,7 +96,7 @@ _SCRIPT = """
 """
 
 
-class Drawn(NamedTuple):
+class PagePane(NamedTuple):
     """A pane's shapes, its size in pixels, and the sentence that says what it is."""
 
     size: tuple[float, float]
@@ -104,19 +104,19 @@ class Drawn(NamedTuple):
     said: str
 
 
-class State(NamedTuple):
+class SliderPosition(NamedTuple):
     """One position of the slider."""
 
     value: str
     """With its name and unit."""
-    panes: Sequence[Drawn]
+    panes: Sequence[PagePane]
     general: Sequence[str]
     """Sentences that a screen reader reads on demand."""
     heard: Sequence[str]
     """Sentences that it reads as soon as one of them changes."""
 
 
-def page(title: str, states: Sequence[State], column: bool = False) -> bytes:
+def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> bytes:
     """Return the file of one state, or of several under a slider."""
     middle = len(states) // 2
     slots = [[_slot(*slot) for slot in _slots(state)] for state in states]
@@ -164,7 +164,7 @@ def drawn(
     size: Size | None = None,
     text_pt: float | None = None,
     **options: Any,
-) -> Drawn:
+) -> PagePane:
     """Draw a pane alone, for a page places the panes; `options` are those of `shapes`.
 
     Of too many shapes it is a picture of pixels.
@@ -177,13 +177,13 @@ def drawn(
         text_pt = text_pt or TEXT_PT
     options |= {"panes": [pane], "size": size, "text_pt": text_pt}
     try:
-        return Drawn(*shapes(scene, document.projection, **options), said)
+        return PagePane(*shapes(scene, document.projection, **options), said)
     except Refusal as error:
         if error.bound not in (TOO_MANY, TANGLED):
             raise
     options.pop("hidden", None)
     pixels = render(scene, document.projection, scale=_SHARPER, **options)
-    return Drawn(size.px, [Picture(pixels, (0.0, 0.0, *size.px))], said)
+    return PagePane(size.px, [PixelShape(pixels, (0.0, 0.0, *size.px))], said)
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:
@@ -231,7 +231,7 @@ def _hash(text: str) -> str:
     return f"'sha256-{base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()}'"
 
 
-def _slots(state: State) -> Iterable[tuple[str, bool]]:
+def _slots(state: SliderPosition) -> Iterable[tuple[str, bool]]:
     """Yield the texts of a page that change, in its order, and whether each is drawn."""
     for number, pane in enumerate(state.panes):
         yield drawing(pane.shapes, f"p{number}t"), True

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.drawings.actors import Canvas, axes_of
+from app.drawings.actors import PropGroup, axes_of
 from app.model.projection import Array
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
@@ -186,7 +186,7 @@ def _turned(axes: Array, others: Array, angle: float) -> Array:
 class PaneCamera:
     """A pane's own camera, and whether the user has moved it."""
 
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: PropGroup) -> None:
         self._camera: vtkCamera = canvas.renderer.GetActiveCamera()
         self._window, self._em = canvas.window, canvas.style.font_size
         self._placed: tuple[float, ...] | None = None

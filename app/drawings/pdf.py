@@ -10,16 +10,9 @@ import numpy as np
 
 from app.document.lengths import DPI
 from app.drawings.hidden import Points
-from app.drawings.label import (
-    HALO_EM,
-    HALO_OPACITY,
-    UNDER_EM,
-    font_file,
-    is_set_in_words,
-    piece_of,
-)
+from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, font_file, is_set_in_words, piece_of
 from app.drawings.style import rgb
-from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
+from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lessons.text import FONT, mathtext
 
 _SEAM_PX = 0.4  # as in SVG
@@ -45,7 +38,7 @@ def pdf(
 
     figure: Any = Figure(figsize=(size[0] / DPI, size[1] / DPI), dpi=72, frameon=False)
     FigureCanvasPdf(figure)
-    writer = _Writer(figure, size)
+    writer = _PdfWriter(figure, size)
     buffer = io.BytesIO()
     with rc_context({"pdf.fonttype": 42, "path.simplify": False}):
         for number, shape in enumerate(shapes):
@@ -65,7 +58,7 @@ def pdf(
     return buffer.getvalue()
 
 
-class _Writer:
+class _PdfWriter:
     """Adds shapes to a figure of matplotlib, each above the ones before."""
 
     def __init__(self, figure: Any, size: tuple[float, float]) -> None:
@@ -79,14 +72,14 @@ class _Writer:
         if isinstance(shape, Area):
             seam = _SEAM_PX if shape.opacity >= 1.0 else 0.0
             self._patch(shape.rings, shape.colour, shape.opacity, seam)
-        elif isinstance(shape, Stroke):
+        elif isinstance(shape, LineShape):
             self._line(shape.points, shape.colour, shape.opacity, shape.width, shape.dash)
         elif isinstance(shape, Disc):
             turns = np.linspace(0.0, 2.0 * np.pi, 33)[:-1]
             (x, y), r = shape.centre, shape.radius
             ring = [(x + r * float(np.cos(t)), y + r * float(np.sin(t))) for t in turns]
             self._patch([ring], shape.colour, shape.opacity, 0.0)
-        elif isinstance(shape, Picture):
+        elif isinstance(shape, PixelShape):
             self._image(shape)
         else:
             self._text(shape)
@@ -137,7 +130,7 @@ class _Writer:
             line.set_dash_capstyle("butt")
         self._figure.add_artist(line)
 
-    def _image(self, picture: Picture) -> None:
+    def _image(self, picture: PixelShape) -> None:
         left, top, wide, high = picture.place
         width, height = self._size
         place = left / width, 1.0 - (top + high) / height, wide / width, high / height
@@ -145,7 +138,7 @@ class _Writer:
         axes.set_axis_off()
         axes.imshow(picture.pixels, aspect="auto", interpolation="none")  # its own pixels
 
-    def _text(self, text: Text) -> None:
+    def _text(self, text: TextShape) -> None:
         from matplotlib.font_manager import FontProperties
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
@@ -192,7 +185,7 @@ class _Writer:
             self._line(ends, rgb(written.colour), 1.0, low / 2.0)
 
 
-def _along(text: Text) -> Iterator[tuple[float, float]]:
+def _along(text: TextShape) -> Iterator[tuple[float, float]]:
     """Yield where each piece of a label begins, in pixels of the figure."""
     (x, y), turn = text.place, text.written.turn
     for _, _, _, at in text.written.pieces:

@@ -14,15 +14,8 @@ from typing import Any, TypeAlias
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import (
-    CUBE_EDGES,
-    Canvas,
-    Space,
-    face_actor,
-    line_actor,
-    point_actor,
-)
-from app.drawings.label import Label
+from app.drawings.actors import CUBE_EDGES, PropGroup, Space, face_actor, line_actor, point_actor
+from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
@@ -48,11 +41,11 @@ Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 
 
 class Emphasis:
-    def __init__(self, canvas: Canvas) -> None:
+    def __init__(self, canvas: PropGroup) -> None:
         self._canvas = canvas
-        self._marks: list[_Mark] = []
+        self._marks: list[_Highlightable] = []
         self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
-        self._labels: list[tuple[str, Label]] = []
+        self._labels: list[tuple[str, SceneLabel]] = []
         self._shown = self._names = NOTHING
 
     def _tell(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
@@ -64,7 +57,7 @@ class Emphasis:
 
         They are drawn quietly while none of `of`, by default of the names, is named.
         """
-        mark = _Mark(actor, self._canvas.style.background, frozenset(of or names))
+        mark = _Highlightable(actor, self._canvas.style.background, frozenset(of or names))
         self._marks.append(mark)
         if names:
             self._tell(names, mark.highlight)
@@ -85,7 +78,7 @@ class Emphasis:
         actor.SetVisibility(False)
         self._tell(names, actor.SetVisibility)
 
-    def label(self, label: Label, name: str) -> None:
+    def label(self, label: SceneLabel, name: str) -> None:
         """Underline this label; it can be pointed at, too."""
         self._tell((name,), label.set_underlined)
         self._labels.append((name, label))
@@ -132,7 +125,7 @@ class Emphasis:
         return NOTHING
 
 
-class _Mark:
+class _Highlightable:
     """Lines or faces that are highlighted, or quiet, or neither."""
 
     def __init__(self, actor: vtkActor, paper: str, of: frozenset[str]) -> None:

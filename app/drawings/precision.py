@@ -142,7 +142,7 @@ class ModelActors:
             if made is not None:
                 made.restore()
 
-    def _part(self, which: int, made: _Made, projection: Projection) -> _Vertices:
+    def _part(self, which: int, made: _Made, projection: Projection) -> _MeshVertices:
         """What a projection leaves of a mesh, computed once for all panes."""
         kept = _projected.get(self._scene)
         if kept is None or kept.fewer is not self._fewer or kept.projection != projection:
@@ -150,7 +150,7 @@ class ModelActors:
         if which not in kept.parts:
             space: Space = "world" if which == _GROUND else "object"
             part = _projected_part(made, projection, np.array(self._scene.origin), space)
-            kept.parts[which] = _Vertices(part, made, projection)
+            kept.parts[which] = _MeshVertices(part, made, projection)
         return kept.parts[which]
 
 
@@ -160,17 +160,17 @@ class _Projected:
 
     fewer: Scene | None
     projection: Projection
-    parts: dict[int, _Vertices] = field(default_factory=dict)
+    parts: dict[int, _MeshVertices] = field(default_factory=dict)
 
 
-class _Vertices:
+class _MeshVertices:
     """What is left of a mesh, for the GPU; never changed, so that panes can share it.
 
     `points` are x, y and z of clip space; `cells` is None if all are left; `rgb` holds the colours
     of the points and of the cells that are left, where there are any.
     """
 
-    def __init__(self, part: _Part, made: _Made, projection: Projection) -> None:
+    def __init__(self, part: _MeshPart, made: _Made, projection: Projection) -> None:
         per_z, constant = projection.passage.w_of_z  # a constant alone where w is divided out
         clip = part.clip
         if not per_z:
@@ -253,7 +253,7 @@ class _Made:
             self._mapper.SetInputData(self._mesh)
             self._projected.Initialize()
 
-    def replace(self, vertices: _Vertices) -> Array:
+    def replace(self, vertices: _MeshVertices) -> Array:
         """Show the mesh with other vertices, and return their matrix, (4, 4)."""
         made = self._projected
         made.ShallowCopy(self._mesh)
@@ -277,7 +277,7 @@ def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
 # --------------------------------------------------------------------------- cutting
 
 
-class _Part(NamedTuple):
+class _MeshPart(NamedTuple):
     """What is left of a mesh."""
 
     clip: Array  # (n, 4): vertices in clip space
@@ -315,7 +315,7 @@ class _Clusters(NamedTuple):
         return cls(np.where(upper, ends[1][:, None], ends[0][:, None]), cluster)
 
 
-def _projected_part(made: _Made, projection: Projection, origin: Array, space: Space) -> _Part:
+def _projected_part(made: _Made, projection: Projection, origin: Array, space: Space) -> _MeshPart:
     """What a projection leaves of a mesh; clusters beyond one plane are skipped."""
     planes, cells, points = _planes(projection), made.cells, made.points
     beyond = np.zeros(0, dtype=np.bool_)
@@ -354,14 +354,14 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
     return normals, np.array([*(offset for _, offset in depth), 0.0, 0.0, 0.0, 0.0])
 
 
-def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _Part:
+def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _MeshPart:
     """Cut points, segments or triangles at planes."""
     normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
     for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):
         out |= (clip @ normal + offset < 0.0).astype(np.uint8) << np.uint8(bit)
     if not out.any():
-        return _Part(clip, cells, None, None)
+        return _MeshPart(clip, cells, None, None)
     corners = out[cells]
     whole = ~corners.any(axis=1)
     crossing = np.flatnonzero(~whole & (np.bitwise_and.reduce(corners, axis=1) == 0))
@@ -373,7 +373,7 @@ def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -
     kept = np.flatnonzero(whole)
     count, size = cells.shape[1], len(clip)
     needed = np.where(out[:, None] == 0, clip, 0.0)  # what is outside may not fit into float32
-    return _Part(
+    return _MeshPart(
         np.concatenate([needed, pieces.reshape(-1, 4)]),
         np.concatenate([cells[kept], size + np.arange(len(pieces) * count).reshape(-1, count)]),
         # A triangle's last corner carries its colour; its other corners' are never looked at.

@@ -22,13 +22,13 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
-from app.drawings.actors import Canvas, Space, actor_2d, lift_lines, line_actor
+from app.drawings.actors import PropGroup, Space, actor_2d, lift_lines, line_actor
 from app.drawings.label_placement import Ground
 from app.drawings.labels import PROBE, Board
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
-from app.picking.picking import Hit, Lines, Probe, Sight, Surface, pick, projector, stops
+from app.picking.picking import Hit, Lines, PickSurface, Probe, Sight, pick, projector, stops
 from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
@@ -36,7 +36,7 @@ _RING_EM = ((0.72, 1.1), (0.8, 1.02))  # inner and outer radii: of its edges, an
 _TRIED = 40  # vertices: of a million each takes a millisecond or two
 
 
-class Mark(NamedTuple):
+class ProbeMark(NamedTuple):
     """The mark of a probe in one pane; pixels from its top left."""
 
     number: int  # written beside it, unless it is 0
@@ -47,13 +47,13 @@ class Mark(NamedTuple):
 
 
 class Probes:
-    def __init__(self, canvas: Canvas, board: Board, renderer: Any = None) -> None:
+    def __init__(self, canvas: PropGroup, board: Board, renderer: Any = None) -> None:
         self._canvas, self._board, self._renderer = canvas, board, renderer
         self._slots: list[_Slot] = []
         self._spots: list[tuple[int, float, float]] = []
         self.probes: Sequence[Probe] = ()
 
-    def show(self, marks: Sequence[Mark], size_px: tuple[int, int]) -> None:
+    def show(self, marks: Sequence[ProbeMark], size_px: tuple[int, int]) -> None:
         """Draw these marks, and no others, in a renderer of this size."""
         while len(self._slots) < len(marks):
             self._slots.append(_Slot(self._canvas, self._renderer))
@@ -73,7 +73,7 @@ class Probes:
 
     def in_world(
         self, projection: Projection, origin: Array, drawn: tuple[float, float], sight: Sight
-    ) -> list[Mark]:
+    ) -> list[ProbeMark]:
         """The marks of the world pane.
 
         `origin` is the origin of the pane's actors, `drawn` the distances at which near and far are
@@ -86,14 +86,14 @@ class Probes:
             line = projector(projection, probe, (near, far, min(0.0, near)))
             if probe.point is None or trace is None:
                 if line is None:  # under a free matrix that has no inverse, or it is all behind
-                    marks.append(Mark(probe.number, None))
+                    marks.append(ProbeMark(probe.number, None))
                     continue
                 crossing = sight.seen(line[:1])[0]
                 if trace is None:
-                    marks.append(Mark(probe.number, crossing, True, line[:2] - origin))
+                    marks.append(ProbeMark(probe.number, crossing, True, line[:2] - origin))
                 else:  # from the eye to where all lines that run so are seen: on the near plane
                     inside, ends = not trace.outside.any(), line[[2, 1]] - origin
-                    marks.append(Mark(probe.number, crossing, inside, ends, crossing))
+                    marks.append(ProbeMark(probe.number, crossing, inside, ends, crossing))
                 continue
             point = np.array(probe.point)
             start = np.array(projection.camera.eye) if line is None else line[2]
@@ -102,10 +102,12 @@ class Probes:
             way: Array | None = np.stack([start, point]) - origin
             if line is None and not projection.lens.central:  # there is no eye to start from
                 way = None
-            marks.append(Mark(probe.number, spot, not trace.outside.any(), way, crossing))
+            marks.append(ProbeMark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
 
-    def in_ndc(self, projection: Projection, display_from_ndc: Array, sight: Sight) -> list[Mark]:
+    def in_ndc(
+        self, projection: Projection, display_from_ndc: Array, sight: Sight
+    ) -> list[ProbeMark]:
         """The marks of the NDC pane; its `sight` takes world points."""
         marks = []
         for probe, trace in zip(self.probes, self._traces(projection), strict=True):
@@ -117,7 +119,7 @@ class Probes:
                 x, y = 2.0 * probe.pixel[0] / width - 1.0, 1.0 - 2.0 * probe.pixel[1] / height
             else:
                 if not trace.in_front:
-                    marks.append(Mark(probe.number, None))
+                    marks.append(ProbeMark(probe.number, None))
                     continue
                 x, y, z_point = trace.ndc.tolist()
                 solid = not trace.outside.any()
@@ -129,10 +131,10 @@ class Probes:
             ends = np.array([(x, y, end, 1.0) for end in z]) @ display_from_ndc.T
             # Between two stops a line may reach infinity, as only a free matrix makes it.
             line = ends[:, :3] / ends[:, 3:] if (ends[:, 3] > 0.0).all() else None
-            marks.append(Mark(probe.number, spot, solid, line))
+            marks.append(ProbeMark(probe.number, spot, solid, line))
         return marks
 
-    def in_image(self, projection: Projection, pane_from_image: ArrayLike) -> list[Mark]:
+    def in_image(self, projection: Projection, pane_from_image: ArrayLike) -> list[ProbeMark]:
         """The marks of the image pane, by an affine (3, 3) from the image's pixels."""
         matrix = np.asarray(pane_from_image, dtype=np.float64)
         marks = []
@@ -141,7 +143,7 @@ class Probes:
                 spot, solid = np.array(probe.pixel), True
             else:
                 spot, solid = trace.image, not trace.outside.any()
-            marks.append(Mark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
+            marks.append(ProbeMark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
         return marks
 
     def _traces(self, projection: Projection) -> list[Trace | None]:
@@ -170,7 +172,7 @@ def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
 
 
 class _Slot:
-    def __init__(self, canvas: Canvas, renderer: Any) -> None:
+    def __init__(self, canvas: PropGroup, renderer: Any) -> None:
         self._style = canvas.style
         style, em = canvas.style, canvas.style.font_size
         self._space = Space()
@@ -194,7 +196,7 @@ class _Slot:
             renderer=renderer,
         )  # fmt: skip
 
-    def show(self, mark: Mark | None, size_px: tuple[int, int]) -> None:
+    def show(self, mark: ProbeMark | None, size_px: tuple[int, int]) -> None:
         height_px = size_px[1]
         line = None if mark is None else mark.line
         self._line.SetVisibility(line is not None)
@@ -249,8 +251,8 @@ def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0
     return actor
 
 
-_sorted: WeakKeyDictionary[Scene, tuple[Future[Surface], Lines]] = WeakKeyDictionary()
-_NO_FACES = Surface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
+_sorted: WeakKeyDictionary[Scene, tuple[Future[PickSurface], Lines]] = WeakKeyDictionary()
+_NO_FACES = PickSurface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
 _sorting = ThreadPoolExecutor(1, "sorting")
 
 
@@ -269,7 +271,7 @@ def sort_ahead(scene: Scene) -> None:
     if of_faces < len(points):  # a dot is a triangle that hides nothing
         dots = np.arange(of_faces, len(points), dtype=triangles.dtype)
         triangles = np.concatenate([triangles, np.repeat(dots[:, None], 3, axis=1)])
-    surface = _sorting.submit(Surface, points, triangles, scene.origin)
+    surface = _sorting.submit(PickSurface, points, triangles, scene.origin)
     _sorted[scene] = surface, _lines_of(scene)
 
 

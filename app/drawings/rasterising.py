@@ -36,7 +36,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
-    Canvas,
+    PropGroup,
     Space,
     colour_by_points,
     flat,
@@ -50,7 +50,7 @@ from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
-from app.scenes.phenomena.marks import Fog, Level, Rendering, Texture
+from app.scenes.phenomena.marks import DetailLevel, Fog, Rendering, Texture
 from app.scenes.phenomena.readout import Phrase
 from app.scenes.scene import Scene
 
@@ -266,7 +266,7 @@ class Rasteriser:
             self._levels.SetVisibility(in_levels)
             self._surface.SetVisibility(not in_levels)
 
-    def _build_levels(self, levels: tuple[Level, ...]) -> None:
+    def _build_levels(self, levels: tuple[DetailLevel, ...]) -> None:
         self._levels = unlit_actor(_mesh_of_levels(levels, self._scene.origin))
         colour_by_points(self._levels, "rgb")
         mapper: Any = self._levels.GetMapper()
@@ -370,7 +370,7 @@ class Rasteriser:
 
 
 def textured(
-    scene: Scene, canvas: Canvas, *faces: tuple[vtkActor | None, Space]
+    scene: Scene, canvas: PropGroup, *faces: tuple[vtkActor | None, Space]
 ) -> list[Rasteriser]:
     """Return rasterisers for a scene's texture in a pane that is not the picture."""
     if "texture" not in scene.requires:
@@ -419,7 +419,7 @@ def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
     return made
 
 
-def _mesh_of_levels(levels: tuple[Level, ...], origin: tuple[float, ...]) -> pv.PolyData:
+def _mesh_of_levels(levels: tuple[DetailLevel, ...], origin: tuple[float, ...]) -> pv.PolyData:
     """All levels' faces, each vertex with its object's place and its level."""
     quads = np.concatenate([level.faces[0] for level in levels])
     colours = np.concatenate([level.faces[1] for level in levels])
@@ -447,7 +447,7 @@ def counted_wrong_share(
     if scene.surface is None:
         return None
     window, renderer = screen.render_window, screen.renderer
-    Canvas.make_ready(renderer)
+    PropGroup.make_ready(renderer)
     renderer.SetActiveCamera(identity_camera())
     renderer.SetBackground(0.0, 0.0, 0.0)
     actors: list[tuple[vtkActor, Space]] = []

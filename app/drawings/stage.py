@@ -25,7 +25,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.document.naming import named_in
-from app.drawings.actors import Canvas, fitting, lift_lines, make_pale
+from app.drawings.actors import PropGroup, fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frustum import CUBE
 from app.drawings.label_placement import Ground
@@ -36,7 +36,7 @@ from app.drawings.names import Names
 from app.drawings.pane_view import Pose
 from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
-from app.drawings.probes import Mark, Probes
+from app.drawings.probes import ProbeMark, Probes
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.stage_box import StageBox, volume_ends
@@ -73,7 +73,7 @@ class StageDrawing(Drawing):
         tolerance_px: float = DRAWING_TOLERANCE_PX,
     ) -> None:
         self._scene, self._words, self._style = scene, words, style
-        self._canvas = Canvas(screen, style, self._layout)
+        self._canvas = PropGroup(screen, style, self._layout)
         self.own = StageView(self._canvas, scene.start.camera, scene.cube_side)
         self._position = float(NDC)
         self._placed: tuple[float, object] | None = None
@@ -283,7 +283,7 @@ class StageDrawing(Drawing):
         self._place_texts()
 
     def _place_probes(self) -> None:
-        marks: Sequence[Mark] = ()
+        marks: Sequence[ProbeMark] = ()
         if self._display_from_ndc.any():
             marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
         self._probes.show(marks, self._canvas.window.GetSize())

@@ -17,7 +17,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     CUBE_EDGES,
-    Canvas,
+    PropGroup,
     Space,
     face_actor,
     fitting,
@@ -27,7 +27,7 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.frustum import CUBE
-from app.drawings.label import Label
+from app.drawings.label import SceneLabel
 from app.drawings.label_placement import Ground, beyond
 from app.drawings.labels import AXIS, NUMBER, PLANE, Board, vector, want_plane
 from app.drawings.names import Names
@@ -69,12 +69,12 @@ class StageBox:
     """
 
     def __init__(
-        self, canvas: Canvas, words: Mapping[str, str], names: Names, board: Board
+        self, canvas: PropGroup, words: Mapping[str, str], names: Names, board: Board
     ) -> None:
         self._canvas, self._words, self._names, self._board = canvas, words, names, board
         self._space = Space()
-        self._at: dict[Label, Array] = {}
-        self._written: set[Label] = set()
+        self._at: dict[SceneLabel, Array] = {}
+        self._written: set[SceneLabel] = set()
         """The labels to show if there is room."""
         self._add_volume()
         self._add_axes()

@@ -10,17 +10,10 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.drawings.actors import CUBE_CORNERS, Canvas, axes_of
+from app.drawings.actors import CUBE_CORNERS, PropGroup, axes_of
 from app.drawings.pane_view import PaneCamera
 from app.drawings.style import TITLE_EM
-from app.lecture.stages import (
-    CANONICAL_PARALLEL,
-    CANONICAL_PERSPECTIVE,
-    IMAGE,
-    NDC,
-    VIEW,
-    WORLD,
-)
+from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW, WORLD
 from app.model.projection import Array, Camera, Projection
 
 AXES_LENGTH = 0.35
@@ -53,7 +46,7 @@ class StageView(PaneCamera):
     """
 
     def __init__(
-        self, canvas: Canvas, start: Camera, cube_side: tuple[float, float] | None = None
+        self, canvas: PropGroup, start: Camera, cube_side: tuple[float, float] | None = None
     ) -> None:
         super().__init__(canvas)
         self._start, self._cube_side = start, cube_side

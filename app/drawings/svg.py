@@ -15,7 +15,7 @@ from PIL import Image
 from app.document.lengths import PX_PER
 from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
-from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
+from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lessons.text import outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
@@ -58,8 +58,8 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
         first = same[0]
         if isinstance(first, Area):
             yield _areas([each for each in same if isinstance(each, Area)])
-        elif isinstance(first, Stroke):
-            yield _strokes([each for each in same if isinstance(each, Stroke)])
+        elif isinstance(first, LineShape):
+            yield _strokes([each for each in same if isinstance(each, LineShape)])
         else:
             for shape in same:
                 if isinstance(shape, Disc):
@@ -68,9 +68,9 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
                         f'<circle cx="{_n(x)}" cy="{_n(y)}" r="{_n(shape.radius)}"'
                         f' fill="{_hex(shape.colour)}"{_faint("fill", shape.opacity)}/>'
                     )
-                elif isinstance(shape, Picture):
+                elif isinstance(shape, PixelShape):
                     yield _image(shape)
-                elif isinstance(shape, Text):
+                elif isinstance(shape, TextShape):
                     number += 1
                     yield from _text(shape, f"{name}{number}")
 
@@ -79,7 +79,7 @@ def kind_of(shape: Shape) -> object:
     """What shapes that follow each other have in common if they are one element."""
     if isinstance(shape, Area):
         return "area", shape.colour, shape.opacity, shape.opacity < 1.0 and id(shape)
-    if isinstance(shape, Stroke):
+    if isinstance(shape, LineShape):
         return "stroke", shape.colour, shape.opacity, shape.width, shape.dash
     return id(shape)
 
@@ -127,7 +127,7 @@ def turned(ring: Points) -> Points:
     return ring if sum(x * t - y * s for (x, y), (s, t) in ends) < 0.0 else ring[::-1]
 
 
-def chained(strokes: Iterable[Stroke]) -> list[Points]:
+def chained(strokes: Iterable[LineShape]) -> list[Points]:
     """Return lines, those that follow each other as one."""
     chains: list[Points] = []
     for stroke in strokes:
@@ -138,7 +138,7 @@ def chained(strokes: Iterable[Stroke]) -> list[Points]:
     return chains
 
 
-def _strokes(strokes: Sequence[Stroke]) -> str:
+def _strokes(strokes: Sequence[LineShape]) -> str:
     data = "".join(map(_path, chained(strokes)))
     first = strokes[0]
     dash = "" if first.dash is None else (
@@ -150,7 +150,7 @@ def _strokes(strokes: Sequence[Stroke]) -> str:
     )
 
 
-def _image(picture: Picture) -> str:
+def _image(picture: PixelShape) -> str:
     buffer = io.BytesIO()
     Image.fromarray(picture.pixels).save(buffer, "PNG")
     left, top, width, height = map(_n, picture.place)
@@ -164,7 +164,7 @@ def _image(picture: Picture) -> str:
 # --------------------------------------------------------------------------- text
 
 
-def _text(text: Text, name: str) -> Iterator[str]:
+def _text(text: TextShape, name: str) -> Iterator[str]:
     """Yield a label's halo and its letters; what is no usual formula is drawn as its outline."""
     written, em = text.written, text.em
     (x, y), turn = text.place, -math.degrees(written.turn)

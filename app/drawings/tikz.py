@@ -18,7 +18,7 @@ from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY
 from app.drawings.style import rgb
 from app.drawings.svg import FUNCTIONS, GREEK, SEAM_PX, TEX, chained, kind_of, turned
-from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text
+from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.strangers import printable
 
 LARGEST = 1_500_000
@@ -70,12 +70,14 @@ def tikz(
     name : str
         The file's own name, without its ending.
     """
-    writer = _Writer(size, name)
+    writer = _TikzWriter(size, name)
     lines = [line for _, group in groupby(shapes, key=kind_of) for line in writer.lines([*group])]
     head = [
         *(f"% {printable(said)}" for said in (title, text) if said),
         r"% LaTeX reads it by \input; the preamble needs \usepackage{tikz}. A unit is 1/72 inch.",
-        *writer.needed("".join(each.written.text for each in shapes if isinstance(each, Text))),
+        *writer.needed(
+            "".join(each.written.text for each in shapes if isinstance(each, TextShape))
+        ),
         r"\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round,",
         *(f"  {style}/.style={{{options}}}," for options, style in writer.styles.items()),
         "]",
@@ -85,7 +87,7 @@ def tikz(
     return "\n".join([*head, *lines, r"\end{tikzpicture}%", ""]).encode(), writer.files
 
 
-class _Writer:
+class _TikzWriter:
     """The commands of shapes, and the colours, styles and files that they use."""
 
     def __init__(self, size: tuple[float, float], name: str) -> None:
@@ -116,17 +118,17 @@ class _Writer:
             rings = [turned(r) for each in shapes if isinstance(each, Area) for r in each.rings]
             options = f"fill={colour}{seam}{_faint('fill', first.opacity)}"
             yield from self._paths(options, rings, "--cycle")
-        elif isinstance(first, Stroke):
+        elif isinstance(first, LineShape):
             dash = "" if first.dash is None else (
                 ",line cap=butt,dash pattern=on {}bp off {}bp".format(*map(_n, first.dash))
             )  # fmt: skip
             options = f"draw={self._colour(first.colour)},line width={_n(first.width)}bp{dash}"
-            chains = chained(each for each in shapes if isinstance(each, Stroke))
+            chains = chained(each for each in shapes if isinstance(each, LineShape))
             yield from self._paths(options + _faint("draw", first.opacity), chains)
         elif isinstance(first, Disc):
             options = f"fill={self._colour(first.colour)}{_faint('fill', first.opacity)}"
             yield rf"\path[{options}] {self._at(first.centre)} circle[radius={_n(first.radius)}];"
-        elif isinstance(first, Picture):
+        elif isinstance(first, PixelShape):
             yield self._picture(first)
         else:
             yield self._text(first)
@@ -148,7 +150,7 @@ class _Writer:
         code = "".join(f"{round(255.0 * min(1.0, max(0.0, part))):02X}" for part in colour)
         return self.colours.setdefault(code, f"c{len(self.colours) + 1}")
 
-    def _picture(self, picture: Picture) -> str:
+    def _picture(self, picture: PixelShape) -> str:
         buffer = io.BytesIO()
         Image.fromarray(picture.pixels).save(buffer, "PNG")
         name = f"{self._name}-pixels{len(self.files) + 1}.png"
@@ -159,7 +161,7 @@ class _Writer:
             rf" {{\includegraphics[width={_n(wide)}bp,height={_n(high)}bp]{{{name}}}}};"
         )
 
-    def _text(self, text: Text) -> str:
+    def _text(self, text: TextShape) -> str:
         """A label with a bright plate behind it: TikZ alone has no halo round letters."""
         written, em = text.written, text.em
         said = _tex((piece, is_tex) for piece, is_tex, _, _ in written.pieces)
@@ -174,7 +176,7 @@ class _Writer:
         options += f",rotate={math.degrees(written.turn):.2f}" if written.turn else ""
         return rf"\node[{options}] at {self._at((x + cos * along, y - sin * along))} {{{said}}};"
 
-    def _style(self, text: Text) -> str:
+    def _style(self, text: TextShape) -> str:
         """The name of a label's style; its letters and words have one size, as in one font."""
         written = text.written
         size = min((size for _, _, size, _ in written.pieces), default=1.0)

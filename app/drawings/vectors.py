@@ -23,8 +23,8 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 
 from app.document.lengths import PX_PER
 from app.drawings.actors import PAPER, FlatActor
-from app.drawings.hidden import Cell, Colour, Hiding, Points, cut, in_order, visible
-from app.drawings.label import Label, LabelActor, Written, piece_of
+from app.drawings.hidden import Colour, Occlusion, Points, ScreenCell, cut, in_order, visible
+from app.drawings.label import LabelActor, LabelText, SceneLabel, piece_of
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
 from app.model.projection import Array
@@ -61,7 +61,7 @@ class Area(NamedTuple):
     opacity: float
 
 
-class Stroke(NamedTuple):
+class LineShape(NamedTuple):
     """A line of a width in pixels."""
 
     points: Points
@@ -79,22 +79,22 @@ class Disc(NamedTuple):
     opacity: float
 
 
-class Text(NamedTuple):
+class TextShape(NamedTuple):
     """A label: where its line of writing begins, and its letters' em."""
 
-    written: Written
+    written: LabelText
     place: tuple[float, float]
     em: float
 
 
-class Picture(NamedTuple):
+class PixelShape(NamedTuple):
     """Pixels, where only shaders know what is drawn: (h, w, 4), and left, top, width, height."""
 
     pixels: Pixels
     place: tuple[float, float, float, float]
 
 
-Shape: TypeAlias = Area | Stroke | Disc | Text | Picture
+Shape: TypeAlias = Area | LineShape | Disc | TextShape | PixelShape
 
 
 def moved(shape: Shape, right: float, down: float) -> Shape:
@@ -102,12 +102,12 @@ def moved(shape: Shape, right: float, down: float) -> Shape:
     if isinstance(shape, Area):
         rings = [[(x + right, y + down) for x, y in ring] for ring in shape.rings]
         return shape._replace(rings=rings)
-    if isinstance(shape, Stroke):
+    if isinstance(shape, LineShape):
         return shape._replace(points=[(x + right, y + down) for x, y in shape.points])
     if isinstance(shape, Disc):
         return shape._replace(centre=(shape.centre[0] + right, shape.centre[1] + down))
     left, top = shape.place[:2]
-    if isinstance(shape, Text):
+    if isinstance(shape, TextShape):
         return shape._replace(place=(left + right, top + down))
     return shape._replace(place=(left + right, top + down, *shape.place[2:]))
 
@@ -119,11 +119,11 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
             rings = [_between(ring, left, right, True) for ring in shape.rings]
             if any(rings):
                 yield shape._replace(rings=[ring for ring in rings if ring])
-        elif isinstance(shape, Stroke):
+        elif isinstance(shape, LineShape):
             points = _between(shape.points, left, right, False)
             if len(points) > 1:
                 yield shape._replace(points=points)
-        elif isinstance(shape, Picture):
+        elif isinstance(shape, PixelShape):
             x, y, wide, high = shape.place
             per_px = shape.pixels.shape[1] / wide
             first, last = (
@@ -131,9 +131,9 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
             )
             if first < last:
                 place = x + first / per_px, y, (last - first) / per_px, high
-                yield Picture(shape.pixels[:, first:last], place)
+                yield PixelShape(shape.pixels[:, first:last], place)
         else:
-            middle = shape.place[0] if isinstance(shape, Text) else shape.centre[0]
+            middle = shape.place[0] if isinstance(shape, TextShape) else shape.centre[0]
             if left <= middle <= right:
                 yield shape
 
@@ -146,11 +146,11 @@ def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, floa
         if isinstance(shape, Area):
             if shape.colour != empty:
                 corners += (point for ring in shape.rings for point in ring)
-        elif isinstance(shape, Stroke):
+        elif isinstance(shape, LineShape):
             corners += _padded(shape.points, shape.width / 2.0)
         elif isinstance(shape, Disc):
             corners += _padded([shape.centre], shape.radius)
-        elif isinstance(shape, Text):
+        elif isinstance(shape, TextShape):
             corners += _around(shape)
         else:
             left, top, wide, high = shape.place
@@ -166,7 +166,7 @@ def _padded(points: Points, half: float) -> Iterator[tuple[float, float]]:
         yield from ((x - half, y - half), (x + half, y + half))
 
 
-def _around(text: Text) -> Iterator[tuple[float, float]]:
+def _around(text: TextShape) -> Iterator[tuple[float, float]]:
     """Yield the corners of the letters' boxes."""
     (x, y), turn = text.place, text.written.turn
     cos, sin = math.cos(turn), math.sin(turn)
@@ -209,7 +209,7 @@ def shapes_of(
     height = window.GetSize()[1]
     layers = sorted(window.GetRenderers(), key=lambda each: each.GetLayer())
     panes = [
-        _Pane(each, height, finer, hidden, grey, watch)
+        _VectorPane(each, height, finer, hidden, grey, watch)
         for each in layers
         if each.GetDraw() and all(each.GetSize())
     ]
@@ -240,7 +240,7 @@ def _shown_in(renderer: Any) -> tuple[list[Any], list[Any]]:
     return props, [prop for prop in props if isinstance(prop, vtkActor)]
 
 
-class _Pane:
+class _VectorPane:
     """One renderer: its camera, and its rectangle in the window."""
 
     def __init__(
@@ -274,7 +274,7 @@ class _Pane:
             yield self._picture(window, props)
             actors = [actor for actor in actors if _is_in_front(actor)]
         _refuse_too_many(actors)
-        cells: tuple[list[Cell], list[Cell], list[Cell]] = [], [], []
+        cells: tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]] = [], [], []
         for place, actor in enumerate(actors):
             self._read(actor, place, cells)
         faces, lines, points = cells
@@ -287,7 +287,7 @@ class _Pane:
             elif isinstance(prop, vtkActor2D):
                 yield from self._flat(prop)
 
-    def _picture(self, window: Any, props: Sequence[Any]) -> Picture:
+    def _picture(self, window: Any, props: Sequence[Any]) -> PixelShape:
         """The pixels of all that has a depth; the rest is hidden meanwhile."""
         others = [p for p in props if isinstance(p, vtkActor2D) or _is_in_front(p)]
         for prop in others:
@@ -303,7 +303,7 @@ class _Pane:
         blocks = blocks.reshape(high, self._finer, wide, self._finer, -1).mean(axis=(1, 3))
         part = np.rint(blocks).astype(np.uint8)[..., :3]
         place = [side / self._finer for side in (self._left, top, self._wide, self._high)]
-        return Picture(part, (place[0], place[1], place[2], place[3]))
+        return PixelShape(part, (place[0], place[1], place[2], place[3]))
 
     def _placed(self, points: Iterable[Sequence[float]]) -> Points:
         """Pixels of the window, from the bottom, as pixels of the figure, from the top."""
@@ -312,7 +312,10 @@ class _Pane:
     # -- reading
 
     def _read(
-        self, actor: Any, place: int, cells: tuple[list[Cell], list[Cell], list[Cell]]
+        self,
+        actor: Any,
+        place: int,
+        cells: tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]],
     ) -> None:
         mapper = actor.GetMapper()
         mesh = mapper.GetInput()
@@ -377,7 +380,9 @@ class _Pane:
                                 part = cut(part, side, kind is faces)
                         points = self._on_screen(part[part[:, 3] > 0.0, :4])
                     if len(points) >= (3 if kind is faces else 2 if kind is lines else 1):
-                        kind.append(Cell(points, colour, opacity, (place, number), width, is_thin))
+                        kind.append(
+                            ScreenCell(points, colour, opacity, (place, number), width, is_thin)
+                        )
 
     def _on_screen(self, clip: Array) -> Array:
         """Clip coordinates, (n, 4), as pixels from left and bottom, and depth, (n, 3)."""
@@ -406,26 +411,26 @@ class _Pane:
                 if is_face:
                     yield Area([placed], colour, opacity)
                 else:
-                    yield Stroke(placed, colour, opacity, width)
+                    yield LineShape(placed, colour, opacity, width)
 
-    def _text(self, label: Label) -> Text:
+    def _text(self, label: SceneLabel) -> TextShape:
         written = label.written
         x, y = written.place
         ((x, y),) = self._placed([(self._left + x, self._low + y)])
-        return Text(written, (x, y), written.em / self._finer)
+        return TextShape(written, (x, y), written.em / self._finer)
 
     # -- what hides what
 
     def _arranged(
-        self, faces: list[Cell], lines: list[Cell], points: list[Cell]
+        self, faces: list[ScreenCell], lines: list[ScreenCell], points: list[ScreenCell]
     ) -> Iterator[Shape]:
         faces = in_order(faces, self._watch)
         for face, rings in visible(faces, self._watch):
             yield Area([self._placed(ring) for ring in rings], face.colour, face.opacity)
-        hiding = Hiding(faces)
+        hiding = Occlusion(faces)
         if self._hidden != "none":
             yield from self._behind(hiding, lines)
-        strokes = list[Cell]()
+        strokes = list[ScreenCell]()
         for line in lines:
             self._watch()
             strokes += hiding.seen(line)
@@ -433,25 +438,27 @@ class _Pane:
         strokes.sort(key=lambda each: (not each.is_thin, -float(each.points[:, 2].sum())))
         for stroke in strokes:
             width = self._width(stroke.width, 0.0 if stroke.is_thin else _WIDE)
-            yield Stroke(self._placed(stroke.points.tolist()), stroke.colour, stroke.opacity, width)
+            yield LineShape(
+                self._placed(stroke.points.tolist()), stroke.colour, stroke.opacity, width
+            )
         for point in points:
             if not hiding.hides(point):
                 (centre,) = self._placed(point.points[:1].tolist())
                 yield Disc(centre, point.width / 2.0 / self._finer, point.colour, point.opacity)
 
-    def _behind(self, hiding: Hiding, lines: list[Cell]) -> Iterator[Stroke]:
+    def _behind(self, hiding: Occlusion, lines: list[ScreenCell]) -> Iterator[LineShape]:
         """What is hidden of lines; a ground's would cover what matters."""
         for line in lines:
             self._watch()
             for part in () if line.is_thin else hiding.behind(line):
                 points = self._placed(part.points.tolist())
                 if self._hidden == "grey":
-                    yield Stroke(points, self._grey, line.opacity, _WIDTHS[0])
+                    yield LineShape(points, self._grey, line.opacity, _WIDTHS[0])
                     continue
                 # ISO 128: a narrow line is half as wide, a dash 12 of its widths and a gap 3.
                 narrow = _WIDTHS[_WIDTHS.index(self._width(line.width, _WIDE)) - 2]
                 dash = 12.0 * narrow, 3.0 * narrow
-                yield Stroke(points, line.colour, line.opacity, narrow, dash)
+                yield LineShape(points, line.colour, line.opacity, narrow, dash)
 
     def _width(self, width: float, least: float = 0.0) -> float:
         """A line's width in pixels of the figure; beside dashed lines, the nearest of ISO 128."""

@@ -18,9 +18,9 @@ import numpy as np
 
 from app.document.naming import FRAMES, named_in
 from app.drawings import actors
-from app.drawings.actors import Canvas
-from app.drawings.camera import CameraDrawing, Standing, view_matrices
-from app.drawings.dimensions import Dimensions, Measured
+from app.drawings.actors import PropGroup
+from app.drawings.camera import CameraDrawing, CameraPose, view_matrices
+from app.drawings.dimensions import Dimension, Dimensions
 from app.drawings.drawing import Drawing, Rectangle, light_of_labels
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import WIDEST, FrustumDrawing
@@ -39,15 +39,7 @@ from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM, Style
 from app.drawings.world_axes import WorldAxes
-from app.lecture.highlight import (
-    AXES,
-    CORNERS,
-    OBJECT_AXES,
-    SIDES,
-    WINDOW,
-    Highlight,
-    made_of,
-)
+from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, SIDES, WINDOW, Highlight, made_of
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
 from app.picking.picking import Probe, Sight
@@ -90,7 +82,7 @@ class WorldDrawing(Drawing):
         self._origin = np.array(scene.origin, dtype=np.float64)
         self._placement: ObjectTransform | None = None
         self._place(scene.start.placement)
-        self._canvas = canvas = Canvas(screen, style, self._lay_out)
+        self._canvas = canvas = PropGroup(screen, style, self._lay_out)
         self._actors = drawn = actors.SceneActors(scene, style)
         self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
         canvas.add(*drawn)
@@ -368,11 +360,11 @@ class WorldDrawing(Drawing):
     def has_object_axes(self) -> bool:
         return self.axes.has_object
 
-    def _stand(self, camera: Camera) -> Standing:
+    def _stand(self, camera: Camera) -> CameraPose:
         """What depends on the camera alone, and not on its lens."""
         eye, target = (np.array(point) - self._origin for point in (camera.eye, camera.target))
         depths = (eye - self._everything) @ camera.frame[2]
-        return Standing(
+        return CameraPose(
             camera,
             self._origin,
             eye,
@@ -489,7 +481,7 @@ class WorldDrawing(Drawing):
         return frozenset(unseen)
 
     @property
-    def _in_fixed_view(self) -> Measured:
+    def _in_fixed_view(self) -> Dimension:
         at, view = self._standing, self.own.fixed
         lengths = tuple(
             (each.name, each.value, each.start - self._origin, each.end - self._origin)
@@ -502,7 +494,7 @@ class WorldDrawing(Drawing):
         if view == "axis" and points:
             trace = self._projection.trace(np.array(points))
             across = trace.ndc[trace.in_front, 0]
-        return Measured(
+        return Dimension(
             view,
             self._projection,
             at.eye,
@@ -801,7 +793,7 @@ class WorldDrawing(Drawing):
             )  # fmt: skip
 
 
-def _deepest(points: Iterable[Array], at: Standing, size: float) -> float:
+def _deepest(points: Iterable[Array], at: CameraPose, size: float) -> float:
     """The largest depth of a scene's grips, of those near the scene; 0 without any."""
     offsets = [np.array(point) - at.camera.eye for point in points]
     near = [offset for offset in offsets if math.hypot(*offset) <= _FRAMED_MARK * size]
@@ -809,7 +801,7 @@ def _deepest(points: Iterable[Array], at: Standing, size: float) -> float:
 
 
 def _points_to_frame(
-    at: Standing, objects: Array, with_camera: Array, marked: Array, size: float
+    at: CameraPose, objects: Array, with_camera: Array, marked: Array, size: float
 ) -> Array:
     """The points that `reset_view` brings into view; only the near part of a very wide frustum.
 

@@ -11,7 +11,7 @@ from itertools import compress
 import numpy as np
 
 from app.document.naming import FRAMES
-from app.drawings.actors import Canvas, SceneActors
+from app.drawings.actors import PropGroup, SceneActors
 from app.drawings.frame import ObjectAxes
 from app.drawings.labels import Labels
 from app.drawings.names import Names
@@ -31,7 +31,7 @@ class WorldAxes:
 
     def __init__(
         self,
-        canvas: Canvas,
+        canvas: PropGroup,
         scene: Scene,
         drawn: SceneActors,
         names: Names,

@@ -40,7 +40,7 @@ FIELDS = {
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
 
-class State(NamedTuple):
+class ProjectionState(NamedTuple):
     """The facts about a projection that decide which of its numbers matter; see `state_of`.
 
     Attributes
@@ -66,7 +66,7 @@ class State(NamedTuple):
     held: tuple[tuple[str, tuple[str, ...]], ...]
 
 
-class Reach(NamedTuple):
+class Influence(NamedTuple):
     """The fields that move a formula, and whether it is 0 now."""
 
     fields: tuple[str, ...]
@@ -76,7 +76,7 @@ class Reach(NamedTuple):
 _Found: TypeAlias = tuple[dict[str, None], bool]
 
 
-def state_of(projection: Projection) -> State:
+def state_of(projection: Projection) -> ProjectionState:
     lens, camera = projection.lens, projection.camera
     values: dict[str, object] = {}
     for point in ("eye", "target"):
@@ -91,7 +91,7 @@ def state_of(projection: Projection) -> State:
     values |= projection.placement.letters
     held: list[tuple[str, tuple[str, ...]]] = [(f"u_{x}", ("up",)) for x in _only_axis(camera.up)]
     held += [(f"{axis}_{x}", ("eye", "target")) for x in _only_axis(frame[2]) for axis in "uv"]
-    return State(
+    return ProjectionState(
         getattr(lens, "keep", ""),
         frozenset(name for name, value in values.items() if not value),
         lens.fits(projection.aspect),
@@ -107,13 +107,13 @@ def _only_axis(vector: Sequence[float | Fraction]) -> str:
 
 
 @lru_cache(maxsize=8192)
-def reach(formula: str, state: State) -> Reach:
+def reach(formula: str, state: ProjectionState) -> Influence:
     """Return the fields that change a formula in the names of `app.lecture.notation`."""
     fields, is_zero = _of(parse(formula), state)
-    return Reach(tuple(fields), is_zero)
+    return Influence(tuple(fields), is_zero)
 
 
-def _of(node: Formula, state: State) -> _Found:
+def _of(node: Formula, state: ProjectionState) -> _Found:
     if isinstance(node, Number):
         return {}, node.number == 0
     if isinstance(node, Letter):
@@ -147,7 +147,7 @@ def _of(node: Formula, state: State) -> _Found:
     return left | right, False
 
 
-def _what_is_left(node: Formula, state: State) -> str:
+def _what_is_left(node: Formula, state: ProjectionState) -> str:
     """Return the only plane of a sum that is not 0: f for ``f - n`` with n = 0."""
     if isinstance(node, Negative):
         return _what_is_left(node.operand, state)
@@ -160,7 +160,7 @@ def _what_is_left(node: Formula, state: State) -> str:
     return ""
 
 
-def _of_name(name: str, state: State) -> _Found:
+def _of_name(name: str, state: ProjectionState) -> _Found:
     if name in dict(state.held):
         return dict.fromkeys(dict(state.held)[name]), True
     stem, _, part = name.partition("_")
@@ -172,7 +172,7 @@ def _of_name(name: str, state: State) -> _Found:
     return dict.fromkeys(fields), name in state.zeros
 
 
-def _of_dot(axis: str, state: State) -> _Found:
+def _of_dot(axis: str, state: ProjectionState) -> _Found:
     """Return the reach of the eye's component along an axis.
 
     Along u and v the target has the same component. Only fields that change the products with both
@@ -188,7 +188,7 @@ def _of_dot(axis: str, state: State) -> _Found:
     return {field: None for field in by_eye if field in by_target}, is_zero
 
 
-def _of_window(across: str, is_sum: bool, state: State) -> _Found:
+def _of_window(across: str, is_sum: bool, state: ProjectionState) -> _Found:
     """Return the reach of ``r + l`` or ``r - l``, or the same of y: only extents are fitted."""
     pair = {"x": ("right", "left"), "y": ("top", "bottom")}
     if is_sum:

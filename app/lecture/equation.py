@@ -28,7 +28,7 @@ from app.lecture.notation import (
     LETTERS,
     Formulas,
     Letters,
-    Matrix,
+    WrittenMatrix,
     latex_called,
     latex_formula,
     matrices,
@@ -74,7 +74,7 @@ SOME_MATRICES = QT_TRANSLATE_NOOP(
 class Term(NamedTuple):
     """A matrix of an equation; `name` is TeX, or empty; `letters` are those of its formulas."""
 
-    matrix: Matrix
+    matrix: WrittenMatrix
     letters: Letters
     name: str = ""
 
@@ -131,7 +131,7 @@ def _onto_plane(word: str, distance: float, letters: Letters) -> Term:
     numbers = tuple(tuple(values[cell] for cell in row) for row in formulas)
     path = (f"settings.{_PLANE}",)
     fields = tuple(tuple(path if "d" in cell else () for cell in row) for row in formulas)
-    return Term(Matrix(word, numbers, formulas, fields), letters, name)
+    return Term(WrittenMatrix(word, numbers, formulas, fields), letters, name)
 
 
 def _refused(text: str, word: str) -> Refusal:
@@ -178,9 +178,9 @@ def _named(
 
 
 @lru_cache(maxsize=len(LETTERS))
-def _by_key(projection: Projection, letters: Letters) -> Mapping[str, Matrix]:
+def _by_key(projection: Projection, letters: Letters) -> Mapping[str, WrittenMatrix]:
     """Return the matrices by their names, and their factors by ``matrix/factor``."""
-    found = dict[str, Matrix]()
+    found = dict[str, WrittenMatrix]()
     for matrix in matrices(projection, letters):
         found[matrix.name] = matrix
         found |= {f"{matrix.name}/{factor.name}": factor for factor in matrix.factors}
@@ -209,7 +209,7 @@ def _result(terms: Sequence[Term], text: str, is_in_numbers: bool) -> Term:
     return Term(whole._replace(formulas=formulas), terms[0].letters)
 
 
-def _multiplied(left: Matrix, right: Matrix) -> Matrix:
+def _multiplied(left: WrittenMatrix, right: WrittenMatrix) -> WrittenMatrix:
     """Return a product in numbers; all that changes a cell of a sum changes the sum."""
     cells = [[k for k in range(4) if "0" not in (left.formulas[i][k], right.formulas[k][j])]
              for i in range(4) for j in range(4)]  # fmt: skip
@@ -221,7 +221,7 @@ def _multiplied(left: Matrix, right: Matrix) -> Matrix:
         for n, terms in enumerate(cells)
     ]  # fmt: skip
     numbers = (np.array(left.values) @ np.array(right.values) + 0.0).ravel().tolist()
-    return Matrix("product", *map(_in_rows, (numbers, formulas, fields)))
+    return WrittenMatrix("product", *map(_in_rows, (numbers, formulas, fields)))
 
 
 def _in_rows(cells: Sequence[Any]) -> Any:

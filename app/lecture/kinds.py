@@ -22,7 +22,7 @@ It is a tenth of a pixel in 1000: a camera typed with two decimals of a degree i
 AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 
-class Kind(NamedTuple):
+class ProjectionKind(NamedTuple):
     """A node of the tree.
 
     Attributes
@@ -49,89 +49,89 @@ def _degrees(tangent: float) -> float:
     return math.degrees(math.atan(tangent))
 
 
-KINDS: dict[str, Kind] = {
+KINDS: dict[str, ProjectionKind] = {
     kind.name: kind
     for kind in (
-        Kind(
+        ProjectionKind(
             "planar", "", QT_TRANSLATE_NOOP("Kind", "planar projections"),
             QT_TRANSLATE_NOOP("Kind", "projectors are straight lines, and meet a plane"),
         ),
-        Kind(
+        ProjectionKind(
             "perspective", "planar", QT_TRANSLATE_NOOP("Kind", "perspective"),
             QT_TRANSLATE_NOOP("Kind", "all projectors meet in the eye"),
         ),
-        Kind(
+        ProjectionKind(
             "1-point", "perspective", QT_TRANSLATE_NOOP("Kind", "1-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "two axes are parallel to the image plane: one vanishing point"
             ),
             Orbit(0.0, 0.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "2-point", "perspective", QT_TRANSLATE_NOOP("Kind", "2-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "one axis is parallel to the image plane: two vanishing points"
             ),
             Orbit(40.0, 0.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "3-point", "perspective", QT_TRANSLATE_NOOP("Kind", "3-point"),
             QT_TRANSLATE_NOOP(
                 "Kind", "no axis is parallel to the image plane: three vanishing points"
             ),
             Orbit(44.0, 30.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "parallel", "planar", QT_TRANSLATE_NOOP("Kind", "parallel"),
             QT_TRANSLATE_NOOP("Kind", "all projectors are parallel"),
         ),
-        Kind(
+        ProjectionKind(
             "orthographic", "parallel", QT_TRANSLATE_NOOP("Kind", "orthographic"),
             QT_TRANSLATE_NOOP("Kind", "projectors are at right angles to the image plane"),
         ),
-        Kind(
+        ProjectionKind(
             "axonometric", "orthographic", QT_TRANSLATE_NOOP("Kind", "axonometric"),
             QT_TRANSLATE_NOOP("Kind", "no two axes are parallel to the image plane"),
         ),
-        Kind(
+        ProjectionKind(
             "isometric", "axonometric", QT_TRANSLATE_NOOP("Kind", "isometric"),
             QT_TRANSLATE_NOOP("Kind", "all three axes make equal angles with the image plane"),
             Orbit(45.0, _degrees(math.sqrt(0.5)), 1.0),
         ),
-        Kind(  # from (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y
+        ProjectionKind(  # from (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y
             "dimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "dimetric"),
             QT_TRANSLATE_NOOP("Kind", "two axes make equal angles with the image plane"),
             Orbit(_degrees(1.0 / math.sqrt(7.0)), _degrees(1.0 / math.sqrt(8.0)), 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "trimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "trimetric"),
             QT_TRANSLATE_NOOP("Kind", "the axes make three different angles with the image plane"),
             Orbit(30.0, 20.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "multiview", "orthographic", QT_TRANSLATE_NOOP("Kind", "multiview"),
             QT_TRANSLATE_NOOP("Kind", "two axes are parallel to the image plane"),
         ),
-        Kind(
+        ProjectionKind(
             "front", "multiview", QT_TRANSLATE_NOOP("Kind", "front"),
             QT_TRANSLATE_NOOP("Kind", "x and y are parallel to the image plane, seen along −z"),
             Orbit(0.0, 0.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "top", "multiview", QT_TRANSLATE_NOOP("Kind", "top"),
             QT_TRANSLATE_NOOP("Kind", "x and z are parallel to the image plane, seen along −y"),
             Orbit(0.0, 90.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "side", "multiview", QT_TRANSLATE_NOOP("Kind", "side"),
             QT_TRANSLATE_NOOP("Kind", "y and z are parallel to the image plane, seen along −x"),
             Orbit(90.0, 0.0, 1.0),
         ),
-        Kind(
+        ProjectionKind(
             "oblique", "parallel", QT_TRANSLATE_NOOP("Kind", "oblique"),
             QT_TRANSLATE_NOOP("Kind", "projectors are oblique to the image plane"),
         ),
-        Kind(
+        ProjectionKind(
             "cavalier", "oblique", QT_TRANSLATE_NOOP("Kind", "cavalier"),
             QT_TRANSLATE_NOOP(
                 "Kind",
@@ -139,7 +139,7 @@ KINDS: dict[str, Kind] = {
             ),
             Orbit(0.0, 0.0, 1.0), 1.0,
         ),
-        Kind(
+        ProjectionKind(
             "cabinet", "oblique", QT_TRANSLATE_NOOP("Kind", "cabinet"),
             QT_TRANSLATE_NOOP(
                 "Kind",

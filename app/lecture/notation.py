@@ -18,7 +18,7 @@ from typing import Literal, NamedTuple, TypeAlias
 from app.arithmetic.rationals import product
 from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
-from app.lecture.dependence import FIELDS, State, reach, state_of
+from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
 from app.model import formula
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
@@ -26,7 +26,7 @@ from app.model.lenses.lens import LensTable
 from app.model.object_transform import FACTORS, FROM_OBJECT
 from app.model.projection import DEPTH_RANGES, Array, Projection, Stage
 from app.model.refusal import format_value
-from app.model.tables import VIEWPORT, Step, evaluated
+from app.model.tables import VIEWPORT, PipelineStep, evaluated
 
 EVERY_DIGIT = 17
 """As many significant digits tell every number of float64 from its neighbours."""
@@ -208,7 +208,7 @@ def steps_of_a_point(
     }
 
 
-class Matrix(NamedTuple):
+class WrittenMatrix(NamedTuple):
     """One matrix for display.
 
     Attributes
@@ -237,7 +237,7 @@ class Matrix(NamedTuple):
     values: Numbers
     formulas: Formulas
     fields: tuple[tuple[tuple[str, ...], ...], ...]
-    factors: tuple[Matrix, ...] = ()
+    factors: tuple[WrittenMatrix, ...] = ()
     product: tuple[str, ...] = ()
     note: str = ""
     called: str = ""
@@ -246,7 +246,7 @@ class Matrix(NamedTuple):
 
 def matrices(
     projection: Projection, letters: Letters = "own", *, rows: bool = False, running: bool = False
-) -> tuple[Matrix, ...]:
+) -> tuple[WrittenMatrix, ...]:
     """Return every stage's matrix, in the order of `python -m app matrices`.
 
     In a lecture's letters they are the matrices of its own chain, without identities between.
@@ -293,17 +293,17 @@ def matrices(
     return _chained(whole, _names(lens, letters)) if letters != "own" else tuple(whole)
 
 
-def _steps(table: LensTable, letters: Letters) -> tuple[Step, ...]:
+def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
     """Return a lecture's steps from view to clip space; none if it has one matrix for all."""
     if letters not in _ONE_MATRIX:
         return table.steps
     factors = [factor for step in reversed(table.steps) for factor in step.factors]
     if letters != "002" or not factors or factors[-1][0] != "shear":
         return ()
-    return Step(SHEARED, (factors[-1],)), Step(FROM_SHEARED, tuple(factors[:-1]))
+    return PipelineStep(SHEARED, (factors[-1],)), PipelineStep(FROM_SHEARED, tuple(factors[:-1]))
 
 
-def _names(lens: _Written, letters: Letters) -> dict[str, str]:
+def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
     """Return a lecture's names of the matrices of a lens."""
     names = _CHAINS.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
@@ -330,7 +330,7 @@ def _chain(names: Mapping[str, str], parts: Sequence[str]) -> str:
     return "" if None in called else " ".join(filter(None, called)).replace(" I", "")
 
 
-def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix, ...]:
+def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[WrittenMatrix, ...]:
     """Name the matrices by a lecture and drop identities, except that of a named object matrix."""
     kept = {
         matrix.name
@@ -356,7 +356,7 @@ def _chained(whole: Sequence[Matrix], names: Mapping[str, str]) -> tuple[Matrix,
     return tuple(found)
 
 
-def letters_in(matrix: Matrix, row: int, column: int) -> Highlight:
+def letters_in(matrix: WrittenMatrix, row: int, column: int) -> Highlight:
     """Return the things in a cell's formula, by the names of `app.lecture.highlight`.
 
     An axis of the camera's frame stands for eye, target and up too; the eye is named only if the
@@ -404,7 +404,7 @@ def _matrix(
     tables: _Tables,
     letters: Letters,
     rows: bool,
-) -> Matrix:
+) -> WrittenMatrix:
     signs = _signs(_written(projection), letters)
     inner = {} if "_from_" in "".join(name for name, _ in stage.factors) else dict(stage.factors)
     factors = []
@@ -427,8 +427,8 @@ def _one(
     projection: Projection,
     tables: _Tables,
     rows: bool,
-    factors: tuple[Matrix, ...],
-) -> Matrix:
+    factors: tuple[WrittenMatrix, ...],
+) -> WrittenMatrix:
     values = tuple(
         tuple(signs(key, i, j) * value + 0.0 for j, value in enumerate(row))
         for i, row in enumerate(array.tolist())
@@ -446,7 +446,7 @@ def _one(
         formulas = tuple(tuple(_turned(cell) for cell in row)
                          for row in zip(*formulas, strict=True))  # fmt: skip
         factors = factors[::-1]
-    return Matrix(label, values, formulas, fields, factors)
+    return WrittenMatrix(label, values, formulas, fields, factors)
 
 
 @cache
@@ -467,8 +467,8 @@ def _spelled(formula: str, lens: Formulas) -> str:
 
 
 @lru_cache(maxsize=64)
-def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
-    """Return `Matrix.fields` by the keys of `_formulas`.
+def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _FieldTable:
+    """Return `WrittenMatrix.fields` by the keys of `_formulas`.
 
     A cell also depends on the depth range if another range gives it another formula, and likewise
     on an infinite far.
@@ -505,7 +505,7 @@ def _fields(lens: _Written, letters: Letters, state: State) -> _FieldTable:
 # --------------------------------------------------------------------------- lecture 002's signs
 
 
-def _signs(lens: _Written, letters: Letters) -> Callable[[str, int, int], int]:
+def _signs(lens: _WrittenForm, letters: Letters) -> Callable[[str, int, int], int]:
     """Return the function that gives the sign of a lecture's cell relative to ours."""
     if letters != "002" or not lens.table.steps:
         return lambda key, i, j: 1
@@ -549,7 +549,7 @@ def has_own_signs(projection: Projection, letters: Letters) -> bool:
 # --------------------------------------------------------------------------- formulas
 
 
-class _Written(NamedTuple):
+class _WrittenForm(NamedTuple):
     """The properties that determine a projection's formulas."""
 
     table: LensTable
@@ -563,11 +563,11 @@ class _Written(NamedTuple):
         return self.table.clip_from_view[3][2].text == "-1"
 
 
-def _written(projection: Projection) -> _Written:
+def _written(projection: Projection) -> _WrittenForm:
     lens = projection.lens
     placement = projection.placement
     order = "" if placement.is_identity else placement.order
-    return _Written(lens.table, not projection.has_camera, projection.depth, order)
+    return _WrittenForm(lens.table, not projection.has_camera, projection.depth, order)
 
 
 _IDENTITY: Formulas = tuple(tuple(str(int(i == j)) for j in range(4)) for i in range(4))
@@ -599,7 +599,7 @@ def _view_formulas(has_own_view: bool) -> _Table:
 
 
 @lru_cache(maxsize=64)
-def _formulas(lens: _Written, letters: Letters) -> _Table:
+def _formulas(lens: _WrittenForm, letters: Letters) -> _Table:
     """Return the formulas of every cell, by stage name or ``stage/factor``."""
     steps, depth = lens.table.steps, [int(z) for z in DEPTH_RANGES[lens.depth]]
     known = Quantities(_QUANTITIES.get(letters, {}) if steps else {})
@@ -616,7 +616,7 @@ def _formulas(lens: _Written, letters: Letters) -> _Table:
     view = _view_formulas(lens.has_own_view)
     table: _Table = {FROM_OBJECT: _IDENTITY, **view}
 
-    def step_by_step(steps: Sequence[Step]) -> None:
+    def step_by_step(steps: Sequence[PipelineStep]) -> None:
         from_view = _ONES
         for step in steps:
             whole = _ONES
@@ -634,7 +634,7 @@ def _formulas(lens: _Written, letters: Letters) -> _Table:
             table[f"{target}_from_world"] = _product(running, view["view_from_world"])
 
     step_by_step(_steps(lens.table, letters))
-    own = [Step(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
+    own = [PipelineStep(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
     step_by_step((*own, *steps, VIEWPORT))
     if steps:
         # The whole formula is too long for a cell, so p_ij are the cells of clip_from_view.
@@ -717,7 +717,7 @@ def cell_text(value: float) -> str:
     return format_value(value)
 
 
-def as_text(matrix: Matrix, letters: Letters = "own", *, formulas: bool = False) -> str:
+def as_text(matrix: WrittenMatrix, letters: Letters = "own", *, formulas: bool = False) -> str:
     """Write the matrix as aligned columns of numbers or formulas under its name."""
     cells = (
         [[written(cell, letters) for cell in row] for row in matrix.formulas]
@@ -740,7 +740,7 @@ def _places(text: str) -> int:
     return len(text) - text.count(ARROW)
 
 
-def as_numpy(matrix: Matrix) -> str:
+def as_numpy(matrix: WrittenMatrix) -> str:
     """Write the matrix as a Python statement, with ``np`` for NumPy."""
     rows = ",\n".join(
         "    [" + ", ".join(repr(value) for value in row) + "]" for row in matrix.values
@@ -749,7 +749,7 @@ def as_numpy(matrix: Matrix) -> str:
     return f"{matrix.name} = np.array([{called}\n{rows},\n])\n"
 
 
-def as_latex(matrix: Matrix, letters: Letters, *, formulas: bool = False) -> str:
+def as_latex(matrix: WrittenMatrix, letters: Letters, *, formulas: bool = False) -> str:
     """Write the matrix as a displayed equation with a pmatrix (amsmath)."""
     cells = (
         [[latex_formula(cell, letters) for cell in row] for row in matrix.formulas]
@@ -769,7 +769,7 @@ def latex_called(called: str) -> str:
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 
-def _title(matrix: Matrix) -> str:
+def _title(matrix: WrittenMatrix) -> str:
     if matrix.called:
         return f"{matrix.name} = {matrix.called}"
     names = matrix.product or tuple(factor.name for factor in matrix.factors)

@@ -13,7 +13,7 @@ from app.lecture.equation import latex_cell
 from app.lecture.notation import (
     EVERY_DIGIT,
     Letters,
-    Matrix,
+    WrittenMatrix,
     latex_called,
     latex_name,
     latex_number,
@@ -42,7 +42,7 @@ _PT = {
 _TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
 
 
-class _Part(NamedTuple):
+class _ProductPart(NamedTuple):
     """A part of a product, and its width in points of a font of 10 points."""
 
     tex: str
@@ -50,7 +50,7 @@ class _Part(NamedTuple):
 
 
 def displayed(
-    matrix: Matrix,
+    matrix: WrittenMatrix,
     letters: Letters,
     symbols: bool = False,
     numbers: bool = True,
@@ -66,7 +66,7 @@ def displayed(
     name, *chain = (latex_called(matrix.called) or latex_name(matrix.name)).split(" = ")
     if not matrix.called:
         chain = [*map(latex_called, matrix.chain)]
-    sides = [[_Part(each, _width(each)) for each in chain]] if chain else []
+    sides = [[_ProductPart(each, _width(each)) for each in chain]] if chain else []
     for wanted, formulas in ((symbols, True), (numbers, False)):
         for product in (matrix.factors, (matrix,)) if wanted else ():
             side = [_pmatrix(each, letters, formulas, digits) for each in product]
@@ -78,7 +78,7 @@ def displayed(
     is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= text_pt
     begin = _width(name) if is_beside else _INDENT_PT
 
-    def room(side: Sequence[_Part], size: str) -> float:
+    def room(side: Sequence[_ProductPart], size: str) -> float:
         has_indices = any(r"\frac" in part.tex or r"\text" in part.tex for part in side)
         return text_pt / _SIZES[size][has_indices] - begin
 
@@ -100,7 +100,7 @@ def displayed(
     return f"{{{size}\n{equation}}}\n" if size else f"{equation}\n"
 
 
-def _lines(side: Sequence[_Part], room: float) -> Iterator[str]:
+def _lines(side: Sequence[_ProductPart], room: float) -> Iterator[str]:
     """Yield the lines of a product, as many parts in each as there is room for."""
     line, width = "= ", _EQUAL_PT
     for number, part in enumerate(side):
@@ -112,7 +112,7 @@ def _lines(side: Sequence[_Part], room: float) -> Iterator[str]:
     yield line.rstrip()
 
 
-def _pmatrix(matrix: Matrix, letters: Letters, formulas: bool, digits: int) -> _Part:
+def _pmatrix(matrix: WrittenMatrix, letters: Letters, formulas: bool, digits: int) -> _ProductPart:
     if formulas:
         cells = [[_small(latex_cell(cell, letters)) for cell in row] for row in matrix.formulas]
     else:
@@ -122,7 +122,9 @@ def _pmatrix(matrix: Matrix, letters: Letters, formulas: bool, digits: int) -> _
     ends = [r" \\[2pt]" if "frac" in row else r" \\" for row in rows[:-1]] + [""]
     body = "\n".join(row + end for row, end in zip(rows, ends, strict=True))
     width = sum(max(map(_width, column)) + _COLUMN_PT for column in zip(*cells, strict=True))
-    return _Part(f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}", width + _BRACKETS_PT - _COLUMN_PT)
+    return _ProductPart(
+        f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}", width + _BRACKETS_PT - _COLUMN_PT
+    )
 
 
 def _small(tex: str) -> str:

@@ -10,7 +10,7 @@ import numpy as np
 
 from app.lecture.typed_matrix import (
     FOR_ROWS,
-    Property,
+    MatrixProperty,
     Write,
     convention,
     few,
@@ -38,7 +38,7 @@ class Pasted(NamedTuple):
     """A projection that has a pasted matrix, and what the matrix means."""
 
     projection: Projection
-    said: list[Property]
+    said: list[MatrixProperty]
 
 
 def pasted(
@@ -70,9 +70,9 @@ def pasted(
             shown = with_matrix(replace(projection, depth=reading.depth), name, cells_of_lens)
         said = convention(reading, projection, write)
         if reading.z < 0:
-            said.append(Property(IS_TURNED, ("3" if reading.y > 0 else "2, 3",)))
+            said.append(MatrixProperty(IS_TURNED, ("3" if reading.y > 0 else "2, 3",)))
         elif reading.y < 0:
-            said.append(Property(IS_UPRIGHT))
+            said.append(MatrixProperty(IS_UPRIGHT))
         found.append(Pasted(shown, said))
     return found or [Pasted(with_matrix(projection, name, cells), [])]
 
@@ -89,14 +89,16 @@ def _views(projection: Projection, rows: Sequence[Sequence[float]], write: Write
         shown = with_matrix(projection, "view_from_world", cells)
         ahead = (-shown.camera.frame[2] + 0.0).tolist()
         eye, along = (", ".join(write(part) for part in p) for p in (shown.camera.eye, ahead))
-        said = [Property(OF_A_CAMERA, (eye, along)), *rounded_view(shown, cells, write)]
-        found.append(Pasted(shown, [Property(FOR_ROWS), *said] if turned is not matrix else said))
+        said = [MatrixProperty(OF_A_CAMERA, (eye, along)), *rounded_view(shown, cells, write)]
+        found.append(
+            Pasted(shown, [MatrixProperty(FOR_ROWS), *said] if turned is not matrix else said)
+        )
     if found:
         return found
     is_for_rows = bool(matrix[3, :3].any()) and not matrix[:3, 3].any()
     cells = finite_matrix("view_from_world", (matrix.T if is_for_rows else matrix).tolist())
     shown = with_matrix(projection, "view_from_world", cells)
-    return [Pasted(shown, [Property(FOR_ROWS)] if is_for_rows else [])]
+    return [Pasted(shown, [MatrixProperty(FOR_ROWS)] if is_for_rows else [])]
 
 
 def _affine(matrix: Array, projection: Projection) -> Array:

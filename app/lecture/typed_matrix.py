@@ -176,7 +176,7 @@ def _candidates(kind: str, exact: Rationals, projection: Projection) -> Iterator
     """Yield lenses of a kind that may have the matrix, those with the present fields first."""
     try:
         near, far = _planes(LENSES[kind](), exact, projection)
-        yield from LENSES[kind].having(exact, near, far, projection.lens)
+        yield from LENSES[kind].solutions_for(exact, near, far, projection.lens)
     except (Refusal, ZeroDivisionError, OverflowError):
         return
 
@@ -222,7 +222,7 @@ def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals 
 # ----------------------------------------------------------------------- recognition: conventions
 
 
-class Reading(NamedTuple):
+class MatrixReading(NamedTuple):
     """What a projection matrix of any convention does: our lens, and how its spaces differ.
 
     Attributes
@@ -252,14 +252,14 @@ class Reading(NamedTuple):
 @lru_cache(maxsize=16)
 def readings(
     cells: Cells, image_size: tuple[int, int], depth: DepthRange, in_hand: Lens
-) -> list[Reading]:
+) -> list[MatrixReading]:
     """Return the lenses that a projection matrix of some convention may describe, the best first.
 
     The signs of the entries tell the convention. The row of w is ``0 0 c 0``: the camera looks
     along -z if c < 0 and along +z if c > 0. The picture's y points up if the entry of y is
     positive. The depth range is the one in which near and far have few digits.
     """
-    found: list[tuple[bool, Reading]] = []
+    found: list[tuple[bool, MatrixReading]] = []
     ranges = sorted(DEPTH_RANGES, key=lambda name: name != depth)
     for is_transposed in (False, True):
         rows: Any = tuple(zip(*cells, strict=True)) if is_transposed else cells
@@ -280,7 +280,9 @@ def readings(
                 shown_by = Projection(camera, in_hand, image_size, range_)
                 lens = recognised_lens(ours, shown_by, whole=True)
                 if lens is not None and lens.near >= 0.0:
-                    found.append((is_unit, Reading(lens, range_, y_sign, z_sign, is_transposed)))
+                    found.append(
+                        (is_unit, MatrixReading(lens, range_, y_sign, z_sign, is_transposed))
+                    )
         if rows == tuple(zip(*rows, strict=True)):
             break
     units = any(is_unit for is_unit, _ in found)
@@ -414,10 +416,10 @@ CONVENTIONS = {
         "Matrix", "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
     ),
 }  # fmt: skip
-"""By the signs of a `Reading`'s y and z."""
+"""By the signs of a `MatrixReading`'s y and z."""
 
 
-class Property(NamedTuple):
+class MatrixProperty(NamedTuple):
     """One property of a matrix: a template and the figures in it."""
 
     template: str
@@ -431,7 +433,7 @@ def few(value: float) -> str:
     return f"{value:.4g}".replace("-", "−")
 
 
-def properties(projection: Projection, name: str, write: Write = few) -> list[Property]:
+def properties(projection: Projection, name: str, write: Write = few) -> list[MatrixProperty]:
     """Return the properties of one of the `EDITABLE` matrices of a `FreeMatrix`.
 
     The list is empty for other matrices. `write` formats a number.
@@ -446,28 +448,28 @@ def properties(projection: Projection, name: str, write: Write = few) -> list[Pr
     return []
 
 
-def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Property]:
+def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[MatrixProperty]:
     rank, determinant, _ = eliminate(matrix)
     if rank < 4:
-        return [Property(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
+        return [MatrixProperty(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
     lens: Any = projection.lens
     described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
-    found: list[Property] = []
+    found: list[MatrixProperty] = []
     if described and described[0][1:] != (projection.depth, 1, 1, False):
         found += convention(described[0], projection, write)
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
     if (determinant > 0) == (z_near < z_far):
-        found.append(Property(MIRRORED_CLIP))
+        found.append(MatrixProperty(MIRRORED_CLIP))
     if projection.frustum_sign < 0 and any(matrix[3][:3]):
-        found.append(Property(ALL_BEHIND))
+        found.append(MatrixProperty(ALL_BEHIND))
     # A view matrix without an inverse is a property of its own.
     if projection.frustum_sign == 0 and eliminate(projection.exact_from_eye[0]).rank == 4:
-        found.append(Property(THROUGH_INFINITY))
+        found.append(MatrixProperty(THROUGH_INFINITY))
     return found + _of_last_row(matrix[3], write)
 
 
-def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[Property]:
+def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[MatrixProperty]:
     """Say how a view matrix was rounded, and how far its nearest camera moves the picture.
 
     The list is empty if the matrix is exact, or belongs to no camera. The camera of `projection`
@@ -481,17 +483,19 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
         return []
     rounding = nearest.rounding
     how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
-    found = [Property(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
+    found = [MatrixProperty(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera
         found.append(
-            Property(NEAREST_IS_USED if is_used else NEAREST, (write(float(f"{px:.2g}")),))
+            MatrixProperty(NEAREST_IS_USED if is_used else NEAREST, (write(float(f"{px:.2g}")),))
         )
     return found
 
 
-def convention(reading: Reading, projection: Projection, write: Write = few) -> list[Property]:
+def convention(
+    reading: MatrixReading, projection: Projection, write: Write = few
+) -> list[MatrixProperty]:
     """Say what a projection matrix does: where it looks, its depth range, its lens."""
     lens, aspect = reading.lens, Fraction(*projection.image_size)
     left, right, bottom, top = lens.window(aspect)
@@ -500,33 +504,35 @@ def convention(reading: Reading, projection: Projection, write: Write = few) -> 
         shows = f"fov {2.0 * math.degrees(math.atan2(top, lens.near)):.4g}°"
     z_near, z_far = (write(z) for z in DEPTH_RANGES[reading.depth])
     figures = (z_near, z_far, shows, write(lens.near), write(lens.far))
-    found = [Property(CONVENTIONS[reading.y, reading.z], figures)]
-    return [Property(FOR_ROWS), *found] if reading.is_transposed else found
+    found = [MatrixProperty(CONVENTIONS[reading.y, reading.z], figures)]
+    return [MatrixProperty(FOR_ROWS), *found] if reading.is_transposed else found
 
 
-def _of_view(projection: Projection, cells: Cells, write: Write) -> list[Property]:
+def _of_view(projection: Projection, cells: Cells, write: Write) -> list[MatrixProperty]:
     matrix = rationals(cells)
     rank = eliminate(matrix).rank
     rows = [row[:3] for row in matrix[:3]]
     turning = eliminate(rows).determinant
-    found = [Property(SINGULAR, (str(rank),))] if rank < 4 else []
+    found = [MatrixProperty(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
-        found.append(Property(MIRRORED_VIEW, (write(float(turning)),)))
+        found.append(MatrixProperty(MIRRORED_VIEW, (write(float(turning)),)))
     if not _is_rigid(rows):
-        found += rounded_view(projection, cells, write) or [Property(NOT_RIGID)]
+        found += rounded_view(projection, cells, write) or [MatrixProperty(NOT_RIGID)]
     return found + _of_last_row(matrix[3], write)
 
 
-def _of_last_row(last: list[Fraction], write: Write) -> list[Property]:
+def _of_last_row(last: list[Fraction], write: Write) -> list[MatrixProperty]:
     """Return the properties of the last row, which determines w."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
         return [
-            Property(NOT_AFFINE, (", ".join(linear),)),
-            Property(W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last, write),)),
+            MatrixProperty(NOT_AFFINE, (", ".join(linear),)),
+            MatrixProperty(
+                W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last, write),)
+            ),
         ]
     template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
-    return [Property(template, (write(float(last[3])),))]
+    return [MatrixProperty(template, (write(float(last[3])),))]
 
 
 def _sum(coefficients: Sequence[Fraction], write: Write) -> str:

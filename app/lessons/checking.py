@@ -15,7 +15,7 @@ from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
 from app.lessons.blocks.block import Asked, Here, Trial, of_kind
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.question import Marked, Question
+from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
@@ -57,7 +57,7 @@ _HTML = re.compile(r"</?[a-zA-Z][\w-]*(?:\s[^<>\n]*)?/?>")
 
 
 @dataclass
-class Report:
+class CheckReport:
     """The numbers of checked lessons, talks and blocks, and the faults with file and line."""
 
     lessons: int = 0
@@ -201,7 +201,7 @@ def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
             problem = _problem_of_tex(tex)
             if problem:
                 trial.complain(refused(question.key[1], NOT_TEX, problem, value=tex))
-        if isinstance(question, Marked) and RIGHT not in words:
+        if isinstance(question, MarkedQuestion) and RIGHT not in words:
             trial.warn(refused(question.right_line, NO_RIGHT, part.name))
     elif isinstance(question, Task):
         for wrong in question.wrong:

@@ -47,7 +47,7 @@ def panes_of(document: Document) -> list[str]:
     return [pane for pane in document.view.slide if pane in PANES] or [large]
 
 
-class Shown(NamedTuple):
+class ShownStep(NamedTuple):
     """A step's document, and the fields of the view that any step sets."""
 
     document: Document
@@ -59,7 +59,7 @@ class Course:
 
     def __init__(self, lesson: Lesson) -> None:
         self.lesson = lesson
-        self._shown: dict[int, Shown] = {}
+        self._shown: dict[int, ShownStep] = {}
 
     @property
     def name(self) -> str:
@@ -111,7 +111,7 @@ class Course:
                 )
         return list(filter(None, found))
 
-    def shown(self, place: int) -> Shown:
+    def shown(self, place: int) -> ShownStep:
         """Return what a step shows, counted from 0; a `Refusal` names the line."""
         begin = place
         while begin > 0 and begin not in self._shown and not self._anew(begin):
@@ -122,7 +122,7 @@ class Course:
                 state = self.lesson.steps[number].state
                 document = self.made(state, before)
                 view = {name: getattr(document.view, name) for name in self.managed}
-                self._shown[number] = Shown(document, view)
+                self._shown[number] = ShownStep(document, view)
         shown = self._shown[place]
         self._try_scene(shown.document, place)
         return shown

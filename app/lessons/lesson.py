@@ -20,7 +20,7 @@ from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.notation import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Block, Part, Words, of_kind
+from app.lessons.blocks.block import Asked, Block, ReadBlock, TextBlock, of_kind
 from app.lessons.blocks.note import Note
 from app.lessons.blocks.samples import Sample, Samples
 from app.lessons.blocks.shown import ShownState
@@ -108,13 +108,13 @@ class Step:
     blocks: tuple[Block, ...] = ()
 
     @cached_property
-    def parts(self) -> tuple[Part, ...]:
+    def parts(self) -> tuple[ReadBlock, ...]:
         """Return the parts that the student reads and answers."""
-        return of_kind(self.blocks, Part)
+        return of_kind(self.blocks, ReadBlock)
 
     @cached_property
-    def words(self) -> tuple[Words, ...]:
-        return of_kind(self.blocks, Words)
+    def words(self) -> tuple[TextBlock, ...]:
+        return of_kind(self.blocks, TextBlock)
 
     @cached_property
     def asked(self) -> tuple[Asked, ...]:
@@ -488,7 +488,7 @@ class _StepReader:
         if self._words:
             begin, end = self._words[0].map[0], self._words[-1].map[1]  # type: ignore[index]
             text = "\n".join(self._lines[self._first + begin : self._first + end])
-            self._blocks.append(Words(line=self._first + begin + 1, text=text))
+            self._blocks.append(TextBlock(line=self._first + begin + 1, text=text))
             self._words = []
 
     def _check_fence(self, token: Token, line: int, kind: str) -> None:

@@ -94,7 +94,7 @@ def split(text: str) -> list[str]:
     return parts
 
 
-class Item(NamedTuple):
+class LineItem(NamedTuple):
     """A line that begins with a key or is a choice, joined with its indented lines.
 
     The key of a choice is ``choice``. `about` is the word after the key (``wrong ABOUT: ...``), or
@@ -105,17 +105,17 @@ class Item(NamedTuple):
     about: str
     text: str
     line: int
-    below: Sequence[Item] = ()
+    below: Sequence[LineItem] = ()
 
     def formula(self) -> Formula:
         with on_line(self.line, self.key):
             return read_formula(self.text)
 
 
-class Items(tuple[Item, ...]):
+class Items(tuple[LineItem, ...]):
     """The items of a block, by key."""
 
-    def single(self, key: str) -> Item | None:
+    def single(self, key: str) -> LineItem | None:
         """Return the item of a key; refuse a second one."""
         found = [item for item in self if item.key == key]
         if len(found) > 1:
@@ -162,17 +162,19 @@ class Body(NamedTuple):
     def items(self, *keys: str, choices: bool = False) -> tuple[str, Items]:
         """Read the text at the start of the body, and the items with these keys that follow."""
         question: list[str] = []
-        items: list[Item] = []
+        items: list[LineItem] = []
         for number, text in self.lines:
             indented = text[:1] in (" ", "\t")
             choice = _CHOICE.fullmatch(text.rstrip()) if choices and not indented else None
             key = _KEY.fullmatch(text.strip())
             if choice:
-                items.append(Item("choice", choice[1].strip().lower(), choice[2].strip(), number))
+                items.append(
+                    LineItem("choice", choice[1].strip().lower(), choice[2].strip(), number)
+                )
             elif indented and items:
                 items[-1] = _continued(items[-1], key, text.strip(), number, keys)
             elif key and not indented and key[1] in keys:
-                items.append(Item(key[1], (key[2] or "").strip(), key[3].strip(), number))
+                items.append(LineItem(key[1], (key[2] or "").strip(), key[3].strip(), number))
             elif not items and not _mistyped(text, keys):
                 question.append(text)
             elif choices and text.startswith(("-", "*")):
@@ -193,12 +195,12 @@ _BELOW = ("says", "state")
 
 
 def _continued(
-    last: Item, key: re.Match[str] | None, text: str, number: int, keys: Sequence[str]
-) -> Item:
+    last: LineItem, key: re.Match[str] | None, text: str, number: int, keys: Sequence[str]
+) -> LineItem:
     """Return the last item, extended by an indented line."""
     has_own = last.key in _WITH_BELOW
     if has_own and key and key[1] in _BELOW:
-        return last._replace(below=[*last.below, Item(key[1], "", key[3].strip(), number)])
+        return last._replace(below=[*last.below, LineItem(key[1], "", key[3].strip(), number)])
     if _mistyped(text, (*_BELOW, *keys)):
         bound = UNEXPECTED if has_own else INDENTED
         raise refused(number, bound, ", ".join(_BELOW), value=text[:60])

@@ -161,19 +161,19 @@ for _prefix, _name in (("", "m"), ("kilo", "km"), ("centi", "cm"), ("milli", "mm
     _UNITS |= dict.fromkeys(_words, _UNITS[_name])
 
 
-class Typed(NamedTuple):
+class TypedNumber(NamedTuple):
     """A typed number; `unit` is the value of one in its last digit, 0 if it is not rounded."""
 
     value: Fraction
     digits: int
     unit: Fraction
 
-    def times(self, factor: Fraction) -> Typed:
+    def times(self, factor: Fraction) -> TypedNumber:
         """Return the number and its last digit, both multiplied."""
-        return Typed(self.value * factor, self.digits, self.unit * abs(factor))
+        return TypedNumber(self.value * factor, self.digits, self.unit * abs(factor))
 
 
-def read(text: str, unit: str = "", near: float = 0.0) -> Typed:
+def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     """Read a number as people write it: ``0,5``, ``1 1/2``, ``-√3/2``, ``pi/6``, ``1.17·10⁻²``.
 
     A unit of the same kind as `unit`, one of `UNITS`, may follow, and is converted. A comma is a
@@ -197,7 +197,7 @@ def read(text: str, unit: str = "", near: float = 0.0) -> Typed:
         if is_angle and gives_angle:
             factor = 1 / _UNITS[unit.lower()][1]
         last = _third_digit(value) if is_rounded else Fraction(0)
-        return Typed(value, DIGITS, last).times(factor)
+        return TypedNumber(value, DIGITS, last).times(factor)
     if _MAYBE_GROUPED.fullmatch(plain) and abs(near) >= 1000.0:
         raise Refusal("answer", text, AMBIGUOUS, plain, f"{plain}0", plain.replace(".", ""))
     power = int((found[3] or "0")[:6])
@@ -208,7 +208,9 @@ def read(text: str, unit: str = "", near: float = 0.0) -> Typed:
     digits = len(found[2].replace(".", "").lstrip("0"))
     if is_endless and digits < DIGITS:
         raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
-    return _bounded(text, Typed(value, digits, Fraction(10) ** (power - len(places)))).times(factor)
+    return _bounded(text, TypedNumber(value, digits, Fraction(10) ** (power - len(places)))).times(
+        factor
+    )
 
 
 def _in_one_line(text: str) -> str:
@@ -340,7 +342,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
         if isinstance(error, Refusal) and error.field == "answer":
             raise
         raise Refusal("answer", text, NOT_DEFINED) from error
-    value = _bounded(text, Typed(value, DIGITS, Fraction(0))).value
+    value = _bounded(text, TypedNumber(value, DIGITS, Fraction(0))).value
     return value, "." in plain, _is_angle(formula)
 
 
@@ -394,7 +396,7 @@ _KNOWN = {"pi": Fraction(math.pi)}
 _ANGLED, _TO_ANGLES = ("sin", "cos", "tan", "cot"), ("asin", "acos", "atan")
 
 
-def _bounded(text: str, typed: Typed) -> Typed:
+def _bounded(text: str, typed: TypedNumber) -> TypedNumber:
     """Return the number if the value of a formula may be so large, or so near to 0."""
     most = Fraction(10) ** _LARGEST_EXPONENT
     if typed.value and not 1 / most <= abs(typed.value) <= most:
@@ -409,7 +411,7 @@ def _third_digit(value: Fraction) -> Fraction:
     return Fraction(10) ** (math.floor(math.log10(abs(float(value)))) - DIGITS + 1)
 
 
-def equals(typed: Typed, value: float) -> bool:
+def equals(typed: TypedNumber, value: float) -> bool:
     """Whether a typed number counts as a finite value."""
     exact = Fraction(value)
     away, noise = abs(typed.value - exact), EXACT * abs(exact)
@@ -447,12 +449,12 @@ def digits_shown(value: float, least: int) -> int:
     return _LONGEST_SHOWN
 
 
-def is_too_short(typed: Typed, value: float) -> bool:
+def is_too_short(typed: TypedNumber, value: float) -> bool:
     """Whether it is the value rounded to too few digits, but more than one."""
     return typed.digits > 1 and is_rounded(typed, value)
 
 
-def is_rounded(typed: Typed, value: float) -> bool:
+def is_rounded(typed: TypedNumber, value: float) -> bool:
     """Whether it is the value rounded to too few digits, and still within a twentieth of it."""
     exact = Fraction(value)
     away = abs(typed.value - exact)
@@ -460,7 +462,7 @@ def is_rounded(typed: Typed, value: float) -> bool:
     return 0 < typed.digits < DIGITS and is_near
 
 
-def remark(typed: Typed, value: float) -> Refusal | None:
+def remark(typed: TypedNumber, value: float) -> Refusal | None:
     """Say how a wrong number differs from the value, if something true can be said."""
     if not typed.value or not value:
         return None

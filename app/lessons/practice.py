@@ -16,9 +16,9 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from app.lessons.blocks.block import Asked, Here, Words, of_kind
+from app.lessons.blocks.block import Asked, Here, TextBlock, of_kind
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
-from app.lessons.course import CONTENT, AtStep, Course, Shown, contained, file_of
+from app.lessons.course import CONTENT, AtStep, Course, ShownStep, contained, file_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
 from app.model.refusal import Refusal
@@ -41,10 +41,10 @@ class Found(NamedTuple):
         return self.course.at(self.place)
 
     @property
-    def words(self) -> tuple[Words, ...]:
+    def words(self) -> tuple[TextBlock, ...]:
         """Return what the step says before the exercise, whose letters it may define."""
         blocks = self.here.step.blocks
-        return of_kind(blocks[: blocks.index(self.exercise)], Words)
+        return of_kind(blocks[: blocks.index(self.exercise)], TextBlock)
 
     @property
     def key(self) -> tuple[str, str]:
@@ -52,7 +52,7 @@ class Found(NamedTuple):
         return self.course.name, f"{self.here.step.name}/{self.exercise.name}"
 
 
-class Item(NamedTuple):
+class SheetItem(NamedTuple):
     """An exercise of a sheet, and the seed of its numbers."""
 
     found: Found
@@ -77,7 +77,7 @@ class Sheet(Course):
         Whether answers are marked at the end.
     """
 
-    def __init__(self, name: str, title: str, items: Sequence[Item], *, is_test: bool) -> None:
+    def __init__(self, name: str, title: str, items: Sequence[SheetItem], *, is_test: bool) -> None:
         steps = (
             Step(str(number), found.course.lesson.title, 1, (*found.words, found.exercise))
             for number, (found, _) in enumerate(items, 1)
@@ -108,11 +108,11 @@ class Sheet(Course):
             self._variants[place] = self.items[place].variant
         return self._variants[place]
 
-    def shown(self, place: int) -> Shown:
+    def shown(self, place: int) -> ShownStep:
         document = self.variant(place).here.document
         if self.is_test:
             document = replace(document, view=replace(document.view, panel=""))
-        return Shown(document, {name: getattr(document.view, name) for name in self.managed})
+        return ShownStep(document, {name: getattr(document.view, name) for name in self.managed})
 
 
 # --------------------------------------------------------------------------- what there is
@@ -189,7 +189,7 @@ def named_test(name: str) -> tuple[list[str], int] | None:
     return None if found is None else (found[1].split(), int(found[2]))
 
 
-def drawn(names: Collection[str], number: int) -> list[Item]:
+def drawn(names: Collection[str], number: int) -> list[SheetItem]:
     """Draw the exercises of a test: `MOST` of some topics, about as many of each, mixed.
 
     The same topics and number give the same test to everyone.
@@ -200,7 +200,7 @@ def drawn(names: Collection[str], number: int) -> list[Item]:
     for pool in pools:
         chance.shuffle(pool)
     chance.shuffle(pools)
-    found: list[Item] = []
+    found: list[SheetItem] = []
     while any(pools) and len(found) < MOST:
         for pool in filter(None, pools):
             seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
@@ -211,10 +211,10 @@ def drawn(names: Collection[str], number: int) -> list[Item]:
     return found
 
 
-def _suited(found: Found, seeds: Iterable[int]) -> Item | None:
+def _suited(found: Found, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
-        item = Item(found, seed)
+        item = SheetItem(found, seed)
         try:
             _ = item.variant
         except Refusal:
@@ -253,12 +253,14 @@ def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Wait
     return Waiting(found, max(1, minutes), min(later, default=None))
 
 
-def to_review(come_back: Sequence[Found], known: Mapping[tuple[str, str], Standing]) -> list[Item]:
+def to_review(
+    come_back: Sequence[Found], known: Mapping[tuple[str, str], Standing]
+) -> list[SheetItem]:
     """Return exercises that have come back, each with numbers that the student has not seen.
 
     Their lessons are mixed: none comes twice in a row as long as there is another one.
     """
-    items: dict[str, list[Item]] = {}
+    items: dict[str, list[SheetItem]] = {}
     for found in come_back:
         seen = known[found.key].seeds
         if sum(map(len, items.values())) < MOST:
@@ -266,7 +268,7 @@ def to_review(come_back: Sequence[Found], known: Mapping[tuple[str, str], Standi
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
             item = _suited(found, islice((n for n in numbers if n not in seen), _DRAWS))
             items.setdefault(found.course.name, []).extend([] if item is None else [item])
-    mixed: list[Item] = []
+    mixed: list[SheetItem] = []
     while any(items.values()):
         last = mixed[-1].found.course.name if mixed else ""
         name = max(items, key=lambda name: (bool(items[name]) and name != last, len(items[name])))
@@ -274,7 +276,7 @@ def to_review(come_back: Sequence[Found], known: Mapping[tuple[str, str], Standi
     return mixed
 
 
-class Mark(NamedTuple):
+class ExerciseMark(NamedTuple):
     """An exercise of a test, and how it was answered.
 
     Attributes
@@ -285,12 +287,12 @@ class Mark(NamedTuple):
         `RIGHT`, the name of a wrong idea, or `WRONG`.
     """
 
-    item: Item
+    item: SheetItem
     typed: str
     word: str
 
 
-def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[Mark]:
+def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:
     """Mark a test, whose answers are kept by ``step/block`` as the seed and what was typed."""
     found = []
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
@@ -299,7 +301,7 @@ def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[Mark]:
         word = None if seed != str(item.seed) else _verdict(variant.question, variant.here, typed)
         if word is None:  # the lessons have changed since, or the file is damaged
             typed = ""
-        found.append(Mark(item, typed, word or WRONG))
+        found.append(ExerciseMark(item, typed, word or WRONG))
     return found
 
 

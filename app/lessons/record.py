@@ -268,7 +268,7 @@ class Standing(NamedTuple):
 
 
 @dataclass
-class _Way:
+class _QuestionHistory:
     """A student's way with one question so far."""
 
     outcome: str = ""
@@ -300,9 +300,9 @@ class _Way:
 
 def standings(attempts: Iterable[Attempt]) -> dict[tuple[str, str], Standing]:
     """Return the standing of each question that was answered, by lesson and ``step/block``."""
-    ways: dict[tuple[str, str], _Way] = {}
+    ways: dict[tuple[str, str], _QuestionHistory] = {}
     for attempt in attempts:
-        ways.setdefault(attempt.key, _Way()).take(attempt)
+        ways.setdefault(attempt.key, _QuestionHistory()).take(attempt)
     return {
         key: Standing(way.outcome, None if 0 in way.tried else way.due, frozenset(way.tried))
         for key, way in ways.items()

@@ -17,12 +17,12 @@ from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import Question, Reply
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, idea_named
 from app.lessons.marking import digits_shown
-from app.lessons.practice import Mark, course_named, hints_of, verdict_on
+from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, mended, one_line
 from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -43,7 +43,7 @@ NEWER = QT_TRANSLATE_NOOP(
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
 
 
-class Results(NamedTuple):
+class StudentResults(NamedTuple):
     """The answers of a student.
 
     Attributes
@@ -59,7 +59,7 @@ class Results(NamedTuple):
     attempts: Sequence[Attempt]
 
 
-class Marked(NamedTuple):
+class RemarkedAnswer(NamedTuple):
     """An answer that was marked again.
 
     Attributes
@@ -107,7 +107,7 @@ def digest(course: Course) -> str:
         return ""
 
 
-def read(path: AnyPath) -> Results:
+def read(path: AnyPath) -> StudentResults:
     """Read a file of results; a `Refusal` says what is wrong with it."""
     with blamed_on(path, UNREADABLE):
         content = content_of(path, LARGEST)
@@ -130,10 +130,10 @@ def read(path: AnyPath) -> Results:
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
         attempts = mended(map(attempt_from, answers), hints_of)
-        return Results(student, digests, attempts)
+        return StudentResults(student, digests, attempts)
 
 
-def of_test(marks: Iterable[Mark], now: int) -> list[Attempt]:
+def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:
     """Return the answers of a test, the missing ones too."""
     found = []
     for mark in marks:
@@ -155,7 +155,7 @@ class Marker:
         self._digests: dict[str, str] = {}
         self._posed: dict[tuple[str, str, int], tuple[Asked, Here] | None] = {}
 
-    def marked(self, attempt: Attempt) -> Marked:
+    def marked(self, attempt: Attempt) -> RemarkedAnswer:
         """Mark an answer again."""
         key = attempt.lesson, attempt.exercise, attempt.seed
         if key not in self._posed:
@@ -164,11 +164,11 @@ class Marker:
             self._posed[key] = found
         found = self._posed[key]
         if found is None:
-            return Marked(attempt, "", "")
+            return RemarkedAnswer(attempt, "", "")
         question, here = found
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        return Marked(attempt, word, _right(question, here), _says(question, word))
+        return RemarkedAnswer(attempt, word, _right(question, here), _says(question, word))
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
         """Whether the student had another version of a lesson."""
@@ -226,7 +226,7 @@ def _right(question: Asked, here: Here) -> str:
         ]
     except Refusal:
         return ""
-    if not isinstance(question, Matrix):
+    if not isinstance(question, MatrixQuestion):
         return " ".join(texts)
     wide = question.columns
     return "; ".join(" | ".join(texts[at : at + wide]) for at in range(0, len(texts), wide))

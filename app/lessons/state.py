@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
-from app.lessons.lines import LACKS, ONLY_ONCE, Item, Lines, refused
+from app.lessons.lines import LACKS, ONLY_ONCE, LineItem, Lines, refused
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 AN_ASSIGNMENT = QT_TRANSLATE_NOOP("Refusal", "must be NAME=VALUE, or document: FILE.json")
@@ -56,7 +56,7 @@ def read_state(lines: Lines, line: int) -> State:
     return State(line, tuple(values), document, document_line)
 
 
-def state_in(item: Item | None) -> State | None:
+def state_in(item: LineItem | None) -> State | None:
     """Read a state on one line, its values separated by semicolons."""
     if item is None:
         return None

@@ -225,7 +225,7 @@ def _check_own(path: AnyPath) -> None:
         raise error
 
 
-class _Written(NamedTuple):
+class _NewStep(NamedTuple):
     """The lines of a new step, and the document file that it needs."""
 
     lines: list[str]
@@ -236,7 +236,7 @@ class _Written(NamedTuple):
             write(document, self.beside)
 
 
-def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool) -> _Written:
+def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool) -> _NewStep:
     folder = Path(os.path.realpath(lesson.path)).parent
     for key in ("scene", "mesh"):
         file = getattr(document, key)
@@ -254,7 +254,7 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
             f"{lesson.path.stem}-{name}", lambda each: os.path.lexists(folder / each), ".json"
         )
         values = [f"document: {beside.name}"]
-    return _Written([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)
+    return _NewStep([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)
 
 
 def _one_line(title: str) -> str:

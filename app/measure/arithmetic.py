@@ -23,7 +23,7 @@ from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.measure.reference import SAMPLE, Truth, sample, truth
-from app.measure.results import IN_SOFTWARE, Choice, Curve, Sweep, Trade
+from app.measure.results import IN_SOFTWARE, ChartPoint, ErrorCurve, Sweep, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -88,7 +88,7 @@ NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")
 
 
-class Way(NamedTuple):
+class TimedProjection(NamedTuple):
     """One way of projecting: the timed function, how to read its answer, bytes of a vertex."""
 
     run: Callable[[], Any]
@@ -110,21 +110,25 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
     return chosen
 
 
-def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, Way]:
+def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, TimedProjection]:
     """Return our own ways, from float32 to the exact one; `origin` as for `summed`."""
 
     def same(rows: Rows) -> Rows:
         return rows
 
     found = {
-        kind: Way(summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize)
+        kind: TimedProjection(
+            summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize
+        )
         for kind in ("float32", "float64")
     }
     for kind in ("float32", "float64"):  # moved in float64, so every point keeps its 24 bytes
-        found[f"{kind}, eye first"] = Way(summed(projection, world, None, kind), same, 24.0)
+        found[f"{kind}, eye first"] = TimedProjection(
+            summed(projection, world, None, kind), same, 24.0
+        )
     for name, precision in _PRECISIONS.items():
         if precision != "float32":  # which is above, without unused results
-            found[name] = Way(
+            found[name] = TimedProjection(
                 partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
                 24.0,
@@ -184,12 +188,14 @@ def summed(
     return run
 
 
-def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[str, str]]:
+def peers(
+    projection: Projection, world: Array
+) -> tuple[dict[str, TimedProjection], dict[str, str]]:
     """Return the ways of other libraries in float64, and the reasons why some are missing.
 
     Each library gets the matrix and the points in its own kind of array; numpy does what it lacks.
     """
-    found: dict[str, Way] = {}
+    found: dict[str, TimedProjection] = {}
     missing: dict[str, str] = {}
     with np.errstate(all="ignore"):  # an overflow is a result
         matrix = np.array(projection.clip_from_world)
@@ -201,14 +207,14 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
         ndc += shift
         return ndc
 
-    def numpy(_module: Any) -> Way:
+    def numpy(_module: Any) -> TimedProjection:
         def run() -> Rows:
             clip = np.hstack([world, np.ones((len(world), 1))]) @ matrix.T
             return viewport(clip[:, :3] / clip[:, 3:])
 
-        return Way(run, np.transpose)
+        return TimedProjection(run, np.transpose)
 
-    def vtk(_module: Any) -> Way:
+    def vtk(_module: Any) -> TimedProjection:
         transform, elements = vtkPerspectiveTransform(), vtkMatrix4x4()
         elements.DeepCopy(matrix.ravel().tolist())
         transform.SetMatrix(elements)
@@ -221,19 +227,19 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
             transform.TransformPoints(source, target)
             return viewport(vtk_to_numpy(target.GetData()))  # type: ignore[no-untyped-call]
 
-        return Way(run, np.transpose)
+        return TimedProjection(run, np.transpose)
 
-    def proj3d(module: Any) -> Way:
+    def proj3d(module: Any) -> TimedProjection:
         def run() -> Any:
             ndc = module.proj_transform(*columns, matrix)
             return [part * by + to for part, by, to in zip(ndc, scale, shift, strict=True)]
 
-        return Way(run, np.array)
+        return TimedProjection(run, np.array)
 
-    def pylinalg(module: Any) -> Way:
-        return Way(lambda: viewport(module.vec_transform(world, matrix)), np.transpose)
+    def pylinalg(module: Any) -> TimedProjection:
+        return TimedProjection(lambda: viewport(module.vec_transform(world, matrix)), np.transpose)
 
-    def pyglm(module: Any) -> Way:
+    def pyglm(module: Any) -> TimedProjection:
         transform = module.dmat4(*matrix.T.ravel().tolist())
         vectors = module.array(np.column_stack([world, np.ones(len(world))]))
 
@@ -241,7 +247,7 @@ def peers(projection: Projection, world: Array) -> tuple[dict[str, Way], dict[st
             clip = np.asarray(transform * vectors)
             return viewport(clip[:, :3] / clip[:, 3:])
 
-        return Way(run, np.transpose)
+        return TimedProjection(run, np.transpose)
 
     for name, module, make in (
         ("numpy's hstack", "numpy", numpy),
@@ -275,7 +281,9 @@ def measure(
     """
     world = looked_at(projection, points_world)
     if not len(world):
-        return Trade("arithmetic", "ns", "px", (Choice("", None, None, None, note=NO_POINTS),), 0)
+        return Trade(
+            "arithmetic", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0
+        )
     judged, where = sample(world)
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}
@@ -305,7 +313,8 @@ def measure(
         size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
         choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))
     choices += [
-        Choice(name, None, None, None, note=note, library=True) for name, note in missing.items()
+        ChartPoint(name, None, None, None, note=note, library=True)
+        for name, note in missing.items()
     ]
     choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
@@ -321,11 +330,11 @@ def _choice(
     note: str,
     use: Mapping[str, str],
     size: float | None,
-) -> Choice:
+) -> ChartPoint:
     depths = {"error_depth": errors, "predicted_depth": predicted}
     values = {key: each.depth for key, each in depths.items() if each is not None}
     px, expected = (None if each is None else each.px for each in (errors, predicted))
-    return Choice(name, None, None, px, expected, values, note, use, size)
+    return ChartPoint(name, None, None, px, expected, values, note, use, size)
 
 
 def _largest(reference: Truth, answers: Array) -> tuple[Prediction | None, str]:
@@ -471,14 +480,14 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[Answer]) -> Curve:
+def _curve(answers: Sequence[Answer]) -> ErrorCurve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:
         return tuple(None if part is None else getattr(part, name) for part in parts)
 
     errors = column(measured, "px"), column(measured, "depth")
-    return Curve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
+    return ErrorCurve(*errors, column(predicted, "px"), column(predicted, "depth"), notes)
 
 
 Answer: TypeAlias = tuple[Prediction | None, Prediction | None, str]

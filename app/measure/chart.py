@@ -27,8 +27,8 @@ from app.measure.results import (
     BUSY,
     GAPS,
     MEASURED_ONLY,
-    Choice,
-    Results,
+    ChartPoint,
+    Measurements,
     Sweep,
     Trade,
     named,
@@ -114,7 +114,7 @@ def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
     return "; ".join(named(note, translate) for note in notes if note)
 
 
-def where(results: Results) -> str:
+def where(results: Measurements) -> str:
     """Name the date, the machine and the versions of results."""
     parts = {**results.machine, "cores": f"cores: {results.machine.get('cores', '?')}"}
     machine = ", ".join(filter(None, parts.values()))
@@ -122,13 +122,13 @@ def where(results: Results) -> str:
     return f"{results.date} · {machine} · {versions}"
 
 
-def machine(results: Results) -> str:
+def machine(results: Measurements) -> str:
     """Name the machine and the date, which distinguish two results."""
     names = (results.machine.get(key, "") for key in ("system", "processor", "opengl"))
     return ", ".join(filter(None, (*names, results.date)))
 
 
-def seen(results: Results, translate: Callable[[str], str] = str) -> str:
+def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
     """Name the scene and the camera of results."""
 
     def tree(section: str) -> dict[str, Any]:
@@ -164,7 +164,7 @@ def diagrams(
     Parameters
     ----------
     current : mapping of str to str, optional
-        The settings in use, in the form of `Choice.use`; the chart marks their choice.
+        The settings in use, in the form of `ChartPoint.use`; the chart marks their choice.
     other : Trade or Sweep, optional
         The same measurement of another machine, which is drawn thinner.
     other_name : str
@@ -182,7 +182,7 @@ def diagrams(
     return _of_sweep(part, overlaid_sweep, other_name, translate)
 
 
-def in_use(trade: Trade, current: Mapping[str, str]) -> Choice | None:
+def in_use(trade: Trade, current: Mapping[str, str]) -> ChartPoint | None:
     """Return the choice that says most of what is in use; None if none does."""
     found = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
     return max(found, key=lambda choice: len(choice.use), default=None)
@@ -221,10 +221,10 @@ def _of_trade(
     across = (0.0, 1.15 * max(costs)) if memory else _ends(costs, 0.2) or (0.1, 10.0)
     up = _ends((c.error for c in both if c.cost in costs), 0.15) or (1e-16, 1.0)
 
-    def point(choice: Choice) -> tuple[float, float]:
+    def point(choice: ChartPoint) -> tuple[float, float]:
         return choice.cost or 0.0, _placed(choice.error or 0.0, *up)
 
-    def points(choices: Iterable[Choice]) -> Any:
+    def points(choices: Iterable[ChartPoint]) -> Any:
         return np.array([point(c) for c in choices if c.cost in costs]).reshape(-1, 2)
 
     curves = []
@@ -268,7 +268,7 @@ def _is_near(one: tuple[float, float], other: tuple[float, float]) -> bool:
     return all(abs(math.log10(a / b)) < _SAME for a, b in zip(one, other, strict=True))
 
 
-def _common(choices: Sequence[Choice], translate: Callable[[str], str]) -> str:
+def _common(choices: Sequence[ChartPoint], translate: Callable[[str], str]) -> str:
     """Return one name for choices at one place: ``fixed24, opengl / direct3d``."""
     names = [
         named(choice.name, translate) + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
@@ -280,7 +280,7 @@ def _common(choices: Sequence[Choice], translate: Callable[[str], str]) -> str:
     return " / ".join(names)
 
 
-def _tip(trade: Trade, choice: Choice, translate: Callable[[str], str]) -> str:
+def _tip(trade: Trade, choice: ChartPoint, translate: Callable[[str], str]) -> str:
     name = named(choice.name, translate)
     cost, error = plain(choice.cost, 3), plain(choice.error, 3)
     said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
@@ -379,10 +379,10 @@ def _breaks(
 
 
 def picture(
-    results: Results,
+    results: Measurements,
     file: str,
     current: Mapping[str, str] | None = None,
-    other: Results | None = None,
+    other: Measurements | None = None,
     translate: Callable[[str], str] = str,
 ) -> bytes:
     """Draw all charts of some results with matplotlib; return the bytes of the file.

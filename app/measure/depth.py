@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.measure.arithmetic import SWEEPS, Answer
-from app.measure.results import BUFFERS, Choice, Trade
+from app.measure.results import BUFFERS, ChartPoint, Trade
 from app.measure.run import Watch, unwatched
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import Array, Projection
@@ -45,7 +45,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     lens = projection.lens
     distance = -float(projection.trace(projection.camera.target).view[2])
     names = [(format_, mapping) for format_ in FORMATS for mapping in MAPPINGS]
-    choices: list[Choice] = []
+    choices: list[ChartPoint] = []
     for done, (format_, mapping) in enumerate(names):
         try:
             watch(done / len(names))
@@ -56,20 +56,20 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         try:
             buffer = DepthBuffer(format_, mapping, lens)
         except Refusal as error:
-            choices.append(Choice(name, memory, memory, None, note=str(error)))
+            choices.append(ChartPoint(name, memory, memory, None, note=str(error)))
             continue
         values = _shares(buffer)
         use = {"depth_format": format_, "depth_mapping": mapping}
         if not lens.near < distance < lens.far:
-            choices.append(Choice(name, memory, memory, None, None, values, BEYOND, use))
+            choices.append(ChartPoint(name, memory, memory, None, None, values, BEYOND, use))
             continue
         predicted = float(buffer.gap(distance))
         found = smallest_gap(buffer, distance)
-        choices.append(Choice(name, memory, memory, found, predicted, values, "", use))
+        choices.append(ChartPoint(name, memory, memory, found, predicted, values, "", use))
     return _trade(choices)
 
 
-def _trade(choices: Sequence[Choice]) -> Trade:
+def _trade(choices: Sequence[ChartPoint]) -> Trade:
     return Trade("depth", "B", "world units", tuple(choices), 1)
 
 

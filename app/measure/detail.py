@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app.measure.results import Choice, Trade
+from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, part_of, timed, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
 from app.model.projection import Projection
@@ -82,7 +82,7 @@ def measure(
             note = NOT_SEEN if error is None else "" if own else TOO_FEW
             use = {"detail": f"{share:g}"} if own else {}
             buffers = 12.0 * (fewer.surface.n_points + fewer.surface.n_cells)
-            choice = Choice(name, None, None, error, None, values, note, use, buffers)
+            choice = ChartPoint(name, None, None, error, None, values, note, use, buffers)
             trade = replace(trade, choices=(*trade.choices, choice))
         return timed(trade, runs, seconds, 1e3, part_of(watch, 0.5, 1.0))
 

@@ -22,7 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.arithmetic.formats import FORMATS, RECIPROCALS, reciprocal
-from app.measure.results import IN_SOFTWARE, Choice, Trade
+from app.measure.results import IN_SOFTWARE, ChartPoint, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
@@ -43,7 +43,7 @@ NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the pic
 PARALLEL = QT_TRANSLATE_NOOP("Measure", "the whole edge is equally far away, so there is no error")
 
 
-class Edge(NamedTuple):
+class ClipEdge(NamedTuple):
     """An edge on the screen: its ends (4,) in clip space, both with w > 0, and its length."""
 
     start: Array
@@ -57,7 +57,7 @@ class Edge(NamedTuple):
         return far / near
 
 
-def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
+def steepest_edge(projection: Projection, corners_world: Array) -> ClipEdge | None:
     """Clip a box's edges to the view volume and return the one whose ends differ most in depth.
 
     Corner i of `corners_world` (8, 3) has the upper bound of axis a if bit a of i is set.
@@ -69,16 +69,16 @@ def steepest_edge(projection: Projection, corners_world: Array) -> Edge | None:
     starts, ends = (clip[[pair[side] for pair in pairs]] for side in (0, 1))
     cut = clip_segments(starts, ends, projection.depth)
     half = np.array(projection.image_size) / 2.0
-    best: Edge | None = None
+    best: ClipEdge | None = None
     for start, end in cut.points_clip[cut.visible]:
         length = float(np.hypot(*((end[:2] / end[3] - start[:2] / start[3]) * half)))
-        edge = Edge(start, end, length)
+        edge = ClipEdge(start, end, length)
         if length >= 2.0 and (best is None or edge.ratio > best.ratio):
             best = edge
     return best
 
 
-def correct(edge: Edge, s: Array) -> Callable[[], Array]:
+def correct(edge: ClipEdge, s: Array) -> Callable[[], Array]:
     """Return a function that finds the perspective-correct texture coordinate at every pixel.
 
     Set up for screen places s (n,), from 0 to 1. A pixel costs two interpolations and a division.
@@ -95,7 +95,7 @@ def correct(edge: Edge, s: Array) -> Callable[[], Array]:
     return run
 
 
-def tabled(edge: Edge, s: Array, steps: int) -> tuple[Array, float]:
+def tabled(edge: ClipEdge, s: Array, steps: int) -> tuple[Array, float]:
     """Return `correct` with reciprocals from a table, and the bound of the table's error.
 
     The reciprocals are improved by a number of Newton steps.
@@ -106,7 +106,7 @@ def tabled(edge: Edge, s: Array, steps: int) -> tuple[Array, float]:
     return found, float(relative.max())
 
 
-def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
+def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
     """Return a function that interpolates linearly on the screen between split points.
 
     s is as for `correct`, in rising order; `splits` pieces have equal lengths in the world. Every
@@ -126,14 +126,14 @@ def affine(edge: Edge, s: Array, splits: int) -> Callable[[], Array]:
     return run
 
 
-def _on_screen(edge: Edge, t: Array) -> Array:
+def _on_screen(edge: ClipEdge, t: Array) -> Array:
     """Return the screen places s, from 0 to 1, of points at parts t of the edge in the world."""
     one, other = float(edge.start[3]), float(edge.end[3])
     s: Array = t * other / (one + t * (other - one))
     return s
 
 
-def bound(edge: Edge, splits: int) -> float:
+def bound(edge: ClipEdge, splits: int) -> float:
     """Return the largest error of `affine`, in parts of the edge, by the formula above."""
     t = np.arange(splits + 1) / splits
     w = float(edge.start[3]) + t * float(edge.end[3] - edge.start[3])
@@ -141,7 +141,7 @@ def bound(edge: Edge, splits: int) -> float:
     return float(edge_error(ratios).max()) / splits
 
 
-def truth(edge: Edge, s: Array) -> Array:
+def truth(edge: ClipEdge, s: Array) -> Array:
     """Return t of the edge's point at a screen place, by intersection with the pixel's ray.
 
     The point ``P + t (Q - P)`` of clip space has the screen coordinate x where
@@ -168,7 +168,7 @@ def measure(
     """
     edge = steepest_edge(projection, corners_world)
     if edge is None:
-        nothing = Choice("perspective-correct", None, None, None, note=NOTHING)
+        nothing = ChartPoint("perspective-correct", None, None, None, note=NOTHING)
         return Trade("interpolation", "ns", "texels", (nothing,), 0)
     s = np.linspace(0.0, 1.0, max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
     right = truth(edge, s)
@@ -189,13 +189,13 @@ def measure(
         }
         triangles = {"triangles": 2.0 * max(1, splits)}
         size = AFFINE_BYTES * (splits + 1.0) if splits else 2.0 * CORRECT_BYTES
-        choices.append(Choice(name, None, None, error, predicted, triangles, note, use, size))
+        choices.append(ChartPoint(name, None, None, error, predicted, triangles, note, use, size))
     for name, steps in RECIPROCALS.items():
         if steps is not None:
             found, off = tabled(edge, s, steps)
             error = TEXELS * float(np.abs(found - right).max())
             choices.append(
-                Choice(
+                ChartPoint(
                     f"perspective-correct, reciprocal {name}", None, None, error,
                     TEXELS * (lost + off), {"triangles": 2.0}, IN_SOFTWARE,
                     bytes=2.0 * CORRECT_BYTES,

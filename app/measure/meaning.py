@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from app.measure.results import STEADY, Choice, Trade, named, plain
+from app.measure.results import STEADY, ChartPoint, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 GOOD_ENOUGH = {
@@ -95,7 +95,7 @@ def meaning(trade: Trade) -> Meaning:
     return Meaning(TRADE_OFF, (*ends, good.name)) if good else Meaning(NONE_GOOD, ends)
 
 
-def bargain(trade: Trade, choice: Choice, translate: Callable[[str], str] = str) -> str:
+def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:
     """Say what a choice buys and what it pays, compared with the usual one; empty if it cannot."""
     usual = next((c for c in trade.choices if c.name == USUAL[trade.name]), choice)
     if usual.name == choice.name or not (usual.cost and choice.cost) or choice.error is None:
@@ -117,7 +117,7 @@ def _plain(value: float | None) -> str:
     return plain(value, 2)
 
 
-def cheapest(trade: Trade, limit: float) -> Choice | None:
+def cheapest(trade: Trade, limit: float) -> ChartPoint | None:
     """Return the cheapest choice whose error is at most `limit`."""
     good = [choice for choice in trade.frontier if (choice.error or 0.0) <= limit]
     return good[0] if good else None

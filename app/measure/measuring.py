@@ -17,7 +17,7 @@ from app import __version__
 from app.document.codec import to_json
 from app.document.document import Document
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
-from app.measure.results import GAPS, Results, Sweep, Trade
+from app.measure.results import GAPS, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.model.projection import Projection
 from app.model.refusal import Cancelled
@@ -52,7 +52,7 @@ def measure_all(
     quick: bool = False,
     opengl: bool = True,
     watch: Watch = unwatched,
-) -> Results:
+) -> Measurements:
     """Measure trades and sweeps of a scene.
 
     Parameters
@@ -73,7 +73,7 @@ def measure_all(
     Results
         After a cancellation, the results so far, marked as incomplete.
     """
-    results = Results(
+    results = Measurements(
         datetime.now(UTC).isoformat(timespec="seconds"),
         machine(smoothing.renderer_name() if opengl else "none"),
         versions(),

@@ -1,8 +1,8 @@
 """The results of measurements and their file format; needs only the standard library.
 
 A `Trade` is one chart: choices, each with a cost and an error. A `Sweep` holds the errors of
-several choices over a range of one parameter, or the smallest gaps for near and far. `Results` hold
-everything that one run measured and everything needed to repeat it::
+several choices over a range of one parameter, or the smallest gaps for near and far.
+`Measurements` hold everything that one run measured and everything needed to repeat it::
 
     {"format": "frustum-lab-measurements", "version": 2,
      "date": "2026-11-21T08:46:06+00:00", "complete": true,
@@ -85,7 +85,7 @@ BUFFERS = {
     "float32": {"depth_format": "float32", "depth_mapping": "opengl"},
     "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
 }
-"""The depth buffers of the sweeps of near and far, as of `Choice.use`."""
+"""The depth buffers of the sweeps of near and far, as of `ChartPoint.use`."""
 GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
@@ -140,7 +140,7 @@ WORDS = (
 
 
 @dataclass(frozen=True)
-class Choice:
+class ChartPoint:
     """One point of a chart.
 
     Attributes
@@ -188,7 +188,7 @@ class Trade:
     name: str
     cost_unit: str
     error_unit: str
-    choices: tuple[Choice, ...]
+    choices: tuple[ChartPoint, ...]
     rounds: int
     complete: bool = True
 
@@ -199,7 +199,7 @@ class Trade:
 
     @property
     def paid(self) -> tuple[str, ...]:
-        """The fields of `Choice` that are costs here."""
+        """The fields of `ChartPoint` that are costs here."""
         return ("cost",) if self.cost_unit == "B" else ("cost", "cost_p95", "bytes")
 
     def by(self, cost: str) -> Trade:
@@ -210,25 +210,25 @@ class Trade:
         return replace(self, cost_unit="B", choices=paid)
 
     @property
-    def frontier(self) -> tuple[Choice, ...]:
+    def frontier(self) -> tuple[ChartPoint, ...]:
         """The program's choices that none of the others beats in cost and error, cheapest first.
 
         A choice is also beaten if a more exact one takes the same time, within `STEADY`.
         """
         placed = [c for c in self.choices if None not in (c.cost, c.error) and not c.library]
         placed.sort(key=lambda c: (c.cost, c.error))
-        better: list[Choice] = []
+        better: list[ChartPoint] = []
         for choice in placed:
             if not better or (choice.error or 0.0) < (better[-1].error or 0.0):
                 better.append(choice)
         same = 1.0 if self.cost_unit == "B" else 1.0 + STEADY
-        found: list[Choice] = []
+        found: list[ChartPoint] = []
         for choice in reversed(better):
             if not found or (found[0].cost or 0.0) > same * (choice.cost or 0.0):
                 found.insert(0, choice)
         return tuple(found)
 
-    def is_beaten(self, choice: Choice) -> bool:
+    def is_beaten(self, choice: ChartPoint) -> bool:
         """Whether another of the program's choices is no worse in both; such a choice is grey."""
         measured = None not in (choice.cost, choice.error) and not choice.library
         return measured and choice not in self.frontier
@@ -240,10 +240,10 @@ class Trade:
 
 
 @dataclass(frozen=True)
-class Curve:
+class ErrorCurve:
     """The errors of one choice in px and in depth, one for each value of the sweep.
 
-    None, predictions and notes mean what they mean in `Choice`.
+    None, predictions and notes mean what they mean in `ChartPoint`.
     """
 
     errors: tuple[float | None, ...]
@@ -254,7 +254,7 @@ class Curve:
 
 
 _CURVE_KEYS = ("error", "error_depth", "predicted", "predicted_depth", "notes")
-"""The file's names of the fields of `Curve`."""
+"""The file's names of the fields of `ErrorCurve`."""
 
 
 @dataclass(frozen=True)
@@ -264,11 +264,11 @@ class Sweep:
     parameter: str
     unit: str
     values: tuple[float, ...]
-    curves: Mapping[str, Curve] = field(hash=False)
+    curves: Mapping[str, ErrorCurve] = field(hash=False)
     complete: bool = True
 
     def use(self, row: int, column: int) -> dict[str, str]:
-        """Return what draws the panes with a cell of the table, in the form of `Choice.use`.
+        """Return what draws the panes with a cell of the table, in the form of `ChartPoint.use`.
 
         A curve's column adds its depth buffer or precision. Empty if the panes cannot draw it.
         """
@@ -281,7 +281,7 @@ class Sweep:
 
 
 @dataclass(frozen=True)
-class Results:
+class Measurements:
     """All measurements of one run.
 
     Attributes
@@ -302,7 +302,7 @@ class Results:
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True
 
-    def by(self, cost: str) -> Results:
+    def by(self, cost: str) -> Measurements:
         """Return the results with every trade `by` this cost."""
         return replace(self, trades=tuple(trade.by(cost) for trade in self.trades))
 
@@ -318,15 +318,15 @@ def _plain_tree(value: Any) -> Any:
         return {key: _plain_tree(part) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
         return [_plain_tree(part) for part in value]
-    if isinstance(value, Choice):
-        return {part.name: _plain_tree(getattr(value, part.name)) for part in fields(Choice)}
-    if isinstance(value, Curve):
-        columns = (_plain_tree(getattr(value, part.name)) for part in fields(Curve))
+    if isinstance(value, ChartPoint):
+        return {part.name: _plain_tree(getattr(value, part.name)) for part in fields(ChartPoint)}
+    if isinstance(value, ErrorCurve):
+        columns = (_plain_tree(getattr(value, part.name)) for part in fields(ErrorCurve))
         return dict(zip(_CURVE_KEYS, columns, strict=True))
     return value
 
 
-def to_json(results: Results) -> str:
+def to_json(results: Measurements) -> str:
     """Write the file that `from_json` reads."""
     plain_fields = ("date", "complete", "machine", "versions", "document")
     tree = {
@@ -359,7 +359,7 @@ def to_json(results: Results) -> str:
     return json.dumps(_plain_tree(tree), allow_nan=False, indent=1) + "\n"
 
 
-class _Reader:
+class _ResultsReader:
     """A value of the JSON tree with its path, which `DAMAGED` names."""
 
     def __init__(self, value: Any, path: str, file: str) -> None:
@@ -369,21 +369,22 @@ class _Reader:
         if not good:
             raise Refusal.saying(DAMAGED, self._file, f"{self._path or 'it'} must be {what}")
 
-    def __getitem__(self, key: str) -> _Reader:
+    def __getitem__(self, key: str) -> _ResultsReader:
         self.expect(isinstance(self.value, dict), "an object")
         path = f"{self._path}.{key}" if self._path else key
         if key not in self.value:
             raise Refusal.saying(DAMAGED, self._file, f"{path} is missing")
-        return _Reader(self.value[key], path, self._file)
+        return _ResultsReader(self.value[key], path, self._file)
 
-    def items(self) -> list[tuple[str, _Reader]]:
+    def items(self) -> list[tuple[str, _ResultsReader]]:
         self.expect(isinstance(self.value, dict), "an object")
         return [(key, self[key]) for key in self.value]
 
-    def parts(self) -> list[_Reader]:
+    def parts(self) -> list[_ResultsReader]:
         self.expect(isinstance(self.value, list), "a list")
         return [
-            _Reader(part, f"{self._path}[{i}]", self._file) for i, part in enumerate(self.value)
+            _ResultsReader(part, f"{self._path}[{i}]", self._file)
+            for i, part in enumerate(self.value)
         ]
 
     def text(self) -> str:
@@ -417,19 +418,19 @@ class _Reader:
         return tuple(part.text() for part in self.parts())
 
 
-_READ: dict[str, Callable[[_Reader], Any]] = {
-    "str": _Reader.text,
-    "bool": _Reader.flag,
-    "float | None": _Reader.maybe,
-    "Mapping[str, float]": _Reader.numbers,
-    "Mapping[str, str]": _Reader.texts,
-    "tuple[float | None, ...]": _Reader.column,
-    "tuple[str, ...]": _Reader.notes,
+_READ: dict[str, Callable[[_ResultsReader], Any]] = {
+    "str": _ResultsReader.text,
+    "bool": _ResultsReader.flag,
+    "float | None": _ResultsReader.maybe,
+    "Mapping[str, float]": _ResultsReader.numbers,
+    "Mapping[str, str]": _ResultsReader.texts,
+    "tuple[float | None, ...]": _ResultsReader.column,
+    "tuple[str, ...]": _ResultsReader.notes,
 }
-"""How to read a field of `Choice` or `Curve`, by its annotation."""
+"""How to read a field of `ChartPoint` or `ErrorCurve`, by its annotation."""
 
 
-def from_json(text: str, file: str = "The file") -> Results:
+def from_json(text: str, file: str = "The file") -> Measurements:
     """Read what `to_json` wrote; messages name the `file`.
 
     Raises
@@ -445,10 +446,10 @@ def from_json(text: str, file: str = "The file") -> Results:
         raise Refusal.saying(NOT_RESULTS, file)
     if tree.get("version") != VERSION:
         raise Refusal.saying(NEWER_RESULTS, file, tree.get("version"), VERSION)
-    root = _Reader(tree, "", file)
+    root = _ResultsReader(tree, "", file)
     document = root["document"]
     document.items()
-    return Results(
+    return Measurements(
         root["date"].text(),
         root["machine"].texts(),
         root["versions"].texts(),
@@ -459,13 +460,13 @@ def from_json(text: str, file: str = "The file") -> Results:
     )
 
 
-def _trade(tree: _Reader) -> Trade:
+def _trade(tree: _ResultsReader) -> Trade:
     return Trade(
         tree["name"].text(),
         tree["cost"]["unit"].text(),
         tree["error"]["unit"].text(),
         tuple(
-            Choice(*(_READ[str(part.type)](choice[part.name]) for part in fields(Choice)))
+            ChartPoint(*(_READ[str(part.type)](choice[part.name]) for part in fields(ChartPoint)))
             for choice in tree["choices"].parts()
         ),
         round(tree["rounds"].number()),
@@ -473,14 +474,16 @@ def _trade(tree: _Reader) -> Trade:
     )
 
 
-def _sweep(tree: _Reader) -> Sweep:
+def _sweep(tree: _ResultsReader) -> Sweep:
     values = tuple(part.number() for part in tree["values"].parts())
     curves = {}
     for name, curve in tree["choices"].items():
-        columns = zip(_CURVE_KEYS, fields(Curve), strict=True)
-        curves[name] = Curve(*(_READ[str(part.type)](curve[key]) for key, part in columns))
+        columns = zip(_CURVE_KEYS, fields(ErrorCurve), strict=True)
+        curves[name] = ErrorCurve(*(_READ[str(part.type)](curve[key]) for key, part in columns))
         curve.expect(
-            all(len(getattr(curves[name], part.name)) == len(values) for part in fields(Curve)),
+            all(
+                len(getattr(curves[name], part.name)) == len(values) for part in fields(ErrorCurve)
+            ),
             "as long as the sweep's values",
         )
     return Sweep(
@@ -511,7 +514,7 @@ def to_csv(part: Trade | Sweep) -> str:
     return text.getvalue()
 
 
-def _note(choice: Choice) -> str:
+def _note(choice: ChartPoint) -> str:
     return ", ".join(filter(None, (choice.note, BUSY if choice.is_busy else "")))
 
 

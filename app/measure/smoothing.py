@@ -18,7 +18,7 @@ from app.drawings.actors import face_actor, identity_camera
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import OffScreen, Pixels, off_screen, pixels_of
 from app.drawings.style import LIGHT, WHITE
-from app.measure.results import Choice, Trade
+from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Projection
 from app.scenes.scene import Scene
@@ -102,7 +102,7 @@ def measure(
             difference = shown(read(), smoothing.scale, size) - reference
             error, name = float(np.sqrt((difference**2).mean())), smoothing.name
             use, paid = {"smoothing": name}, memory(smoothing)
-            choices.append(Choice(name, None, None, error, note=note, use=use, bytes=paid))
+            choices.append(ChartPoint(name, None, None, error, note=note, use=use, bytes=paid))
         trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), 0)
         return timed(trade, runs, seconds, 1e3, watch)
 

@@ -16,7 +16,7 @@ from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.lenses.lens import EyeLens
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
-from app.model.object_transform import Placed
+from app.model.object_transform import WorldPoints
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, empty_trace
 from app.model.refusal import Refusal
 
@@ -73,7 +73,7 @@ class EyeFirst:
         """
         if not self._of.stretch <= _LARGE_STRETCH:
             parts = self._view_double_double(
-                Placed(world, rest, np.zeros(0)).offset(self._of.camera.eye)
+                WorldPoints(world, rest, np.zeros(0)).offset(self._of.camera.eye)
             )
             return np.stack([part.hi for part in parts]), parts[2].lo
         large, small = self._of.camera.frame_parts
@@ -193,7 +193,7 @@ class EyeFirst:
 
     # -- points in other arithmetics
 
-    def coordinates(self, points: Placed, one: int) -> tuple[Sequence[DoubleDouble], Array]:
+    def coordinates(self, points: WorldPoints, one: int) -> tuple[Sequence[DoubleDouble], Array]:
         """The arguments of `clipped` for points (n, 3), with twice the digits, and their errors.
 
         `one` is w: 0 for directions, from which the eye is not subtracted.

@@ -277,7 +277,7 @@ class Quotient(Pair):
 @lru_cache(maxsize=4096)
 def parse(text: str) -> Formula:
     """Read a formula, or raise a `Refusal`; ``−``, ``·`` and ``×`` stand for ``-`` and ``*``."""
-    return _Reader(text).whole()
+    return _FormulaParser(text).whole()
 
 
 _TOKEN = re.compile(
@@ -295,7 +295,7 @@ class _Token(NamedTuple):
     position: int
 
 
-class _Reader:
+class _FormulaParser:
     """Recursive descent: one method for each line of the grammar."""
 
     def __init__(self, text: str) -> None:
@@ -440,7 +440,7 @@ def stacked_fraction(above: str, below: str) -> str:
     return f"{OPEN}{above}{OVER}{below}{CLOSE}"
 
 
-class _Source:
+class _FormulaWriter:
     """Writes formulas in their own language; the other writers override the differences."""
 
     minus, minus_between, plus, space, degree = "-", " - ", " + ", "*", ""
@@ -500,7 +500,7 @@ class _Source:
         return self.bracketed(text, outer > _IN_PRODUCT)
 
 
-class _Plain(_Source):
+class _Plain(_FormulaWriter):
     """Writes one line for a reader."""
 
     minus, minus_between, plus, space, degree = "−", " − ", " + ", "\u2009", "°"
@@ -600,7 +600,7 @@ def _decimal(number: Fraction) -> str:
     return f"{digits[:-places]}.{digits[-places:]}" if places else digits
 
 
-_SOURCE = _Source({})
+_SOURCE = _FormulaWriter({})
 
 
 def written(formula: Formula, symbols: Mapping[str, str]) -> str:

@@ -135,7 +135,7 @@ def _lines(text: str) -> list[list[float]]:
     text = _POWER.sub(r"e\1", _FRACTION.sub(r"\1/\2", text))
     for _ in range(3):  # templates may be nested
         text = _TEMPLATE.sub(" ", text)
-    blocks = [_Reader().read(_LEFT_AWAY.sub(" ", part)) for part in _COLUMNS.split(text)]
+    blocks = [_MatrixTextReader().read(_LEFT_AWAY.sub(" ", part)) for part in _COLUMNS.split(text)]
     blocks = [lines for lines in blocks if lines]
     if len(blocks) < 2:
         return blocks[0] if blocks else []
@@ -146,7 +146,7 @@ def _lines(text: str) -> list[list[float]]:
 # --------------------------------------------------------------------------- what is read
 
 
-class _Reader:
+class _MatrixTextReader:
     """Reads the tokens of a text; what it does not understand is refused."""
 
     def __init__(self) -> None:

@@ -20,7 +20,7 @@ from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, dot, nearest, product
 from app.model.limits import ONE_OF, Array, Row, Vector, finite_vector, keep_checked, within
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.model.tables import Step, evaluated, inverse, matrix, rounded
+from app.model.tables import PipelineStep, evaluated, inverse, matrix, rounded
 
 Order: TypeAlias = Literal["trs", "rts"]
 ORDERS: tuple[Order, ...] = ("trs", "rts")
@@ -40,7 +40,7 @@ _ROUNDINGS = 6.0
 """Most roundings in the double-double sum of a coordinate."""
 
 
-class Placed(NamedTuple):
+class WorldPoints(NamedTuple):
     """Points in the world with twice the digits of float64.
 
     Attributes
@@ -58,14 +58,14 @@ class Placed(NamedTuple):
     lost: Array
 
     @classmethod
-    def at(cls, world: Array) -> Placed:
+    def at(cls, world: Array) -> WorldPoints:
         """Points given in world coordinates, (n, 3)."""
         return cls(world, None, np.zeros(len(world)))
 
-    def part(self, which: slice) -> Placed:
+    def part(self, which: slice) -> WorldPoints:
         """Return some of the points."""
         rest = None if self.rest is None else self.rest[which]
-        return Placed(self.world[which], rest, self.lost[which])
+        return WorldPoints(self.world[which], rest, self.lost[which])
 
     def nearest_offset(self, origin: Sequence[float] | Array) -> Array:
         """`offset`, rounded to float64: less work."""
@@ -165,11 +165,11 @@ class ObjectTransform:
             raise Refusal("order", self.order, ONE_OF, ", ".join(ORDERS))
 
     @property
-    def step(self) -> Step:
+    def step(self) -> PipelineStep:
         """`world_from_object` as formulas; the identity has no factors."""
         if self.is_identity:
-            return Step(FROM_OBJECT, note=NOT_TRANSFORMED)
-        return Step(FROM_OBJECT, FACTORS[self.order], FLATTENED if self.rank < 3 else "")
+            return PipelineStep(FROM_OBJECT, note=NOT_TRANSFORMED)
+        return PipelineStep(FROM_OBJECT, FACTORS[self.order], FLATTENED if self.rank < 3 else "")
 
     @cached_property
     def letters(self) -> dict[str, Fraction]:
@@ -212,14 +212,14 @@ class ObjectTransform:
         """Rank of the linear part: 3, or less if a scale of 0 flattens the object."""
         return sum(part != 0.0 for part in self.scale)
 
-    def placed(self, points_object: Array, one: int = 1) -> Placed:
+    def placed(self, points_object: Array, one: int = 1) -> WorldPoints:
         """Points (n, 3) of the object in the world, or directions, whose `one` is 0.
 
         Each coordinate is a sum of four double-double terms, so that the points of a distant object
         keep the digits in which they differ.
         """
         if self.is_identity:
-            return Placed.at(points_object)
+            return WorldPoints.at(points_object)
         columns = points_object.T
         high, low, lost = [], [], np.zeros(len(points_object))
         for row in self.exact[:3]:
@@ -233,7 +233,7 @@ class ObjectTransform:
             high.append(total.hi)
             low.append(total.lo)
             lost += _ROUNDINGS * dd.RELATIVE_ERROR * sizes + dd.UNDERFLOW
-        return Placed(np.stack(high, axis=1), np.stack(low, axis=1), lost)
+        return WorldPoints(np.stack(high, axis=1), np.stack(low, axis=1), lost)
 
     def exactly(self, point_object: Sequence[Any], one: int = 1) -> tuple[Any, ...]:
         """A point of the object in the world, or a direction (`one` is 0), without rounding.

@@ -40,9 +40,9 @@ from app.model.limits import (
     keep_checked,
     read_only,
 )
-from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Placed, Space
+from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Space, WorldPoints
 from app.model.refusal import Bound, Refusal
-from app.model.tables import VIEWPORT, Step, evaluated, inverse, rounded
+from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
 HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
 """Normals and offsets: ``normal . (x, y, z, w) + offset >= 0`` inside."""
@@ -365,7 +365,7 @@ class Pipeline:
         """The `stages` from view to clip space; none if the lens has only a whole matrix."""
         return tuple(map(self.staged, self.lens.table.steps))
 
-    def staged(self, step: Step) -> Stage:
+    def staged(self, step: PipelineStep) -> Stage:
         """Return a step of a table in this projection's numbers."""
         letters: Mapping[str, Fraction] = self.exact_letters | self.placement.letters
         factors = [(name, evaluated(table, letters)) for name, table in step.factors]
@@ -406,7 +406,7 @@ class Pipeline:
 
     # -- points
 
-    def placed(self, points: ArrayLike, space: Space = "world", one: int = 1) -> Placed:
+    def placed(self, points: ArrayLike, space: Space = "world", one: int = 1) -> WorldPoints:
         """World coordinates, (n, 3), of points (..., 3), with twice the digits of float64.
 
         `one` is w: 0 for directions.
@@ -417,7 +417,7 @@ class Pipeline:
             raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
         given = checked_points(points).reshape(-1, 3)
         if space == "world" or self.placement.is_identity:
-            return Placed.at(given)
+            return WorldPoints.at(given)
         return self.placement.placed(given, one)
 
 

@@ -81,15 +81,8 @@ from app.model.limits import (
     between,
     read_only,
 )
-from app.model.object_transform import ObjectTransform, Placed, Space
-from app.model.pipeline import (
-    Pipeline,
-    Stage,
-    Trace,
-    checked_pixels,
-    checked_points,
-    translation,
-)
+from app.model.object_transform import ObjectTransform, Space, WorldPoints
+from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
 from app.model.refusal import Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
@@ -99,7 +92,7 @@ __all__ = [  # the other packages import the model from here
     "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "NOT_THE_EYE", "OBLIQUE_PRESETS", "ONE_OF",
     "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "DepthRange", "FreeMatrix",
     "Frustum", "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orbit", "Orthographic",
-    "Perspective", "Placed", "Projection", "Rationals", "Space", "Stage", "Trace", "Vector",
+    "Perspective", "Projection", "Rationals", "Space", "Stage", "Trace", "Vector", "WorldPoints",
     "checked_points", "focal_length_35mm", "focal_length_e", "fov_x_from_fov_y",
     "fov_y_from_focal_length_35mm", "fov_y_from_focal_length_e", "fov_y_from_window", "kinds",
     "oblique_angles", "receding_of",

@@ -52,7 +52,7 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
     return found
 
 
-class Step(NamedTuple):
+class PipelineStep(NamedTuple):
     """One step of the pipeline as the lectures write it; compare `app.model.pipeline.Stage`.
 
     The step is the product of the named `factors`, in order; without factors it is the identity.
@@ -72,7 +72,7 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
 TO_PYRAMID = "canonical_perspective_from_view"
 """The name of the first step of a lens whose projectors meet in the eye."""
 
-DEPTH_RANGE = Step(
+DEPTH_RANGE = PipelineStep(
     "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range
     (
         (
@@ -97,7 +97,7 @@ DEPTH_RANGE = Step(
 )
 """Maps z = 0 at near and -1 at far to the depth range's ends, z_n and z_f."""
 
-VIEWPORT = Step(
+VIEWPORT = PipelineStep(
     "image_from_ndc",  # lecture 002's
     (
         (

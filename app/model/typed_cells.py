@@ -11,7 +11,7 @@ import numpy as np
 
 from app.arithmetic.double_double import DoubleDouble
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
-from app.model.object_transform import Placed
+from app.model.object_transform import WorldPoints
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, checked_pixels, checked_points
 from app.model.refusal import Refusal
 from app.model.tables import rounded
@@ -117,7 +117,7 @@ class TypedCells:
             raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
         return np.asarray(world)
 
-    def coordinates(self, points: Placed, one: int) -> tuple[Sequence[DoubleDouble], Array]:
+    def coordinates(self, points: WorldPoints, one: int) -> tuple[Sequence[DoubleDouble], Array]:
         offset = points.offset(one * np.array(self._of.camera.eye))
         return [DoubleDouble(*parts) for parts in zip(*offset, strict=True)], points.lost
 

@@ -531,7 +531,7 @@ def _meets(sight: Sight, pixel: Spot, normal: Array, point: Array) -> Array:
     return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
 
 
-class _Line(NamedTuple):
+class _LineImage(NamedTuple):
     """The image of a line ``start + t along``.
 
     Attributes
@@ -547,10 +547,12 @@ class _Line(NamedTuple):
     way: tuple[float, float]
 
 
-def _line(sight: Sight, start: Array, along: Array) -> _Line:
+def _line(sight: Sight, start: Array, along: Array) -> _LineImage:
     rows = sight.rows[[0, 1, 3]]
     one, two = rows[:, :3] @ (start - sight.eye) + rows[:, 3], rows[:, :3] @ along
-    return _Line(one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2]))
+    return _LineImage(
+        one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])
+    )
 
 
 def _per_px(sight: Sight, point: Array, along: Array) -> float:

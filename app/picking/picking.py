@@ -208,7 +208,7 @@ def dragged(
     return None if moved is None or not np.abs(moved).max() <= LARGEST else _vector(moved)
 
 
-class Surface:
+class PickSurface:
     """Triangles, sorted into grid cells for picking.
 
     Parameters
@@ -509,7 +509,7 @@ class Lines:
 
 
 def pick(
-    surface: Surface,
+    surface: PickSurface,
     lines: Lines,
     sight: Sight,
     pixel: tuple[float, float],

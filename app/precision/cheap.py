@@ -144,10 +144,15 @@ def cheap_formats(
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
         each = [_loaded(points, name, numbers, origin, box) for name in vertices]
-        point = _Known(*(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True)))
+        point = _BoundedNumbers(
+            *(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True))
+        )
         matrix, has_w = _matrix(projection, origin, numbers)
         clip = _applied(matrix, point, numbers)
-        w, ndc = _Known(*(part[3] for part in clip)), _Known(*(part[:3] for part in clip))
+        w, ndc = (
+            _BoundedNumbers(*(part[3] for part in clip)),
+            _BoundedNumbers(*(part[:3] for part in clip)),
+        )
         if has_w:
             ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
         found, bounds = _on_the_screen(projection, ndc, numbers)
@@ -177,7 +182,7 @@ def stored(
     return kept.T + origin
 
 
-class _Known(NamedTuple):
+class _BoundedNumbers(NamedTuple):
     """Numbers of a format, and bounds of their errors."""
 
     value: Array
@@ -186,7 +191,7 @@ class _Known(NamedTuple):
 
 def _loaded(
     points: Array, vertices: str, numbers: Format, origin: Vector, box: ArrayLike | None
-) -> _Known:
+) -> _BoundedNumbers:
     """The coordinates (3, n) of stored vertices, as the arithmetic gets them."""
     local = points - origin
     kept: Format | Grid
@@ -202,10 +207,12 @@ def _loaded(
     if vertices != numbers.name:
         loaded = numbers.rounded(stored)
         error += np.where(loaded != stored, numbers.lost(loaded), 0.0)
-    return _Known(np.ascontiguousarray(loaded.T), error.T)
+    return _BoundedNumbers(np.ascontiguousarray(loaded.T), error.T)
 
 
-def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_Known, bool]:
+def _matrix(
+    projection: Projection, origin: Vector, numbers: Format
+) -> tuple[_BoundedNumbers, bool]:
     """The matrix to clip space in the format, and whether w is not always 1.
 
     Its cells are known before any point is, and so are their roundings.
@@ -217,7 +224,7 @@ def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[_K
     else:
         off = CELLS * cell_terms(projection, projection.local_to_eye(origin))
     has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
-    return _Known(cells, np.abs(cells - given) + off), has_w
+    return _BoundedNumbers(cells, np.abs(cells - given) + off), has_w
 
 
 def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Array:
@@ -238,7 +245,7 @@ def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Arra
     return np.array(off)
 
 
-def _applied(matrix: _Known, point: _Known, numbers: Format) -> _Known:
+def _applied(matrix: _BoundedNumbers, point: _BoundedNumbers, numbers: Format) -> _BoundedNumbers:
     """Clip coordinates (4, n): sums of products, added one after the other."""
     columns = matrix.value[:, :, None].swapaxes(0, 1)
     total = numbers.rounded(columns[0] * point.value[0])
@@ -255,10 +262,12 @@ def _applied(matrix: _Known, point: _Known, numbers: Format) -> _Known:
     # Near 0 and in fixed point, sums are exact, and so is a product with 0.
     products = np.count_nonzero(cells, axis=1)[:, None]
     error += lost[:, 3:] + numbers.unit * sizes + numbers.step / 2.0 * products + _LEAST
-    return _Known(total, error)
+    return _BoundedNumbers(total, error)
 
 
-def _divided(clip: _Known, w: _Known, steps: int | None, numbers: Format) -> _Known:
+def _divided(
+    clip: _BoundedNumbers, w: _BoundedNumbers, steps: int | None, numbers: Format
+) -> _BoundedNumbers:
     """Clip x, y, z over w; the bound is infinite where w may be 0."""
     exactly = clip.value / w.value
     size = np.abs(exactly)
@@ -269,10 +278,12 @@ def _divided(clip: _Known, w: _Known, steps: int | None, numbers: Format) -> _Kn
         exactly = clip.value * inverse
         error += size * relative
     quotient = numbers.rounded(exactly)
-    return _Known(quotient, error + np.where(exactly == 0.0, 0.0, numbers.lost(quotient)))
+    return _BoundedNumbers(quotient, error + np.where(exactly == 0.0, 0.0, numbers.lost(quotient)))
 
 
-def _on_the_screen(projection: Projection, ndc: _Known, numbers: Format) -> _Known:
+def _on_the_screen(
+    projection: Projection, ndc: _BoundedNumbers, numbers: Format
+) -> _BoundedNumbers:
     """x and y in pixels and the depth in [0, 1], (3, n)."""
     value, error = np.empty_like(ndc.value), ndc.error
     halves = np.array(projection.image_size)[:, None] / 2.0
@@ -287,4 +298,4 @@ def _on_the_screen(projection: Projection, ndc: _Known, numbers: Format) -> _Kno
         deep = 0.5 * error[2:] + numbers.lost(half) + numbers.unit * np.abs(value[2:])
     else:
         value[2], deep = ndc.value[2], error[2:]
-    return _Known(value, np.concatenate([off, deep]))
+    return _BoundedNumbers(value, np.concatenate([off, deep]))

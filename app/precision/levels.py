@@ -29,7 +29,7 @@ from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.quotients import Quotients
 from app.model.infinity import trace_at_infinity
 from app.model.pipeline import empty_trace
-from app.model.projection import ONE_OF, Array, Placed, Projection, Space, Trace, Vector
+from app.model.projection import ONE_OF, Array, Projection, Space, Trace, Vector, WorldPoints
 from app.model.refusal import Refusal
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]
@@ -130,7 +130,7 @@ class _Bounds:
         self._weights[4:7, 4:6] = 2.0**-48 * by_distance[:3]
         self._weights[7, 4:6] = 2.0**-38 * by_distance[3]
 
-    def of(self, world: Placed, given: Array) -> Array | None:
+    def of(self, world: WorldPoints, given: Array) -> Array | None:
         """The largest errors of x, y in pixels and of the depth, for each of `PRECISIONS`, (3, 3).
 
         None if no point has a picture. `given` are the points as the GPU has them, (n, 3).
@@ -410,7 +410,7 @@ def _fill(found: Trace, which: Any, traced: Trace, w: float) -> None:
 
 
 def _trace_float32(
-    projection: Projection, placed: Placed, given: Array, origin: Vector, space: Space
+    projection: Projection, placed: WorldPoints, given: Array, origin: Vector, space: Space
 ) -> Trace:
     single = np.float32
     passage, local_origin = projection.passage, np.reshape(origin, (3, 1))
@@ -512,7 +512,7 @@ def _bounded(number: Any) -> _Bounded:
 
 
 def _trace_exact(
-    projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
+    projection: Projection, placed: WorldPoints, given: Array, space: Space, one: int = 1
 ) -> Trace:
     numbers, _, outside = exact_numbers(projection, placed, given, space, one)
     traced = empty_trace(placed.world)
@@ -522,7 +522,7 @@ def _trace_exact(
 
 
 def exact_numbers(
-    projection: Projection, placed: Placed, given: Array, space: Space, one: int = 1
+    projection: Projection, placed: WorldPoints, given: Array, space: Space, one: int = 1
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Rows: view 3, clip 4, NDC 3, image 2, depth; rounding errors of the last 3; outside 6.
 

@@ -15,15 +15,7 @@ from numpy.typing import ArrayLike
 
 from app.model.limits import Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.mesh import (
-    PAINT_RGB,
-    Colours,
-    Floats,
-    Ints,
-    Mesh,
-    Progress,
-    report,
-)
+from app.scenes.mesh import PAINT_RGB, Colours, Floats, Ints, Mesh, Progress, report
 from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 

@@ -28,7 +28,7 @@ from app.scenes.mesh import (
     Floats,
     Ints,
     Mesh,
-    Source,
+    MeshSource,
     rgb_bytes,
 )
 from app.scenes.shapes import DRAWN_RGB, flat
@@ -53,7 +53,7 @@ _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 """A mesh, and the skin and weights of its node: what determines the shape, apart from its place."""
 
 
-def read_gltf(source: Source) -> Mesh:
+def read_gltf(source: MeshSource) -> Mesh:
     """Join all shapes of the scene. Each is read once, however many nodes use it."""
     path, data, body = source.path, source.file.read(), b""
     if data[:4] == b"glTF":
@@ -75,7 +75,7 @@ def read_gltf(source: Source) -> Mesh:
         source.fail(lacking if lacking.isidentifier() else "glTF")
 
 
-def _chunks(source: Source, data: bytes) -> tuple[bytes, bytes]:
+def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
     """Return the description in a .glb file, and the buffer after it."""
     version, size = (int.from_bytes(data[at : at + 4], "little") for at in (4, 12))
     if version != 2:
@@ -88,7 +88,7 @@ def _chunks(source: Source, data: bytes) -> tuple[bytes, bytes]:
     return data[20:end], data[end + 8 : end + 8 + size] if is_buffer else b""
 
 
-class _Size(NamedTuple):
+class _MeshSize(NamedTuple):
     """The counts of a mesh.
 
     Attributes
@@ -114,7 +114,7 @@ class _Size(NamedTuple):
 class _Gltf:
     """The description of a scene; a missing entry raises `KeyError` with its name."""
 
-    def __init__(self, source: Source, content: dict[str, Any], body: bytes) -> None:
+    def __init__(self, source: MeshSource, content: dict[str, Any], body: bytes) -> None:
         asset = content["asset"]
         version, least = str(asset["version"]), str(asset.get("minVersion", "2.0"))
         unread = sorted(e for e in content.get("extensionsRequired", ()) if not _READ.fullmatch(e))
@@ -276,7 +276,7 @@ class _Gltf:
             elements += size.elements * copies
         self._source.check_size(vertices, elements, 3 * elements)
 
-    def _size(self, index: int) -> _Size:
+    def _size(self, index: int) -> _MeshSize:
         mesh = self._data.item("meshes", index)
         vertices = elements = targets = sets = overhead = 0
         for primitive in _drawn(mesh):
@@ -296,7 +296,7 @@ class _Gltf:
             sets = max(sets, sum(name.startswith("JOINTS_") for name in attributes))
             overhead += _OVERHEAD + targets + sets
         weights = sum(map(bool, mesh.get("weights", ())))
-        return _Size(vertices, elements, targets, sets, weights, overhead)
+        return _MeshSize(vertices, elements, targets, sets, weights, overhead)
 
     # ----------------------------------------------------------------------- shapes
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.refusal import Refusal
-from app.scenes.mesh import CUT_OFF, NO_MEMORY, PART, UNSUPPORTED, Floats, Source, full_scale
+from app.scenes.mesh import CUT_OFF, NO_MEMORY, PART, UNSUPPORTED, Floats, MeshSource, full_scale
 from app.strangers import LARGEST_FILE, open_regular
 
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -22,7 +22,7 @@ _WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
 class GltfData:
     """The accessors of a description; each buffer is read when it is first needed."""
 
-    def __init__(self, source: Source, content: dict[str, Any], body: bytes) -> None:
+    def __init__(self, source: MeshSource, content: dict[str, Any], body: bytes) -> None:
         self._source, self._content, self._body = source, content, body
         self._buffers: dict[int, bytes] = {}
         self._beside = 0  # bytes of the files beside the description

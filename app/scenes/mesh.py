@@ -271,7 +271,7 @@ class Mesh:
 
 
 @dataclass(frozen=True)
-class Source:
+class MeshSource:
     """A file that is being read.
 
     Attributes

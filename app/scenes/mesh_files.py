@@ -35,8 +35,8 @@ from app.scenes.mesh import (
     Floats,
     Ints,
     Mesh,
+    MeshSource,
     Progress,
-    Source,
     full_scale,
     open_mesh,
     report,
@@ -78,7 +78,7 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
         report(progress, 0.0)
         try:
             with np.errstate(all="ignore"):  # `check` refuses numbers that are not finite
-                mesh = _READERS[path.suffix.lower()](Source(path, file, progress, largest))
+                mesh = _READERS[path.suffix.lower()](MeshSource(path, file, progress, largest))
             mesh.check(path)
         except MemoryError:
             raise Refusal.saying(NO_MEMORY, path) from None
@@ -113,7 +113,7 @@ def _numbers(
 # --------------------------------------------------------------------------- OBJ
 
 
-def _read_obj(source: Source) -> Mesh:
+def _read_obj(source: MeshSource) -> Mesh:
     """Read vertices, their colours, faces, lines and points; normals and so on are ignored.
 
     Vertices alone are a cloud of points.
@@ -271,7 +271,7 @@ def _wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object])
 _STL_TRIANGLE = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-def _read_stl(source: Source) -> Mesh:
+def _read_stl(source: MeshSource) -> Mesh:
     """Read a binary file, even one that begins with “solid” as a text does, or a text.
 
     The length decides: no text can hold as many triangles as its letters at the place of the count
@@ -295,7 +295,7 @@ def _read_stl(source: Source) -> Mesh:
     return Mesh(points, np.arange(0, len(corners) + 1, 3), merged)
 
 
-def _stl_binary(source: Source, count: int) -> Floats:
+def _stl_binary(source: MeshSource, count: int) -> Floats:
     """Return the triangles' corners (3 m, 3): float32 by definition of the format."""
     source.check_size(3 * count, count, 3 * count)
     source.file.seek(84)
@@ -303,7 +303,7 @@ def _stl_binary(source: Source, count: int) -> Floats:
     return triangles["corners"].reshape(-1, 3).astype(np.float64)
 
 
-def _stl_text(source: Source) -> Floats:
+def _stl_text(source: MeshSource) -> Floats:
     """Return the triangles' corners (3 m, 3) with all digits of the text."""
     source.file.seek(0)
     rest, blocks, triangles = b"", [np.empty(0)], 0
@@ -336,7 +336,7 @@ def _stl_text(source: Source) -> Floats:
     return np.concatenate(blocks).reshape(-1, 3)
 
 
-def _refuse_stl_line(source: Source) -> None:
+def _refuse_stl_line(source: MeshSource) -> None:
     """Refuse the first vertex that is not three finite numbers, or loop that is no triangle."""
     source.file.seek(0)
     facet = corners = 0
@@ -372,7 +372,7 @@ _PLY_TYPES = {
 _PLY_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
-class _Property(NamedTuple):
+class _PlyColumn(NamedTuple):
     """A column of an element: the type of its numbers in the body, and of the count before a list.
 
     `full_scale` is the value of full brightness, if the column is a colour channel.
@@ -387,10 +387,10 @@ class _Property(NamedTuple):
 class _Element(NamedTuple):
     name: str
     rows: int
-    properties: list[_Property]
+    properties: list[_PlyColumn]
 
 
-def _read_ply(source: Source) -> Mesh:
+def _read_ply(source: MeshSource) -> Mesh:
     elements, body, lines_of = _ply_header_and_body(source)
     source.report(0.2)
     mesh = Mesh()
@@ -475,7 +475,7 @@ _PLY_OF_OLD_MAC = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r|\Z)", re.DOT
 """The lines of a file end with a carriage return alone if its first one does."""
 
 
-def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[str, Ints]]:
+def _ply_header_and_body(source: MeshSource) -> tuple[list[_Element], bytes, dict[str, Ints]]:
     """Return the elements up to the last one that is drawn, the body, and the lines of a text.
 
     A text body becomes a binary one in which every number is a float64.
@@ -507,7 +507,7 @@ def _ply_header_and_body(source: Source) -> tuple[list[_Element], bytes, dict[st
 
 
 def _ply_text(
-    source: Source, body: bytes, before: int, elements: list[_Element]
+    source: MeshSource, body: bytes, before: int, elements: list[_Element]
 ) -> tuple[bytes, dict[str, Ints]]:
     """Return the numbers that the header names, and the lines of each element below the header.
 
@@ -554,7 +554,7 @@ def _ply_text(
     return (numbers if is_named.all() else numbers[is_named]).tobytes(), lines_of
 
 
-def _refuse_cut_off(source: Source, element: _Element, there: int) -> NoReturn:
+def _refuse_cut_off(source: MeshSource, element: _Element, there: int) -> NoReturn:
     raise Refusal.saying(CUT_OFF_ROWS, source.path, there, element.rows, element.name)
 
 
@@ -570,11 +570,11 @@ def _ply_elements(header: str) -> tuple[list[_Element], bool]:
                 elements.append(_Element(name, int(rows), []))
             case ["property", "list", count, kind, name]:
                 kinds = [np.dtype(order + _PLY_TYPES[k] if order else "f8") for k in (kind, count)]
-                elements[-1].properties.append(_Property(name, kinds[0], 1.0, kinds[1]))
+                elements[-1].properties.append(_PlyColumn(name, kinds[0], 1.0, kinds[1]))
             case ["property", kind, name]:
                 in_file = np.dtype(_PLY_TYPES[kind])
                 read = np.dtype(order + _PLY_TYPES[kind] if order else "f8")
-                elements[-1].properties.append(_Property(name, read, full_scale(in_file)))
+                elements[-1].properties.append(_PlyColumn(name, read, full_scale(in_file)))
             case ["property", *_]:
                 raise ValueError
     names = [[e.name for e in elements], *([p.name for p in e.properties] for e in elements)]
@@ -635,7 +635,7 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
     return columns, {p.name: lengths[:, properties.index(p)] for p in lists}, at
 
 
-def _ply_row(properties: list[_Property], body: bytes, at: int) -> tuple[list[int], int]:
+def _ply_row(properties: list[_PlyColumn], body: bytes, at: int) -> tuple[list[int], int]:
     """Return each column's start in a row and its count of numbers, and the row's end."""
     places = []
     for p in properties:
@@ -655,7 +655,7 @@ def _ply_row(properties: list[_Property], body: bytes, at: int) -> tuple[list[in
     return places, at
 
 
-_READERS: dict[str, Callable[[Source], Mesh]] = {
+_READERS: dict[str, Callable[[MeshSource], Mesh]] = {
     ".obj": _read_obj,
     ".stl": _read_stl,
     ".ply": _read_ply,

@@ -127,7 +127,7 @@ class _Later:
         self.make = partial(_poly_data, points, offsets, corners, rgb)
 
 
-class _Mesh:
+class _MeshField:
     """A field of `Scene` for a mesh, possibly one that is made later."""
 
     def __set_name__(self, _owner: type, name: str) -> None:
@@ -175,8 +175,8 @@ class Scene:
 
     name: str
     origin: Vector
-    surface: _Mesh = _Mesh()
-    lines: _Mesh = _Mesh()
+    surface: _MeshField = _MeshField()
+    lines: _MeshField = _MeshField()
     lower: Vector
     upper: Vector
     start: Projection

@@ -178,7 +178,7 @@ def pip_says(patch: pytest.MonkeyPatch, *lines: str, status: int = 1) -> None:
             follow(line)
         return status
 
-    patch.setattr(bootstrap.Held, "run", run)
+    patch.setattr(bootstrap.HeldLock, "run", run)
 
 
 def stopped_at_the_lock(made: Checkout) -> None:
@@ -422,7 +422,7 @@ def test_an_environment_is_not_trusted_once_pip_changes_it(
         seen.append(made.stamp.read_text())
         return 1
 
-    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    monkeypatch.setattr(bootstrap.HeldLock, "run", pip)
     program = made.stamp.read_text()
     for extras, bounds in (((), ">=0,<2"), (("test",), ">=1,<2")):
         made.stamp.write_text(program)
@@ -786,7 +786,7 @@ def test_a_full_disk_is_reported_with_its_folder(
         is_full = (Path(folder) == temporary) == (full == "temporary")
         return SimpleNamespace(free=0 if is_full else 2**40)
 
-    monkeypatch.setattr(bootstrap.Held, "run", run)
+    monkeypatch.setattr(bootstrap.HeldLock, "run", run)
     monkeypatch.setattr(shutil, "disk_usage", usage)
     said = start_refused("numbers")
     place = str(temporary if full == "temporary" else fresh.root)
@@ -826,7 +826,7 @@ def test_packages_are_counted_while_they_are_installed(
                 threading.Event().wait(0.01)
         return 0
 
-    monkeypatch.setattr(bootstrap.Held, "run", pip)
+    monkeypatch.setattr(bootstrap.HeldLock, "run", pip)
     made.ask_for(">=0,<2", exactly="1.0")
     bootstrap.Environment(made.root).make()
     assert len(said(0)) > 1 and len(said(1)) > 1

@@ -199,7 +199,7 @@ def test_no_answer_can_be_measured_on_paper() -> None:
             assert not (is_measured and isinstance(each.question, Click)), found.key
 
 
-def drawn(block: paper.Block) -> np.ndarray[Any, Any]:
+def drawn(block: paper.PageBlock) -> np.ndarray[Any, Any]:
     """The pixels of a block, 2 for each point, as numbers from 0 to 255."""
     image = QImage(round(2 * block.wide), round(2 * block.height), QImage.Format.Format_Grayscale8)
     image.fill(255)
@@ -218,7 +218,7 @@ def test_the_key_marks_the_place_in_the_picture(qapp: Any) -> None:
     x, y = (float(place.numbers[name]) for name in "xy")
     document = place.here.document
     plain = drawn(paper.figure(document, 400.0, 200.0, ["image"]))
-    marked = drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.Mark((x, y), 0.03)))
+    marked = drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.MarkedPlace((x, y), 0.03)))
     rows, columns = np.nonzero(np.abs(marked - plain) > 100)
     height, width = plain.shape
     assert width == 2 * height == 400
@@ -226,15 +226,17 @@ def test_the_key_marks_the_place_in_the_picture(qapp: Any) -> None:
     assert middle == pytest.approx((x / 800 * width, y / 400 * height), abs=1.0)
     assert columns.max() - columns.min() == pytest.approx(2 * 0.03 * width, abs=5.0)
     for edge in ((800.0, 400.0), (0.0, 0.0)):
-        drawn(paper.figure(document, 401.0, 199.7, ["image"], paper.Mark(edge, 0.03)))
+        drawn(paper.figure(document, 401.0, 199.7, ["image"], paper.MarkedPlace(edge, 0.03)))
     with pytest.raises(Refusal, match="is not in the picture that is printed"):
-        drawn(paper.figure(document, 400.0, 200.0, ["image"], paper.Mark((-50.0, 10.0), 0.03)))
+        drawn(
+            paper.figure(document, 400.0, 200.0, ["image"], paper.MarkedPlace((-50.0, 10.0), 0.03))
+        )
 
 
 @pytest.mark.parametrize("count", [1, 3, 4, 7, 12])
 def test_pages_are_about_equally_full_and_no_exercise_is_split(qapp: Any, count: int) -> None:
     several = (exercises(1) * 3)[:count]
-    head, height = paper.Block(60.0, lambda *_: None), 745.0
+    head, height = paper.PageBlock(60.0, lambda *_: None), 745.0
     pages = paged(several, head, 490.0, height)
     assert sum(map(len, pages)) == count
     used = [sum(part.height + paper.BETWEEN_STEPS_PT for part in page) for page in pages]
@@ -256,7 +258,7 @@ def test_fractions_on_paper_have_letters_of_full_size(qapp: Any) -> None:
 def test_an_exercise_that_fills_more_than_a_page_is_refused(qapp: Any) -> None:
     long = exercises(1, LESSON.replace("Which is", "Which\n" * 4000 + "is"))
     with pytest.raises(Refusal, match=r"line \d+ is too long for one page"):
-        paged(long, paper.Block(60.0, lambda *_: None), 490.0, 745.0)
+        paged(long, paper.PageBlock(60.0, lambda *_: None), 490.0, 745.0)
 
 
 def test_after_ctrl_c_there_is_no_half_file(
@@ -310,6 +312,6 @@ def test_a_state_without_a_picture_to_draw_is_a_whole_exercise(qapp: Any) -> Non
     """A question whose pictures are all hidden has room to write instead."""
     hidden = LESSON.replace("hide: world", "hide: world, ndc, image")
     ((part, *_), *_rest) = paged(
-        exercises(1, hidden)[:1], paper.Block(0.0, lambda *_: None), 490.0, 745.0
+        exercises(1, hidden)[:1], paper.PageBlock(0.0, lambda *_: None), 490.0, 745.0
     )
     assert part.height < 200.0

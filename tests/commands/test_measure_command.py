@@ -19,7 +19,7 @@ from app.commands.options import CliError
 from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import bargain, cheapest, meaning
 from app.measure.measuring import NEED_OPENGL, TRADES
-from app.measure.results import Choice, Trade, from_json, to_csv
+from app.measure.results import ChartPoint, Trade, from_json, to_csv
 from tests import PATIENCE_S
 from tests.support.commands import refused, run, run_here
 
@@ -189,8 +189,8 @@ def test_control_c_keeps_what_was_measured(tmp_path: Path) -> None:
 # --------------------------------------------------------------------------- what it means
 
 
-def choice(name: str, cost: float | None, error: float | None, note: str = "") -> Choice:
-    return Choice(name, cost, cost, error, note=note)
+def choice(name: str, cost: float | None, error: float | None, note: str = "") -> ChartPoint:
+    return ChartPoint(name, cost, cost, error, note=note)
 
 
 @pytest.mark.parametrize(
@@ -206,7 +206,7 @@ def choice(name: str, cost: float | None, error: float | None, note: str = "") -
         ([], "Nothing could be measured: -."),
     ],
 )
-def test_a_trade_has_one_sentence(choices: list[Choice], words: str) -> None:
+def test_a_trade_has_one_sentence(choices: list[ChartPoint], words: str) -> None:
     said = meaning(Trade("arithmetic", "ns", "px", tuple(choices), 5))
     assert words in said.sentence()
     assert said.sentence(lambda template: template.upper()) != said.sentence()
@@ -225,10 +225,10 @@ def test_a_trade_has_one_sentence(choices: list[Choice], words: str) -> None:
 )
 def test_a_bargain_names_what_is_bought_and_what_is_paid(cost: str, name: str, words: str) -> None:
     choices = (
-        Choice("float32", 10.0, 11.0, 1e-5, 1e-4, bytes=12.0),
-        Choice("12 bits", 20.0, 21.0, 0.1, 0.4, bytes=4.5),
-        Choice("wide", 10.4, 11.0, 1e-13, bytes=24.0),
-        Choice("untimed", None, None, 1.0, bytes=6.0),
+        ChartPoint("float32", 10.0, 11.0, 1e-5, 1e-4, bytes=12.0),
+        ChartPoint("12 bits", 20.0, 21.0, 0.1, 0.4, bytes=4.5),
+        ChartPoint("wide", 10.4, 11.0, 1e-13, bytes=24.0),
+        ChartPoint("untimed", None, None, 1.0, bytes=6.0),
     )
     trade = Trade("arithmetic", "ns", "px", choices, 7).by(cost)
     (chosen,) = (each for each in trade.choices if each.name == name)

@@ -22,7 +22,7 @@ from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
 from widgets.parts.messages import read_text
 from widgets.program.handout import paged
-from widgets.program.handout_content import Equation, contents
+from widgets.program.handout_content import EquationTables, contents
 
 pytestmark = pytest.mark.usefixtures("display")
 """A check measures texts; it would otherwise begin Qt on the platform without a screen."""
@@ -234,7 +234,7 @@ def test_an_equation_of_the_handout_is_true(talk: Path, letters: str, equation: 
         f"---\ntitle: One\n---\n# One {{#one}}\n```state\nscene=letter-f\n{state}\n```\n"
     )
     (tables,) = (part.tables for part in contents(Course(read(talk)), 0, False)
-                 if isinstance(part, Equation))  # fmt: skip
+                 if isinstance(part, EquationTables))  # fmt: skip
     names = [table.partition(" =\n")[0] for table in tables]
     numbers = [
         np.reshape([*map(float, re.findall(r"(?<=\| )[^\s|]+", table.replace("−", "-")))], (4, 4))

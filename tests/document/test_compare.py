@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from app.document.codec import parse, to_json
-from app.document.compare import Held, Picture, Written, differences, names_in
+from app.document.compare import ComparedPicture, DifferenceWriter, Held, differences, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.settings import compared, name_of, picture_text, pictured, set_values
@@ -22,7 +22,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import figure
 from app.scenes.scene import load
 
-LIVE = Picture(live=True)
+LIVE = ComparedPicture(live=True)
 
 
 def of(scene: str) -> Document:
@@ -49,7 +49,11 @@ def held() -> Document:
     """A document compared with its former state."""
     before = of("interpolation")
     after = replace(before, projection=before.projection.with_depth("direct3d"))
-    pictures = (Picture("before", held=before.state), LIVE, Picture(changes=("lens.far=30",)))
+    pictures = (
+        ComparedPicture("before", held=before.state),
+        LIVE,
+        ComparedPicture(changes=("lens.far=30",)),
+    )
     return replace(after, view=View(compare=pictures, dividers=(0.25, 0.5)))
 
 
@@ -167,7 +171,7 @@ def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
     assert [name_of(other, picture) for picture in document.view.compare] == ["", "correct"]
 
 
-PLAIN = Written(lambda name: FIELDS[name], str, figure)
+PLAIN = DifferenceWriter(lambda name: FIELDS[name], str, figure)
 
 
 def names(document: Document) -> list[str]:
@@ -250,7 +254,7 @@ def test_the_differences_of_a_moved_object_are_found() -> None:
         ("object.rotate_deg", ((0.0, 0.0, 0.0), (0.0, 30.0, 0.0))),
         ("depth", ("opengl", "reversed")),
     ]
-    pictures = (Picture(held=moved.state), LIVE)
+    pictures = (ComparedPicture(held=moved.state), LIVE)
     held = replace(start, view=View(compare=pictures))
     assert parse(to_json(held)).view.compare == pictures
 

@@ -16,7 +16,7 @@ from app.drawings.image import ImageDrawing
 from app.drawings.probes import next_vertex, pick_in, vertex_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, PRINT
-from app.drawings.vectors import Disc, Shape, Stroke, shapes_of
+from app.drawings.vectors import Disc, LineShape, Shape, shapes_of
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
 from app.model.refusal import Refusal
@@ -43,7 +43,7 @@ def discs(found: list[Shape]) -> Array:
 
 
 def blue_strokes(found: list[Shape]) -> list[Array]:
-    return [np.array(s.points) for s in found if isinstance(s, Stroke) and s.colour == BLUE]
+    return [np.array(s.points) for s in found if isinstance(s, LineShape) and s.colour == BLUE]
 
 
 def _on_near(points: Array) -> Array:
@@ -164,7 +164,7 @@ def test_a_face_hides_dots_and_lines_behind_it(tmp_path: Path) -> None:
     expected = projection.trace(np.array([(-3, 0, -1), (-1, 0, 0)])).image
     assert np.abs(np.sort(stroke[:, 0]) - np.sort(expected[:, 0])).max() < 0.05
     _, found = shapes(scene, projection, ["image"], size=projection.image_size, hidden="dashed")
-    assert any(s.dash and s.colour == BLUE for s in found if isinstance(s, Stroke))
+    assert any(s.dash and s.colour == BLUE for s in found if isinstance(s, LineShape))
 
 
 @pytest.mark.parametrize("near", [1.0, 0.01])
@@ -294,7 +294,7 @@ def test_dots_and_lines_are_black_in_print(tmp_path: Path) -> None:
     scene = load(str(tmp_path / "m.obj"))
     _, found = shapes(scene, scene.start, ["image"], style=PRINT)
     assert {s.colour for s in found if isinstance(s, Disc)} == {(0.0, 0.0, 1.0)}
-    assert (0.0, 0.0, 0.0) in {s.colour for s in found if isinstance(s, Stroke)}
+    assert (0.0, 0.0, 0.0) in {s.colour for s in found if isinstance(s, LineShape)}
     cloud(tmp_path / "m.obj", np.eye(3))
     _, found = shapes(load(str(tmp_path / "m.obj")), scene.start, ["image"], style=PRINT)
     assert {s.colour for s in found if isinstance(s, Disc)} == {(0.0, 0.0, 0.0)}

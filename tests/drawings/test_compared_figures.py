@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PIL import ImageFont
 
-from app.document.compare import Written, in_words
+from app.document.compare import DifferenceWriter, in_words
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.lengths import DPI
@@ -134,7 +134,7 @@ def test_in_what_pictures_differ_in_words() -> None:
         Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
     )
     states = [pictured(document, picture).state for picture in document.view.compare]
-    plain = Written(lambda name: FIELDS[name], str, written_figure)
+    plain = DifferenceWriter(lambda name: FIELDS[name], str, written_figure)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [
         "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",

@@ -10,7 +10,7 @@ from app.commands.composed import faults_in
 from app.document.document import Document
 from app.document.naming import nameable
 from app.document.settings import set_values
-from app.drawings.composition import CAPITAL, Measured, Placed, measured
+from app.drawings.composition import CAPITAL, ComposedPicture, PlacedText, measured
 from app.model.projection import Camera
 from app.scenes.scene import load
 from tests import composition
@@ -18,14 +18,14 @@ from tests import composition
 SIZE = 480, 360
 
 
-def picture(pane: str, *values: str, scene: str = "letter-f", em: float = 14.0) -> Measured:
+def picture(pane: str, *values: str, scene: str = "letter-f", em: float = 14.0) -> ComposedPicture:
     """The measures of a pane in a state; of several pictures, the first."""
     found = load(scene)
     document = set_values(Document(scene, found.start), values)
     return measured(document, found, pane, SIZE, em)[0]
 
 
-def kinds(found: Measured, screen_px: int | None = None) -> list[str]:
+def kinds(found: ComposedPicture, screen_px: int | None = None) -> list[str]:
     return [kind for kind, _ in faults_in(found, screen_px)]
 
 
@@ -81,8 +81,8 @@ def test_overlaps_cuts_and_underscores_are_found() -> None:
     (eye,) = base.labels
     beside = eye._replace(text="beside", left=eye.right, right=eye.right + 20.0)
     over = eye._replace(text="over", left=eye.left + 3.0, right=eye.right + 3.0)
-    out = Placed("out_of", -3.0, 10.0, 20.0, 20.0, 14.0)
-    raw = Placed("a _ b $x_1$ y_p", 20.0, 30.0, 30.0, 40.0, 14.0)
+    out = PlacedText("out_of", -3.0, 10.0, 20.0, 20.0, 14.0)
+    raw = PlacedText("a _ b $x_1$ y_p", 20.0, 30.0, 30.0, 40.0, 14.0)
     found = base._replace(labels=(eye, beside, over, out, raw))
     assert found.overlaps == [("eye", "over"), ("beside", "over")]
     assert found.cut == ["out_of"]
@@ -115,7 +115,7 @@ def test_a_label_on_the_point_of_another_one_is_a_fault() -> None:
     base = picture("world", "view.names=eye")
     ((text, (x, y)),) = base.points
     assert text == "eye" and not base.covered
-    near = Placed("near", x - 5.0, y - 5.0, x + 5.0, y + 5.0, 14.0)
+    near = PlacedText("near", x - 5.0, y - 5.0, x + 5.0, y + 5.0, 14.0)
     found = base._replace(labels=(*base.labels, near))
     assert found.covered == [("near", "eye")] and kinds(found) == ["hidden"]
     aside = near._replace(left=x + 1.0)
@@ -151,7 +151,7 @@ def test_a_class_reads_capitals_of_2_2_to_3_percent_of_the_screen(
     assert "letters" not in kinds(found)
 
 
-def replace_em(label: Placed, em: float) -> Placed:
+def replace_em(label: PlacedText, em: float) -> PlacedText:
     return label._replace(em=em)
 
 

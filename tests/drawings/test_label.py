@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.drawings.label import HALO_EM, Label, drawn, laid, pieces_of, rim_px, size_px
+from app.drawings.label import HALO_EM, SceneLabel, drawn, laid, pieces_of, rim_px, size_px
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
 from app.model.formula import ARROW
 from app.scenes.scene import BUILT_IN, load
@@ -78,7 +78,7 @@ def test_a_letter_alone_is_larger_than_a_word_and_a_subscript_hangs_lower() -> N
 def test_a_plain_text_has_no_formulas(off_screen: MakeScreen) -> None:
     """A stranger's text is shown letter by letter: in its size and in its pixels."""
     text = "a_b $x$"
-    screen, label = off_screen(160, 40), Label(text, LIGHT, anchor=(-1, -1), plain=True)
+    screen, label = off_screen(160, 40), SceneLabel(text, LIGHT, anchor=(-1, -1), plain=True)
     assert label.size_px == size_px(text, EM, plain=True) != size_px(text, EM)
     assert (
         pixels_of(screen, label, 10, 10) == flat(drawn(text, EM, label_tone(), PAPER, plain=True))
@@ -149,7 +149,7 @@ def flat(pixels: np.ndarray) -> np.ndarray:
     return np.rint(opacity * pixels[..., :3] + (1.0 - opacity) * 255.0)
 
 
-def pixels_of(screen: OffScreen, label: Label, x: int, y: int) -> np.ndarray:
+def pixels_of(screen: OffScreen, label: SceneLabel, x: int, y: int) -> np.ndarray:
     """What a window shows of a label whose letters begin at a pixel from the bottom left."""
     screen.renderer.SetBackground(*rgb(LIGHT.background))
     screen.renderer.AddViewProp(label.actor)
@@ -163,7 +163,7 @@ def pixels_of(screen: OffScreen, label: Label, x: int, y: int) -> np.ndarray:
 def test_the_pixels_in_a_window_are_those_that_were_drawn(
     off_screen: MakeScreen, text: str
 ) -> None:
-    screen, label = off_screen(200, 80), Label(text, LIGHT, anchor=(-1, -1))
+    screen, label = off_screen(200, 80), SceneLabel(text, LIGHT, anchor=(-1, -1))
     shown = pixels_of(screen, label, 30, 25)
     assert np.abs(shown - flat(drawn(text, EM, label_tone(), PAPER))).max() <= 1.0
     label.set_position(30.4, 24.6)  # to whole pixels
@@ -174,7 +174,7 @@ def test_a_label_stands_where_its_anchor_says_and_can_be_pointed_at(off_screen: 
     screen = off_screen(200, 80)
     screen.renderer.SetBackground(*rgb(LIGHT.background))
     for anchor in ((0, 0), (-1, 1), (1, -1)):
-        label = Label("near", LIGHT, anchor=anchor)
+        label = SceneLabel("near", LIGHT, anchor=anchor)
         screen.renderer.AddViewProp(label.actor)
         label.set_position(100.0, 40.0)
         inked = (screen.pixels()[::-1] == to_bytes(label_tone())).all(axis=2)
@@ -190,7 +190,7 @@ def test_a_label_stands_where_its_anchor_says_and_can_be_pointed_at(off_screen: 
 
 
 def test_a_turned_label_is_as_wide_as_its_box(off_screen: MakeScreen) -> None:
-    screen, label = off_screen(200, 120), Label("near n = 4", LIGHT)
+    screen, label = off_screen(200, 120), SceneLabel("near n = 4", LIGHT)
     screen.renderer.AddViewProp(label.actor)
     screen.renderer.SetBackground(*rgb(LIGHT.background))
     label.set_position(100.0, 60.0, math.radians(30.0))
@@ -204,7 +204,7 @@ def test_a_turned_label_is_as_wide_as_its_box(off_screen: MakeScreen) -> None:
 
 
 def test_an_underlined_label_keeps_its_letters_in_place(off_screen: MakeScreen) -> None:
-    screen, label = off_screen(200, 80), Label("near", LIGHT, anchor=(-1, -1))
+    screen, label = off_screen(200, 80), SceneLabel("near", LIGHT, anchor=(-1, -1))
     plain = pixels_of(screen, label, 30, 30)
     label.set_underlined(True)
     assert (pixels_of(screen, label, 30, 30)[:-4] == plain[:-4]).all()

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 from app.drawings.label_placement import (
     Ground,
-    Placed,
+    PlacedLabel,
     Wish,
     along,
     around,
@@ -39,7 +39,7 @@ def wish(key: object, spot: tuple[float, float], size: tuple[float, float], rank
     return Wish(key, size, [spot], partial(around, spot, size, EM, 6.0), rank)  # type: ignore[arg-type]
 
 
-def box_of(placed: Placed, size: tuple[float, float]) -> Box:
+def box_of(placed: PlacedLabel, size: tuple[float, float]) -> Box:
     (x, y), cos, sin = placed.centre, abs(math.cos(placed.turn)), abs(math.sin(placed.turn))
     half_x, half_y = (cos * size[0] + sin * size[1]) / 2, (sin * size[0] + cos * size[1]) / 2
     return x - half_x, y - half_y, x + half_x, y + half_y

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from app.drawings import WORDS, Words
+from app.drawings import WORDS, DrawingWords
 from app.drawings.image import ImageDrawing
 from app.drawings.marks import DOT, MarksDrawing
 from app.drawings.stage import StageDrawing
@@ -20,7 +20,7 @@ from app.drawings.world import WorldDrawing
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.projection import DEPTH_RANGES, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.marks import Copy, Dot, Face, Line, Marks, Text
+from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
 from app.scenes.scene import Scene, load
 from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
 
@@ -148,7 +148,7 @@ def test_a_line_runs_from_end_to_end(pane: str, shown: Callable[..., Shown]) -> 
     """A polyline with a corner, above the letter, where nothing hides it."""
     one = shown(pane)
     ends = [(-1.4, 5.3, 0.5), (1.2, 5.2, 0.5), (1.4, 5.8, 0.4)]
-    image = one.show(one.marks(ends, lambda p: Marks(lines=(Line(p, RED, 2.0),))))
+    image = one.show(one.marks(ends, lambda p: Marks(lines=(Polyline(p, RED, 2.0),))))
     lit = drawn(image, (255, 0, 0))
     a, b, c = one.seen(ends)
     along = np.linspace(0.0, 1.0, 60)[1:-1, None]
@@ -172,7 +172,7 @@ def test_lines_stand_among_the_scene_and_come_before_the_faces_they_lie_on(
     behind = [(-1.3, 0.5, -0.4), (-0.6, 4.5, -0.4)]
 
     def share(ends: Any) -> float:
-        image = one.show(one.marks(ends, lambda p: Marks(lines=(Line(p, RED, 2.0),))))
+        image = one.show(one.marks(ends, lambda p: Marks(lines=(Polyline(p, RED, 2.0),))))
         x, y = np.linspace(*one.seen(ends), 40)[2:-2].astype(int).T
         return float(drawn(image, (255, 0, 0))[y, x].mean())
 
@@ -184,7 +184,7 @@ def test_a_line_of_each_width_and_colour(shown: Callable[..., Shown]) -> None:
     one = shown("image")
     left, right = START.image_size[0] * 0.1, START.image_size[0] * 0.3
     lines = tuple(
-        Line(np.array([(left, y), (right, y)]), colour, width)
+        Polyline(np.array([(left, y), (right, y)]), colour, width)
         for y, colour, width in ((100.0, RED, 1.0), (150.0, GREEN, 3.0), (200.0, BLUE, 6.0))
     )
     image = one.show(Illustration((), image=Marks(lines)))
@@ -231,7 +231,7 @@ def test_a_text_stands_beside_its_point_in_a_readable_tone(
 def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[..., Shown]) -> None:
     place = (1.5, 5.0, 0.5)
     pictures = []
-    translated = Words()
+    translated = DrawingWords()
     translated["half-way"] = "na pola puta"
     for text, words in (
         ("half-way", translated),
@@ -446,7 +446,11 @@ def test_nothing_smears_that_is_far_away_or_nowhere(pane: str, shown: Callable[.
         point = np.full(k, value)
         mixed = np.array([1.0, *np.full(k - 1, value)])
         marks = Marks(
-            (Line(np.stack([point, 0.5 * point])), Line(np.zeros((2, k))), Line(np.zeros((1, k)))),
+            (
+                Polyline(np.stack([point, 0.5 * point])),
+                Polyline(np.zeros((2, k))),
+                Polyline(np.zeros((1, k))),
+            ),
             (Face(np.stack([point, 0.7 * point, mixed]), RED, 1.0),),
             (Dot(point, RED), Dot(mixed, RED)),
             (Text("far", point, RED),),
@@ -464,7 +468,7 @@ def test_marks_are_cut_to_what_float32_holds_however_far_the_camera_stands(
     """Or numpy warns in the log, at each step of a slider."""
     one = shown("world")
     ends = np.array([(-2.0, 3.0, 0.0), (0.0, 0.0, 1e99)])
-    marks = Illustration((), world=Marks((Line(ends, RED, 2.0),), dots=(Dot(ends[1], RED),)))
+    marks = Illustration((), world=Marks((Polyline(ends, RED, 2.0),), dots=(Dot(ends[1], RED),)))
     before = one.show(marks)
     one.projection = replace(AWAY, camera=Camera((0.0, 0.0, 1e99), (0.0, 0.0, 0.0)))
     one.show(marks)
@@ -486,7 +490,7 @@ def test_a_line_toward_infinity_keeps_its_direction(pane: str, shown: Callable[.
     for length in (1e9, 1e30, 1e200):
         line = np.stack([ends[0], ends[0] + length * direction])
         assert line.shape == (2, k)
-        image = one.show(Illustration((), **{pane: Marks((Line(line, RED, 2.0),))}))
+        image = one.show(Illustration((), **{pane: Marks((Polyline(line, RED, 2.0),))}))
         x, y = one.seen([start, along]).astype(int).T
         assert drawn(image, (255, 0, 0))[y[1], x[1]]
 
@@ -500,7 +504,7 @@ def test_nothing_remains_after_another_illustration_and_the_way_back_is_the_same
     def illustration(count: int, colour: str) -> Illustration:
         def make(points: NDArray[np.float64]) -> Marks:
             return Marks(
-                tuple(Line(points[[i, i + 1]], colour, 1.0 + i) for i in range(count)),
+                tuple(Polyline(points[[i, i + 1]], colour, 1.0 + i) for i in range(count)),
                 tuple(Face(points[i : i + 3], colour, 0.2) for i in range(count)),
                 tuple(Dot(points[i], colour, 1.0 + i) for i in range(count)),
                 tuple(Text(f"{i} {colour}", points[i], colour) for i in range(count)),
@@ -587,7 +591,7 @@ def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown
     """Its line is wider and its name framed, also after a slider step; nothing else changes."""
     low, high = (np.array([(-1.5, y, 0.6), (1.5, y, 0.6)]) for y in (1.0, 3.0))
     marks = Marks(
-        (Line(low, RED, 2.0, ("y",)), Line(high, GREEN, 2.0, ("y_p",))),
+        (Polyline(low, RED, 2.0, ("y",)), Polyline(high, GREEN, 2.0, ("y_p",))),
         texts=(Text("one", low[0] - (1.0, 0.0, 0.0), BLUE, ("y",)),),
     )
     seen, illustration = shown("world"), Illustration((), world=marks)

@@ -11,7 +11,7 @@ import numpy as np
 from app.drawings.figures import shapes
 from app.drawings.shades import LEAST_STEP, printed, with_lightness
 from app.drawings.style import CONTRAST, LIGHT, PALETTES, PRINT, contrast, rgb
-from app.drawings.vectors import Stroke, Text
+from app.drawings.vectors import LineShape, TextShape
 from app.scenes.scene import BUILT_IN, load
 
 
@@ -72,15 +72,15 @@ def test_on_paper_labels_are_black_and_far_is_dashed() -> None:
     for name in ("screen", "print"):
         style = PALETTES[name]
         _, found = shapes(scene, scene.start, ("ndc",), (250, 250), style=style)
-        inks = {shape.written.colour for shape in found if isinstance(shape, Text)}
+        inks = {shape.written.colour for shape in found if isinstance(shape, TextShape)}
         assert (inks == {"#000000"}) == (name == "print") and len(inks) >= 1
-        far = [s for s in found if isinstance(s, Stroke) and s.colour == rgb(style.far)]
+        far = [s for s in found if isinstance(s, LineShape) and s.colour == rgb(style.far)]
         strokes[name] = len(far)
     assert strokes["print"] > 2 * strokes["screen"] > 0
     head = load("field-of-view")
     _, found = shapes(head, head.start, ("image",), (120, 90), style=PRINT)
     near, far = (
-        max(s.width for s in found if isinstance(s, Stroke) and s.colour == rgb(colour))
+        max(s.width for s in found if isinstance(s, LineShape) and s.colour == rgb(colour))
         for colour in (PRINT.near, PRINT.far)
     )
     assert near > 1.5 * far

@@ -10,7 +10,7 @@ import pytest
 from app.drawings.figures import write_shapes
 from app.drawings.label import laid, piece_of
 from app.drawings.tikz import tikz
-from app.drawings.vectors import Area, Disc, Picture, Shape, Stroke, Text, Written
+from app.drawings.vectors import Area, Disc, LabelText, LineShape, PixelShape, Shape, TextShape
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 
@@ -19,14 +19,14 @@ SIZE = 1000.0, 500.0  # in pixels, 300 an inch: 240 by 120 units of 1/72 inch
 PALE = np.full((2, 3, 3), 200, dtype=np.uint8)
 
 
-def label(text: str, anchor: int = 0, turn: float = 0.0, *, plain: bool = False) -> Text:
+def label(text: str, anchor: int = 0, turn: float = 0.0, *, plain: bool = False) -> TextShape:
     pieces = laid(text, plain).pieces
     widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
     place = (100.0, 200.0)
-    written = Written(
+    written = LabelText(
         text, pieces, widths, place, turn, 25.0, "#ff0000", "#ffffff", 1.0, False, anchor
     )
-    return Text(written, place, 25.0)
+    return TextShape(written, place, 25.0)
 
 
 def body(*shapes: Shape, title: str = "t") -> list[str]:
@@ -58,17 +58,17 @@ TRIANGLE = [(0.0, 0.0), (100.0, 0.0), (100.0, 50.0)]
             r"\path[fill=c1,fill opacity=0.25] (24,108)--(24,120)--(0,120)--cycle;",
         ),
         (
-            Stroke(TRIANGLE, BLUE, 1.0, 5.0),
+            LineShape(TRIANGLE, BLUE, 1.0, 5.0),
             r"\path[draw=c1,line width=1.2bp] (0,120)--(24,120)--(24,108);",
         ),
         (
-            Stroke(TRIANGLE[:2], BLUE, 0.5, 2.5, (20.0, 10.0)),
+            LineShape(TRIANGLE[:2], BLUE, 0.5, 2.5, (20.0, 10.0)),
             r"\path[draw=c1,line width=0.6bp,line cap=butt,dash pattern=on 4.8bp off 2.4bp"
             r",draw opacity=0.5] (0,120)--(24,120);",
         ),
         (Disc((100.0, 50.0), 10.0, BLUE, 1.0), r"\path[fill=c1] (24,108) circle[radius=2.4];"),
         (
-            Picture(PALE, (100.0, 0.0, 500.0, 250.0)),
+            PixelShape(PALE, (100.0, 0.0, 500.0, 250.0)),
             r"\node[anchor=north west,inner sep=0bp] at (24,120)"
             r" {\includegraphics[width=120bp,height=60bp]{g-pixels1.png}};",
         ),
@@ -102,8 +102,8 @@ def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None
 
 
 def test_a_line_through_several_cells_has_no_ends_inside() -> None:
-    one, two = Stroke(TRIANGLE[:2], BLUE, 1.0, 5.0), Stroke(TRIANGLE[1:], BLUE, 1.0, 5.0)
-    assert body(one, two) == body(Stroke(TRIANGLE, BLUE, 1.0, 5.0))
+    one, two = LineShape(TRIANGLE[:2], BLUE, 1.0, 5.0), LineShape(TRIANGLE[1:], BLUE, 1.0, 5.0)
+    assert body(one, two) == body(LineShape(TRIANGLE, BLUE, 1.0, 5.0))
 
 
 @pytest.mark.parametrize(

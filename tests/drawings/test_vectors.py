@@ -20,7 +20,7 @@ from app.document.document import Document
 from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings import hidden, vectors
-from app.drawings.actors import Canvas, face_actor, identity_camera, line_actor, put_in_front
+from app.drawings.actors import PropGroup, face_actor, identity_camera, line_actor, put_in_front
 from app.drawings.figures import render, shapes, write_shapes
 from app.drawings.label import laid, pieces_of
 from app.drawings.off_screen import off_screen
@@ -28,7 +28,7 @@ from app.drawings.pdf import pdf
 from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
-from app.drawings.vectors import Area, Picture, Stroke, Text, shapes_of
+from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, shapes_of
 from app.lessons.course import scene_of
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
@@ -88,7 +88,7 @@ def lost_lines(one: Pixels, other: Pixels, found: list[vectors.Shape]) -> int:
     lost = dark_lines(one, 40.0) & ~around(dark_lines(other, 20.0)).any(axis=0)
     lost[:4], lost[-4:], lost[:, :4], lost[:, -4:] = False, False, False, False
     for label in found:  # whose font another program may not have
-        if isinstance(label, Text):
+        if isinstance(label, TextShape):
             left, top, right, low = (round(s) for s in vectors.box_of([label], "#ffffff") or ())
             lost[max(0, top - 6) : low + 6, max(0, left - 12) : right + 12] = False
     return int(lost.sum())
@@ -152,7 +152,7 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     assert "l0 0" not in text, "no line is a point"
     tree = ElementTree.fromstring(text)
     written = ["".join(each.itertext()) for each in tree.iter("{http://www.w3.org/2000/svg}text")]
-    labels = [shape.written.text for shape in found if isinstance(shape, Text)]
+    labels = [shape.written.text for shape in found if isinstance(shape, TextShape)]
     assert len(labels) >= 6 and "near n = 4" in labels
     assert [each.replace("\u200b", "") for each in written] == labels
     assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
@@ -164,7 +164,7 @@ def test_the_images_frame_is_a_line_over_all_backgrounds() -> None:
     long = [
         at
         for at, shape in enumerate(found)
-        if isinstance(shape, Stroke) and max(np.ptp(shape.points, axis=0)) > 350.0
+        if isinstance(shape, LineShape) and max(np.ptp(shape.points, axis=0)) > 350.0
         and min(np.ptp(shape.points, axis=0)) == 0.0
     ]  # fmt: skip
     large = [
@@ -195,10 +195,10 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
 )
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
     widths = tuple(1.0 for _ in pieces_of(label))
-    written = vectors.Written(
+    written = vectors.LabelText(
         label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
     )
-    text = svg([Text(written, (10.0, 20.0), 20.0)], (100, 50), "a < b").decode()
+    text = svg([TextShape(written, (10.0, 20.0), 20.0)], (100, 50), "a < b").decode()
     tree = ElementTree.fromstring(text)
     (element,) = tree.iter("{http://www.w3.org/2000/svg}text")
     (title,) = tree.iter("{http://www.w3.org/2000/svg}title")
@@ -228,7 +228,7 @@ def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
     fonts = set(re.findall(rb"/BaseFont /[A-Z]+\+(\S+)", content))
     assert {b"DejaVuSans", b"STIXGeneral-Italic"} <= fonts
     assert content.count(b"/FontFile2") >= 2  # TrueType
-    labels = sum(isinstance(shape, Text) for shape in found)
+    labels = sum(isinstance(shape, TextShape) for shape in found)
     drawn = b"".join(streams_of(content))
     assert len(re.findall(rb" T[jJ]\n", drawn)) >= labels > 2
 
@@ -254,7 +254,7 @@ def test_a_page_and_its_letters_are_as_large_as_asked_in_every_pane() -> None:
     for turn in turns:  # and no matrix enlarges them
         a, b, c, d = map(float, turn[:4])
         assert (a * d - b * c, a * c + b * d) == pytest.approx((1.0, 0.0), abs=1e-6)
-    texts = [shape for shape in found if isinstance(shape, Text)]
+    texts = [shape for shape in found if isinstance(shape, TextShape)]
     assert len(turns) >= len(texts)
     rights = [left + wide for left, _, wide, _ in panes_in((1418, 473), [None, None, 16 / 9])]
     assert {sum(right < text.place[0] for right in rights) for text in texts} == {0, 1, 2}
@@ -288,10 +288,10 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
     text = "near P' ="
     pieces = laid(text).pieces
-    written = vectors.Written(
+    written = vectors.LabelText(
         text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
     )
-    drawn = b"".join(streams_of(pdf([Text(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
+    drawn = b"".join(streams_of(pdf([TextShape(written, (10.0, 60.0), 20.0)], (100, 100), "t")))
     number = rb"(-?[\d.]+)"
     lines = re.findall(number + rb" cm\nBT\n(.*?)ET", drawn, re.DOTALL)
     moves = [re.findall(number + b" " + number + rb" Td", part) for _, part in lines]
@@ -306,8 +306,8 @@ def test_a_pdf_has_each_shape_at_its_place() -> None:
     red = (1.0, 0.0, 0.0)
     found = [
         Area([[(10.0, 20.0), (30.0, 20.0), (30.0, 60.0)]], red, 0.5),
-        Stroke([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
-        Picture(np.zeros((25, 50, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
+        LineShape([(0.0, 100.0), (100.0, 0.0)], red, 1.0, 5.0),
+        PixelShape(np.zeros((25, 50, 3), np.uint8), (25.0, 50.0, 50.0, 25.0)),
     ]
     content = pdf(found, (100, 100), "t")
     drawn = b"".join(streams_of(content))  # a pixel is 0.24 pt
@@ -333,7 +333,7 @@ def drawn(*actors: Any, finer: int = 1, hidden: str = "none") -> list[vectors.Sh
 
     layout = Layout()
     with off_screen(SIDE, SIDE) as screen:
-        canvas = Canvas(screen, LIGHT, layout.show)
+        canvas = PropGroup(screen, LIGHT, layout.show)
         screen.renderer.SetActiveCamera(identity_camera())
         canvas.add(*actors)
         screen.render_window.Render()
@@ -350,7 +350,7 @@ def quad(z: list[float], colour: str, opacity: float = 1.0, half: float = 0.5) -
 
 
 def ends_of(found: list[vectors.Shape]) -> list[list[tuple[float, float]]]:
-    strokes = [shape for shape in found if isinstance(shape, Stroke)]
+    strokes = [shape for shape in found if isinstance(shape, LineShape)]
     return sorted([(round(x, 2), round(y, 2)) for x, y in sorted(s.points)] for s in strokes)
 
 
@@ -372,7 +372,7 @@ def test_a_line_ends_where_a_face_hides_it_and_is_tinted_behind_a_translucent_on
     put_in_front(in_front)
     assert ends_of(drawn(face, in_front)) == [[(20.0, 100.0), (180.0, 100.0)]]
     tinted = drawn(quad([0.0] * 4, "#ff0000", 0.25), line(0.5))
-    assert sorted({shape.colour for shape in tinted if isinstance(shape, Stroke)}) == [
+    assert sorted({shape.colour for shape in tinted if isinstance(shape, LineShape)}) == [
         (0.0, 0.0, 0.0), (0.25, 0.0, 0.0)
     ]  # fmt: skip
 
@@ -383,13 +383,13 @@ def test_what_is_hidden_of_a_line_is_dashed_or_grey() -> None:
     ground = line_actor([(-0.8, 0.0, 0.5), (0.8, 0.0, 0.5)], [(0, 1)], "#9e9e9e", 2.0)
     ground.is_drawing = True
     actors = [face, line_actor(around, [(0, 1, 2)], "#0000ff", 4.0), ground]
-    none = [shape for shape in drawn(*actors) if isinstance(shape, Stroke)]
+    none = [shape for shape in drawn(*actors) if isinstance(shape, LineShape)]
     assert {(shape.width, shape.dash) for shape in none} == {(4.0, None), (2.0, None)}
     mm = 300 / 25.4
-    grey = [s for s in drawn(*actors, hidden="grey") if isinstance(s, Stroke)]
+    grey = [s for s in drawn(*actors, hidden="grey") if isinstance(s, LineShape)]
     assert len(grey) == len(none) + 1
     assert (grey[0].colour, grey[0].width, grey[0].dash) == ((0.6,) * 3, 0.13 * mm, None)
-    first, *others = [s for s in drawn(*actors, hidden="dashed") if isinstance(s, Stroke)]
+    first, *others = [s for s in drawn(*actors, hidden="dashed") if isinstance(s, LineShape)]
     # One chain round the corner, before what is seen, in the narrow line of its group of ISO 128.
     assert np.allclose(first.points, [(50, 80), (110, 80), (110, 50)], atol=0.01)
     assert first.width == pytest.approx(0.18 * mm) and first.colour == (0.0, 0.0, 1.0)
@@ -443,11 +443,11 @@ def test_everywhere_the_nearest_face_is_seen(
         assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
 
 
-def soup(count: int) -> list[hidden.Cell]:
+def soup(count: int) -> list[hidden.ScreenCell]:
     """Random triangles on a screen of 200 pixels, most of which cross many others."""
     corners = np.random.default_rng(1).random((count, 3, 3)) * [200.0, 200.0, 1.0]
     return [
-        hidden.Cell(each, (0.0, 0.0, number / count), 1.0, (0, number))
+        hidden.ScreenCell(each, (0.0, 0.0, number / count), 1.0, (0, number))
         for number, each in enumerate(corners)
     ]
 

@@ -22,9 +22,9 @@ from app.commands.options import SETTABLE, parser_of
 from app.lessons import record as records
 from app.lessons import results
 from app.lessons.blocks import exercise
-from app.lessons.blocks.block import Part
+from app.lessons.blocks.block import ReadBlock
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.question import Marked, Question
+from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
 from app.lessons.course import CONTENT, Course, ideas
 from app.lessons.lesson import read
@@ -323,14 +323,14 @@ def _try_lesson(path: Path) -> None:
                     _try_part(part, here)
 
 
-def _try_part(part: Part, here: Any) -> None:
+def _try_part(part: ReadBlock, here: Any) -> None:
     """Read a part as the card, the handout and the speaker's window show it, and answer it."""
     if isinstance(part, Exercise):
         variant = part.variant(here, 1)
         part, here = variant.question, variant.here
     texts = [text for _, text in part.texts()]
     if isinstance(part, Question):
-        texts += [part.posed(), part.told(part.answer_text(here, "{:.4g}".format)), part.why]
+        texts += [part.posed(), part.with_answer(part.answer_text(here, "{:.4g}".format)), part.why]
         texts.append(part.solution(here))
     for text in texts:
         _, formulas = html_of(text)
@@ -338,7 +338,7 @@ def _try_part(part: Part, here: Any) -> None:
         for tex in formulas:
             with contextlib.suppress(ValueError):  # then it is shown as it was typed
                 outline(tex)
-    if isinstance(part, Marked):
+    if isinstance(part, MarkedQuestion):
         for typed in ("1", "-1e-99", "9" * 60, "1 1", "1 2 3", "1 | 2; 3 | 4", "x"):
             with contextlib.suppress(Refusal):
                 part.mark(here, typed)

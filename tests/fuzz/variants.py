@@ -18,8 +18,8 @@ from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
-from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import Marked, Value
+from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.question import MarkedQuestion, Value
 from app.lessons.blocks.task import Task
 from app.lessons.course import Course, contained
 from app.lessons.lesson import read
@@ -86,7 +86,7 @@ def faults_of(variant: Variant) -> Iterator[str]:
         return
     if isinstance(question, Choices):
         return  # a number of a choice cannot be mistaken
-    assert isinstance(question, Marked)
+    assert isinstance(question, MarkedQuestion)
     for reply, formulas, line in question.formulas:
         wanted = "right" if reply is None else reply.idea or "wrong"
         for typed in typed_ways(question, question.values(here, formulas, line)):
@@ -95,14 +95,14 @@ def faults_of(variant: Variant) -> Iterator[str]:
                 yield f"{typed} is {word} and not {wanted}"
 
 
-def typed_ways(question: Marked, value: Value) -> list[str]:
+def typed_ways(question: MarkedQuestion, value: Value) -> list[str]:
     """Return a value as students type it, all its numbers in the same way."""
     if isinstance(question, Click):
         return [" ".join(map(repr, value))]
     several = [list(dict.fromkeys(ways_of(each))) for each in value]
     if isinstance(question, Answer):
         return [f"{value[0]:.0f}"] if question.counts else several[0]
-    assert isinstance(question, Matrix)
+    assert isinstance(question, MatrixQuestion)
     found = []
     for number in range(max(map(len, several))):
         texts = [ways[min(number, len(ways) - 1)] for ways in several]

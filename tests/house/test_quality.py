@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import collections
 import dataclasses
 import importlib
 import re
@@ -177,3 +178,14 @@ def test_tests_use_no_private_names() -> None:
         if asked:
             found[path.name] = asked
     assert found == {}
+
+
+def test_no_two_classes_share_a_name() -> None:
+    """One name, one meaning; a leading underscore makes no other name."""
+    homes = collections.defaultdict[str, list[str]](list)
+    for folder in ("app", "widgets"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.ClassDef):
+                    homes[node.name.lstrip("_")].append(str(path.relative_to(ROOT)))
+    assert {name: places for name, places in homes.items() if len(places) > 1} == {}

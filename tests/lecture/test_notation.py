@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from app.lecture import notation
-from app.lecture.notation import LETTERS, Letters, Matrix, matrices
+from app.lecture.notation import LETTERS, Letters, WrittenMatrix, matrices
 from app.model.formula import parse
 from app.model.projection import (
     DEPTH_RANGES,
@@ -83,7 +83,7 @@ def letter_values(projection: Projection, letters: Letters = "own") -> dict[str,
     return values
 
 
-def evaluated(matrix: Matrix, values: dict[str, Any]) -> list[list[float]]:
+def evaluated(matrix: WrittenMatrix, values: dict[str, Any]) -> list[list[float]]:
     return [[eval(cell, {"__builtins__": {}}, values) for cell in row] for row in matrix.formulas]
 
 
@@ -198,7 +198,7 @@ def test_the_letters_of_each_lecture() -> None:
     assert notation.written(m_persp.formulas[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
 
 
-def one(shown: tuple[Matrix, ...], name: str) -> Matrix:
+def one(shown: tuple[WrittenMatrix, ...], name: str) -> WrittenMatrix:
     (matrix,) = (matrix for matrix in shown if matrix.name == name)
     return matrix
 

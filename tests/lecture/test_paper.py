@@ -4,13 +4,13 @@ import re
 
 import pytest
 
-from app.lecture.notation import LETTERS, Letters, Matrix, matrices
+from app.lecture.notation import LETTERS, Letters, WrittenMatrix, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.model.object_transform import ObjectTransform
 from app.model.projection import Oblique, Perspective, Projection
 
 
-def one(name: str, letters: Letters = "own", projection: Projection | None = None) -> Matrix:
+def one(name: str, letters: Letters = "own", projection: Projection | None = None) -> WrittenMatrix:
     shown = matrices(projection or Projection(lens=Perspective(45.0, 4.0, 18.0)), letters)
     return next(matrix for matrix in shown if matrix.name == name)
 

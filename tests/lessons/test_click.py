@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from app.lessons.blocks.click import Click
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
@@ -37,7 +37,7 @@ def question(body: str, test: str = "", kind: str = "answer") -> tuple[Click, At
 
 def faults(body: str, test: str = "", kind: str = "answer") -> str:
     """Return what a check complains of."""
-    report = Report()
+    report = CheckReport()
     try:
         report.take(question(body, test, kind)[1].course.lesson)
     except Refusal as error:

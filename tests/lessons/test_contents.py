@@ -16,10 +16,10 @@ from mpmath import mp
 from app.document.settings import set_values
 from app.lessons.blocks.block import Here, of_kind
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import Marked, Question
+from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import is_lesson, read
 from app.lessons.practice import exercises_of
@@ -147,7 +147,7 @@ def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
 
 
 def test_the_check_of_all_lessons_is_clean_and_the_list_names_them() -> None:
-    report = Report()
+    report = CheckReport()
     for path in contained():
         report.read(path)
     assert re.fullmatch(r"\d+ lessons, 5 talks, \d{3,} checks, 0 wrong", str(report)), report.wrong
@@ -175,12 +175,12 @@ def test_every_right_answer_is_right_as_a_student_types_it() -> None:
                 asked, here = part, course.at(place)
                 if isinstance(part, Exercise):
                     asked, here = (variant := part.variant(here, 2)).question, variant.here
-                if isinstance(asked, Marked):
+                if isinstance(asked, MarkedQuestion):
                     values = asked.values(here, *asked.key)
-                    width = asked.columns if isinstance(asked, Matrix) else len(values)
+                    width = asked.columns if isinstance(asked, MatrixQuestion) else len(values)
                     typed = [f"{value:.4g}".replace(".", ",") for value in values]
                     rows = [typed[at : at + width] for at in range(0, len(typed), width)]
-                    between = " | " if isinstance(asked, Matrix) else " "
+                    between = " | " if isinstance(asked, MatrixQuestion) else " "
                     answer = "; ".join(between.join(row) for row in rows)
                     assert asked.mark(here, answer).right, (path.name, step.name, answer)
                     marked += 1
@@ -206,7 +206,7 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
         "```task turn\nTurn the world.\nuntil: turned = 1\n```\n"
     )
     path.write_text(f"{text}\n```test\nturn: {sample}\n```\n", encoding="utf-8")
-    report = Report()
+    report = CheckReport()
     report.read(path)
     assert [said in str(error) for error in report.wrong] == ([True] if said else []), report.wrong
 
@@ -270,7 +270,7 @@ def test_practice_does_not_count_as_steps_of_a_lesson(
     steps = "".join(f"---\n# S {{#s{place}}}\n{text}" for place, text in enumerate(texts))
     path = tmp_path / "long.md"
     path.write_text(f"---\ntitle: T\n{steps}", encoding="utf-8")
-    report = Report()
+    report = CheckReport()
     report.read(path)
     assert len(report.wrong) == len(said)
     assert all(each in str(error) for each, error in zip(said, report.wrong, strict=True))
@@ -357,6 +357,6 @@ def test_a_warning_is_said_and_nothing_is_wrong(tmp_path: Path) -> None:
 
 def test_only_lessons_are_among_the_lessons() -> None:
     assert all(is_lesson(path.name) for path in CONTENT.iterdir())
-    report = Report()
+    report = CheckReport()
     report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []

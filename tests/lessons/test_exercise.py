@@ -12,7 +12,7 @@ from app.document.settings import set_values
 from app.lessons.blocks.exercise import Exercise, written_number
 from app.lessons.blocks.task import Task
 from app.lessons.blocks.working import working
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson
 from app.model.formula import parse
@@ -47,7 +47,7 @@ def exercise(body: str, test: str = "") -> tuple[Exercise, AtStep]:
 
 def faults(body: str, test: str = "") -> str:
     """Return what a check complains of."""
-    report = Report()
+    report = CheckReport()
     try:
         report.take(exercise(body, test)[1].course.lesson)
     except Refusal as error:

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from app.bootstrap import ROOT
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.lesson import MOST_STEPS, Lesson, head_of, is_lesson, parse_lesson, read
 from app.lessons.text import formulas_in, markdown, said_of, spoken
 from app.model.refusal import Refusal
@@ -48,7 +48,7 @@ def page_lesson() -> str:
 def test_the_lesson_on_the_teachers_page_is_complete_and_right(tmp_path: Path) -> None:
     path = tmp_path / "small.md"
     path.write_text(page_lesson(), encoding="utf-8")
-    report = Report()
+    report = CheckReport()
     report.take(read(path))
     assert (str(report), report.wrong) == ("1 lesson, 0 talks, 6 checks, 0 wrong", [])
 
@@ -70,7 +70,7 @@ value: 2*atan(aspect*tan(45))
 ```
 """
     assert len(step.splitlines()) <= 15
-    report = Report()
+    report = CheckReport()
     report.take(parsed(STEP + "Hello.\n\n" + step))
     assert (report.checks, report.wrong) == (2, [])
 
@@ -325,7 +325,7 @@ def test_a_prediction_can_check_a_word_of_the_state_that_it_shows(word: str, wro
         "predict\nWhich?\n- [x] a\n- [ ] b\n  says: No.\nshow: settings.kind=sun\n"
         f"check: settings.kind = {word}"
     )  # fmt: skip
-    report = Report()
+    report = CheckReport()
     report.take(parsed(text))
     assert [str(error) for error in report.wrong] == wrong * [
         "lesson.md: line 14 = 'settings.kind = point': does not hold."

@@ -14,7 +14,7 @@ from app.lessons import marking
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.course import Course, contained
 from app.lessons.lesson import read
 from app.model.refusal import Refusal
@@ -342,7 +342,7 @@ def test_the_tolerance_is_the_same_upwards_and_downwards(value: float, off: int)
     exact = Fraction(f"{value:.4g}")
     away = Fraction(off, 10**7) * exact
     up, down = (
-        marking.Typed(exact + sign * away, 4, Fraction(1, 1000) * exact) for sign in (1, -1)
+        marking.TypedNumber(exact + sign * away, 4, Fraction(1, 1000) * exact) for sign in (1, -1)
     )
     assert marking.equals(up, float(exact)) is marking.equals(down, float(exact))
 
@@ -386,7 +386,7 @@ def right_numbers() -> Iterator[tuple[float, str]]:
                     variants = [part.variant(here, seed) for seed in (1, 2, 3)]
                     asked = [(variant.question, variant.here) for variant in variants]
                 for question, there in asked:
-                    if isinstance(question, Answer | Matrix):
+                    if isinstance(question, Answer | MatrixQuestion):
                         values = question.values(there, *question.key)
                         yield from ((value, question.unit) for value in values if value)
 

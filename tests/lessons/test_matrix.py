@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import Matrix
-from app.lessons.checking import Report
+from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.checking import CheckReport
 from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
@@ -30,7 +30,7 @@ RIGHT = "1|0|0.5|0;0|1|0|0;0|0|-3/2|-5;0|0|-1|0"
 VECTOR = "Where?\nmatrix: 1; -2; 30.25\n"
 
 
-def question(body: str, test: str = "", kind: str = "answer") -> tuple[Matrix, AtStep]:
+def question(body: str, test: str = "", kind: str = "answer") -> tuple[MatrixQuestion, AtStep]:
     sample = f"```test\n{test}\n```\n" if test else ""
     block = f"{STATE}```{kind} mine\n{body}```\n{sample}"
     lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{block}", Path("l.md"))
@@ -46,7 +46,7 @@ def said(body: str, typed: str) -> str:
 
 def faults(body: str, test: str = "") -> str:
     """Return what a check complains of."""
-    report = Report()
+    report = CheckReport()
     try:
         report.take(question(body, test)[1].course.lesson)
     except Refusal as error:
@@ -120,7 +120,7 @@ def test_the_solution_has_letters_then_numbers_then_values() -> None:
     with pytest.raises(Refusal, match="must be a row and a column"):
         question("Where?\nmatrix: near, 1\nfirst: 3\n")
     assert question(VECTOR)[0].solution(here) == ""
-    assert "| 30.25 |" in asked.told(question(VECTOR)[0].answer_text(here, "{:g}".format))
+    assert "| 30.25 |" in asked.with_answer(question(VECTOR)[0].answer_text(here, "{:g}".format))
 
 
 def test_samples_have_cells_and_rows() -> None:
@@ -163,6 +163,6 @@ def test_an_exercise_may_ask_for_a_matrix() -> None:
         variant = asked.variant(here, seed)
         s, t = (float(variant.numbers[name]) for name in "st")
         assert s != t, "where the wrong idea would give the right matrix"
-        assert isinstance(variant.question, Matrix)
+        assert isinstance(variant.question, MatrixQuestion)
         assert variant.question.mark(variant.here, f"{s * t}|0;0|{t}").right
         assert asked.verdict(here, f"{seed} {s * s}|0;0|{t}", 1) == "order"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from tests.support.mistakes import LESSON, MISTAKES
 
 pytestmark = pytest.mark.usefixtures("few_seeds")
@@ -14,7 +14,7 @@ pytestmark = pytest.mark.usefixtures("few_seeds")
 
 def faults(path: Path, text: str) -> list[str]:
     path.write_text(text, encoding="utf-8")
-    report = Report()
+    report = CheckReport()
     report.read(path)
     return [str(error) for error in report.wrong]
 
@@ -85,7 +85,7 @@ def test_an_answer_without_a_right_sample_is_a_warning(tmp_path: Path) -> None:
     path, tried = tmp_path / "l.md", "angle: 98.2 -> right\n"
     for text, lines in ((LESSON, [52]), (LESSON.replace(tried, ""), [29, 52])):
         path.write_text(text, encoding="utf-8")
-        report = Report()
+        report = CheckReport()
         report.read(path)
         assert [each.field for each in report.warnings] == [f"line {line}" for line in lines]
     said = "line 29 is tried by no sample “angle: ... -> right”, so a wrong value"

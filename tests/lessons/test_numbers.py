@@ -13,7 +13,7 @@ from app.lessons import marking
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.exercise import MOST_VALUES
 from app.lessons.blocks.working import working
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import Course
 from app.lessons.lesson import Lesson, parse_lesson
 from app.lessons.lines import LONGEST_LINE
@@ -34,7 +34,7 @@ def read(block: str, lines: str) -> Lesson:
 
 def check(block: str, lines: str) -> str:
     """Return what a check complains of; its first line is number 6."""
-    report = Report()
+    report = CheckReport()
     report.take(read(block, lines))
     return "\n".join(map(str, report.wrong))
 
@@ -102,7 +102,7 @@ def test_a_state_in_which_a_value_is_infinite_is_found() -> None:
     state = "```state\nlens.far=inf\n```\n"
     answer = "```answer\nQ?\nvalue: far\n```\n"
     lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{state}{answer}", Path("l.md"))
-    report = Report()
+    report = CheckReport()
     report.take(lesson)
     (error,) = report.wrong
     assert "line 10, formula = 'far': has a value that is too large" in str(error)
@@ -143,7 +143,7 @@ def test_a_sample_of_many_digits_is_refused_with_its_line(sample: str) -> None:
     )
     for digits, said in ((DIGITS, "line 17 has "), (DIGITS[:3900], "line 17")):
         text = f"---\ntitle: T\n---\n# A\n{blocks}```test\n{sample.format(digits)}\n```\n"
-        report = Report()
+        report = CheckReport()
         try:
             report.take(parse_lesson(text, Path("l.md")))
         except Refusal as error:

@@ -40,7 +40,7 @@ from app.measure.depth import BEYOND, NOT_TOLD, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
 from app.measure.detail import TOO_FEW, outline
 from app.measure.detail import measure as measure_detail
-from app.measure.interpolation import Edge, affine, bound, correct, steepest_edge, tabled
+from app.measure.interpolation import ClipEdge, affine, bound, correct, steepest_edge, tabled
 from app.measure.interpolation import measure as measure_interpolation
 from app.measure.interpolation import truth as true_place
 from app.measure.measuring import measure_all
@@ -48,8 +48,8 @@ from app.measure.reference import SAMPLE, sample, truth
 from app.measure.results import (
     BUSY,
     JUDGED,
-    Choice,
-    Results,
+    ChartPoint,
+    Measurements,
     Sweep,
     Trade,
     from_json,
@@ -400,7 +400,7 @@ def test_the_depth_trade_has_every_format_and_range() -> None:
 def test_affine_errors_reach_their_bound_and_no_more(one: float, other: float, splits: int) -> None:
     """At 80 digits t = s/w1 / ((1 - s)/w0 + s/w1); between two split points, a straight line."""
     start, end = np.array([-one, 0.0, 0.0, one]), np.array([other, 0.0, 0.0, other])
-    edge = Edge(start, end, 100.0)
+    edge = ClipEdge(start, end, 100.0)
     s = np.linspace(0.0, 1.0, 4097)
     wrong = np.abs(affine(edge, s, splits)() - correct(edge, s)())
     predicted = bound(edge, splits)
@@ -454,7 +454,7 @@ def test_a_table_of_reciprocals_is_off_by_its_own_error_and_each_newton_step_squ
 def test_reciprocals_of_a_table_are_within_the_bound_on_every_edge(
     one: float, other: float, steps: int
 ) -> None:
-    edge = Edge(np.array([-one, 0.0, 0.0, one]), np.array([other, 0.0, 0.0, other]), 100.0)
+    edge = ClipEdge(np.array([-one, 0.0, 0.0, one]), np.array([other, 0.0, 0.0, other]), 100.0)
     s = np.linspace(0.0, 1.0, 501)
     found, predicted = tabled(edge, s, steps)
     assert np.abs(found - correct(edge, s)()).max() <= predicted + 1e-14 * edge.ratio
@@ -495,7 +495,7 @@ def test_times_are_steady_when_the_last_seven_rounds_repeat_the_least() -> None:
 
 
 def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
-    calm, busy = Choice("a", 10.0, 30.0, 1.0), Choice("b", 10.0, 30.1, 0.5, bytes=8.0)
+    calm, busy = ChartPoint("a", 10.0, 30.0, 1.0), ChartPoint("b", 10.0, 30.1, 0.5, bytes=8.0)
     trade = Trade("arithmetic", "ns", "px", (calm, busy), 20)
     assert [row[-1] for row in table(trade)[1:]] == ["", BUSY]
     assert chart.diagrams(trade)[0].title == f"Arithmetic: {BUSY}"
@@ -511,7 +511,7 @@ def test_a_part_scales_its_progress_and_the_percentile_interpolates() -> None:
 
 
 def test_a_cancelled_run_keeps_what_was_done() -> None:
-    def run(calls: int, trade: str, *sweeps: str) -> Results:
+    def run(calls: int, trade: str, *sweeps: str) -> Measurements:
         names = dict.fromkeys(sweeps, (None, None))
         watch, document = stop_after(calls), Document("letter-f", START)
         results = measure_all(document, LETTER_F, [trade], names, quick=True, watch=watch)
@@ -541,18 +541,20 @@ TRADE = Trade(
     "ns",
     "px",
     (
-        Choice("cheap", 1.0, 1.1, 1e-3, 2e-3, {"error_depth": 1e-6}, "", {"rung": "float32"}, 12.0),
-        Choice("dominated", 3.0, 3.5, 1e-2),
-        Choice("good", 2.0, 2.1, 1e-9, values={"other": math.inf}),
-        Choice('odd, "quoted"', None, None, None, note="returns NaN"),
+        ChartPoint(
+            "cheap", 1.0, 1.1, 1e-3, 2e-3, {"error_depth": 1e-6}, "", {"rung": "float32"}, 12.0
+        ),
+        ChartPoint("dominated", 3.0, 3.5, 1e-2),
+        ChartPoint("good", 2.0, 2.1, 1e-9, values={"other": math.inf}),
+        ChartPoint('odd, "quoted"', None, None, None, note="returns NaN"),
     ),
     7,
 )
 
 
-def results_of(*sweeps: Sweep) -> Results:
+def results_of(*sweeps: Sweep) -> Measurements:
     date = "2026-11-21T08:00:00+00:00"
-    return Results(date, {"cores": "2"}, {"numpy": "2"}, {"a": 1}, (TRADE,), sweeps)
+    return Measurements(date, {"cores": "2"}, {"numpy": "2"}, {"a": 1}, (TRADE,), sweeps)
 
 
 def test_the_file_brings_everything_back() -> None:
@@ -563,8 +565,8 @@ def test_the_file_brings_everything_back() -> None:
 
 def test_the_frontier_is_made_of_the_programs_own_choices() -> None:
     """A library is neither on it nor grey; times that differ by 5 % or less are equal."""
-    library = Choice("library", 0.5, 0.5, 1e-12, library=True)
-    same = Choice("same", 1.04, 1.1, 1e-5)
+    library = ChartPoint("library", 0.5, 0.5, 1e-12, library=True)
+    same = ChartPoint("same", 1.04, 1.1, 1e-5)
     trade = replace(TRADE, choices=(*TRADE.choices, library, same))
     assert [choice.name for choice in trade.frontier] == ["same", "good"]
     assert not trade.is_beaten(library) and trade.is_beaten(TRADE.choices[0])

@@ -21,12 +21,22 @@ from app.model.projection import (
     Projection,
 )
 from app.picking import picking
-from app.picking.picking import Hit, Lines, Probe, Sight, Surface, dragged, pick, projector, stops
+from app.picking.picking import (
+    Hit,
+    Lines,
+    PickSurface,
+    Probe,
+    Sight,
+    dragged,
+    pick,
+    projector,
+    stops,
+)
 from app.scenes.scene import Scene, load
 from tests.support.lenses import LENSES, free_matrix
 
 CAMERA = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0))
-NO_FACES = Surface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
+NO_FACES = PickSurface(np.empty((0, 3), np.float32), np.empty((0, 3), np.int32))
 NO_LINES = Lines(np.empty((0, 2, 3)))
 
 
@@ -41,10 +51,10 @@ def triangles_of(scene: Scene) -> Array:
     return triangles
 
 
-def surface_of(scene: Scene) -> Surface:
+def surface_of(scene: Scene) -> PickSurface:
     assert scene.surface is not None
     mesh = scene.surface.triangulate()
-    return Surface(np.asarray(mesh.points), mesh.regular_faces, scene.origin)
+    return PickSurface(np.asarray(mesh.points), mesh.regular_faces, scene.origin)
 
 
 def lines_of(scene: Scene) -> Array:
@@ -103,7 +113,9 @@ def test_a_vertex_within_six_pixels_comes_first_unless_it_is_hidden(lens: Lens) 
     projection = Projection(Camera((0.0, 0.0, 9.0), (0.0, 0.0, 0.0)), lens, (1280, 720))
     points = np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], np.float32)
     behind = points * 0.5 + np.float32([0.0, 0.0, -1.0])
-    hidden = Surface(np.concatenate([points, behind]), np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6)]))
+    hidden = PickSurface(
+        np.concatenate([points, behind]), np.array([(0, 1, 2), (0, 2, 3), (4, 5, 6)])
+    )
     sight = Sight.of(projection)
     x, y = projection.trace(points[2]).image.tolist()
     hit = hidden.pick(sight, (x + 3.0, y - 4.0))
@@ -119,7 +131,7 @@ def test_a_triangle_that_crosses_the_eye_plane_is_hit_in_front_only() -> None:
     camera = Camera((0.0, 1.0, 0.0), (0.0, 1.0, -1.0))
     projection = Projection(camera, Perspective(90.0, 0.1, 500.0))
     floor = np.array([(0, 0, -300), (-900, 0, 300), (900, 0, 300)], np.float32)
-    surface = Surface(floor, np.array([(0, 1, 2)]))
+    surface = PickSurface(floor, np.array([(0, 1, 2)]))
     sight = Sight.of(projection)
     width, height = projection.image_size
     # 45 degrees below the horizon is the picture's lower edge, where the floor is 1 away.
@@ -135,7 +147,7 @@ def test_a_triangle_that_crosses_the_eye_plane_is_hit_in_front_only() -> None:
 def test_surfaces_outside_near_and_far_are_not_picked() -> None:
     square = np.array([(-1, -1, 0), (1, -1, 0), (0, 1, 0)], np.float32)
     layers = np.concatenate([square + np.float32([0, 0, z]) for z in (4.5, 0.0, -9.0)])
-    surface = Surface(layers, np.arange(9).reshape(3, 3))
+    surface = PickSurface(layers, np.arange(9).reshape(3, 3))
     camera = Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))
     seen = Projection(camera, Perspective(45.0, 1.0, 30.0))
     middle = seen.image_size[0] / 2.0, seen.image_size[1] / 2.0
@@ -173,7 +185,7 @@ def test_a_mesh_denser_than_the_pixels_is_picked_from_any_distance() -> None:
         corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:], corner[1:, :-1])
     )  # fmt: skip
     triangles = np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
-    surface = Surface(points, triangles, (1e6, 0.0, -1e6))
+    surface = PickSurface(points, triangles, (1e6, 0.0, -1e6))
     random = np.random.default_rng(2)
     for distance in (2.0, 9.0, 400.0):
         camera = Camera((1e6 + 0.3 * distance, 0.1, distance - 1e6), (1e6, 0.0, -1e6))
@@ -194,7 +206,7 @@ def test_a_dense_flat_mesh_is_picked() -> None:
     corner = np.arange(count * count).reshape(count, count)
     a, b, c = (part.ravel() for part in (corner[:-1, :-1], corner[:-1, 1:], corner[1:, 1:]))
     points = np.stack([across, down, np.full_like(across, 0.25)], -1).reshape(-1, 3)
-    surface = Surface(points, np.stack([a, b, c], 1))
+    surface = PickSurface(points, np.stack([a, b, c], 1))
     projection = Projection(Camera((0.0, 0.0, 3.0), (0.0, 0.0, 0.0)), image_size=(1280, 720))
     hit = surface.pick(Sight.of(projection), tuple(projection.trace((0.3, 0.2, 0.25)).image))
     assert hit is not None and hit.point == pytest.approx((0.3, 0.2, 0.25), abs=0.01)
@@ -311,9 +323,9 @@ def seen_along_z(points: Any) -> tuple[Projection, Array]:
     return projection, projection.trace(points).image
 
 
-def square(z: float) -> Surface:
+def square(z: float) -> PickSurface:
     points = np.array([(-1, -1, z), (1, -1, z), (1, 1, z), (-1, 1, z)], np.float32)
-    return Surface(points, np.array([(0, 1, 2), (0, 2, 3)]))
+    return PickSurface(points, np.array([(0, 1, 2), (0, 2, 3)]))
 
 
 def test_a_face_wins_over_a_line_behind_it_and_no_other() -> None:
@@ -353,7 +365,7 @@ def test_a_line_that_is_hidden_where_it_is_nearest_is_not_picked_beside_the_face
 def test_an_edge_of_a_face_that_leans_away_is_on_it() -> None:
     """Click just inside the farther edge of a floor, where the floor is nearer."""
     corners = np.array([(-4, 0, -4), (4, 0, -4), (4, 0, 4), (-4, 0, 4)], np.float32)
-    floor = Surface(corners, np.array([(0, 1, 2), (0, 2, 3)]))
+    floor = PickSurface(corners, np.array([(0, 1, 2), (0, 2, 3)]))
     projection = Projection(Camera((0.0, 3.0, 9.0), (0.0, 0.0, 0.0)), image_size=(1280, 720))
     x, y = projection.trace((0.3, 0.0, -4.0)).image.tolist()
     edge = Lines([[(-4.0, 0.0, -4.0), (4.0, 0.0, -4.0)]])

@@ -20,7 +20,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings import labels
 from app.drawings.figures import render
-from app.drawings.frame_budget import FrameBudget, Level
+from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.measure import smoothing
 from app.model.projection import FreeMatrix, Orthographic, Perspective
 from app.model.refusal import Refusal
@@ -354,7 +354,7 @@ def test_figures_use_the_quality_of_the_document(ball: Scene) -> None:
 # -- the budget
 
 
-def dragged(budget: FrameBudget, cost: Callable[[Level], float], frames: int) -> list[float]:
+def dragged(budget: FrameBudget, cost: Callable[[FrameQuality], float], frames: int) -> list[float]:
     """Frame times of a drag."""
     times = []
     for _ in range(frames):
@@ -363,7 +363,11 @@ def dragged(budget: FrameBudget, cost: Callable[[Level], float], frames: int) ->
     return times
 
 
-LEVELS = (Level(True, 1.0), Level(False, 1.0), *(Level(False, share) for share in SHARES))
+LEVELS = (
+    FrameQuality(True, 1.0),
+    FrameQuality(False, 1.0),
+    *(FrameQuality(False, share) for share in SHARES),
+)
 
 
 @pytest.mark.parametrize("fixed_ms", [2.0, 15.0, 25.0])
@@ -371,7 +375,7 @@ LEVELS = (Level(True, 1.0), Level(False, 1.0), *(Level(False, share) for share i
 def test_the_frame_budget_holds_the_target_with_the_finest_that_does(
     fixed_ms: float, whole_ms: float
 ) -> None:
-    def cost(level: Level) -> float:
+    def cost(level: FrameQuality) -> float:
         return fixed_ms + whole_ms * level.share * (1.5 if level.smooth else 1.0)
 
     budget = FrameBudget(LEVELS, 33.0)
@@ -449,7 +453,7 @@ def test_quality_is_reduced_during_a_drag_and_restored_after_it(
     window.store.begin_gesture()
     for i in range(16):
         step(window, 40.0 + i)
-    assert window.look.adaptive.budget.level == Level(False, 0.005)
+    assert window.look.adaptive.budget.level == FrameQuality(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
     assert late.endswith("ms per frame instead of 33.")
@@ -555,7 +559,7 @@ def test_a_mesh_of_medium_size_is_reduced_too(make_window: MakeWindow, tmp_path:
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
-    assert window.look.adaptive.budget.level == Level(False, 0.2)
+    assert window.look.adaptive.budget.level == FrameQuality(False, 0.2)
     fewer = triangles(window)
     assert all(fewer[name] < 0.3 * whole[name] for name in PANES), (fewer, whole)
     window.store.end_gesture()

@@ -15,7 +15,7 @@ from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts.fields import ChoiceRow
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 
 KEY = Qt.Key
 START = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.0, 0.0)), Perspective(45.0, 1.0, 30.0))
@@ -39,7 +39,7 @@ class Column(Controls):
         self.projection = Projection()
         self.edited.connect(self._keep)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self.projection = shown.projection
         super().take(shown, changed)
 

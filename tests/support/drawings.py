@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtk
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.label import Label, LabelActor
+from app.drawings.label import LabelActor, SceneLabel
 from app.drawings.off_screen import take_screen
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Projection
@@ -56,12 +56,12 @@ def rendered(window: Any) -> Pixels:
 MakeScreen = Callable[[int, int], OffScreen]
 
 
-def texts_of(screen: Any) -> dict[str, Label]:
+def texts_of(screen: Any) -> dict[str, SceneLabel]:
     """The visible labels of a screen's own renderer, by their texts."""
     return labels_of(screen.renderer)
 
 
-def labels_of(*renderers: Any) -> dict[str, Label]:
+def labels_of(*renderers: Any) -> dict[str, SceneLabel]:
     """The visible labels of renderers, by their texts."""
     labels = [
         prop.label()

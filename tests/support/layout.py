@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from widgets.parts.note import Note, Title
+from widgets.parts.note import NoteLabel, Title
 from widgets.parts.typeset import TypesetLabel
 
 
@@ -75,7 +75,7 @@ def cut(window: QWidget) -> list[str]:
     found = []
     for widget in texts(window):
         text = widget.text()  # type: ignore[attr-defined]
-        if isinstance(widget, Note) and not isinstance(widget, Title):
+        if isinstance(widget, NoteLabel) and not isinstance(widget, Title):
             continue  # which says all of it in its tooltip
         need = needed(widget)
         if need.width() > widget.width() + 1 or need.height() > widget.height() + 1:

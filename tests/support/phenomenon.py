@@ -17,7 +17,7 @@ from app.scenes.phenomena.marks import Dot, Marks, Text
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 
 BELOW_COUNT = "must be less than the count, which is {0}"
 
@@ -85,7 +85,7 @@ Where it is
 """
 
 EVERYTHING = Phenomenon(
-    Words("everything", TEXT),
+    PhenomenonWords("everything", TEXT),
     ("001", "002"),
     SIMILAR_TRIANGLES.start,
     SIMILAR_TRIANGLES.geometry,
@@ -107,7 +107,7 @@ EVERYTHING = Phenomenon(
 
 def called(name: str) -> Phenomenon:
     """`EVERYTHING` under another name."""
-    return replace(EVERYTHING, words=Words(name, TEXT))
+    return replace(EVERYTHING, words=PhenomenonWords(name, TEXT))
 
 
 def make_known(monkeypatch: pytest.MonkeyPatch, *phenomena: Phenomenon) -> None:

@@ -5,16 +5,16 @@ from __future__ import annotations
 import math
 
 from app.measure.results import (
-    Choice,
-    Curve,
-    Results,
+    ChartPoint,
+    ErrorCurve,
+    Measurements,
     Sweep,
     Trade,
 )
 
 
-def choice(name: str, cost: float | None, error: float | None, note: str = "") -> Choice:
-    return Choice(name, cost, cost, error, note=note, use={"rung": name})
+def choice(name: str, cost: float | None, error: float | None, note: str = "") -> ChartPoint:
+    return ChartPoint(name, cost, cost, error, note=note, use={"rung": name})
 
 
 TRADE = Trade(
@@ -28,12 +28,12 @@ TRADE = Trade(
 )  # fmt: skip
 
 
-def sweep(parameter: str, values: tuple[float, ...], curves: dict[str, Curve]) -> Sweep:
+def sweep(parameter: str, values: tuple[float, ...], curves: dict[str, ErrorCurve]) -> Sweep:
     return Sweep(parameter, "", values, curves)
 
 
-def curve(errors: tuple[float | None, ...], notes: tuple[str, ...]) -> Curve:
-    return Curve(errors, errors, errors, errors, notes)
+def curve(errors: tuple[float | None, ...], notes: tuple[str, ...]) -> ErrorCurve:
+    return ErrorCurve(errors, errors, errors, errors, notes)
 
 
 SWEEP = sweep(
@@ -43,7 +43,7 @@ SWEEP = sweep(
         "VTK": curve((1e-9, 1e-9, 1e-9, 1e-2), ("", "", "", "clamps")),
     },
 )  # fmt: skip
-RESULTS = Results(
+RESULTS = Measurements(
     "2026-11-21T08:46:06+00:00", {"system": "Box 7", "cores": "2", "opengl": "softpipe"},
     {"frustum-lab": "1"},
     {

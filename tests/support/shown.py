@@ -7,7 +7,7 @@ from functools import cache
 from app.document.document import Document
 from app.model.projection import Projection
 from app.scenes.scene import Scene, load
-from widgets.parts.panel import PROJECTION, Changed, Listener, Shown
+from widgets.parts.panel import PROJECTION, Changed, Listener, ShownData
 
 
 @cache
@@ -23,4 +23,4 @@ def show(
 ) -> None:
     """Show another projection; of the letter F if no scene is given."""
     scene = scene or _letter()
-    listener.take(Shown.of(Document(scene.name, projection), scene), changed)
+    listener.take(ShownData.of(Document(scene.name, projection), scene), changed)

@@ -12,7 +12,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtTest import QTest
 
-from app.document.compare import Picture
+from app.document.compare import ComparedPicture
 from app.document.files import read
 from app.document.settings import compared, set_values
 from app.document.view import View
@@ -121,7 +121,7 @@ def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(
     window.store.end_gesture()
     settle()
     assert counts["image"] == 3 and drawn == []
-    compare.show((Picture(changes=("lens.near=2",)), Picture(live=True)), ())
+    compare.show((ComparedPicture(changes=("lens.near=2",)), ComparedPicture(live=True)), ())
     compare.refresh()
     settle()
     count(compare.others[0], "follows")
@@ -267,7 +267,7 @@ def test_an_impossible_picture_is_replaced_by_its_reason(
     window: MainWindow,
 ) -> None:
     compare = hold(window)
-    compare.show((Picture("near 6", ("lens.near=6",)), Picture(live=True)), ())
+    compare.show((ComparedPicture("near 6", ("lens.near=6",)), ComparedPicture(live=True)), ())
     compare.refresh()
     settle()
     assert compare.others[0].shown is not None

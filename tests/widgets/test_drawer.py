@@ -14,7 +14,7 @@ from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
 from tests.support.window import activate, click, drag, settle
-from widgets.parts.panel import EVERYTHING, Changed, Panel, Shown
+from widgets.parts.panel import EVERYTHING, Changed, Panel, ShownData
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
 
@@ -26,9 +26,9 @@ class Toy(Panel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.heard: list[tuple[Shown, Changed, bool]] = []
+        self.heard: list[tuple[ShownData, Changed, bool]] = []
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self.heard.append((shown, changed, self.isVisible()))
 
 
@@ -39,8 +39,8 @@ def test_a_folded_panel_hears_of_nothing_until_it_is_opened(qtbot: QtBot) -> Non
     qtbot.addWidget(panels)
     document, scene = Document("cube"), load("cube")
 
-    def tell(document: Document) -> Shown:
-        shown = Shown(document, scene, None)
+    def tell(document: Document) -> ShownData:
+        shown = ShownData(document, scene, None)
         panels.keep(shown)
         panels.tell()
         return shown

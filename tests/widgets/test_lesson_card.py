@@ -31,9 +31,9 @@ from app.document.settings import set_values
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Here
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.task import Task
-from app.lessons.checking import Report
+from app.lessons.checking import CheckReport
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
@@ -59,10 +59,10 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks import VIEWS
-from widgets.window.lesson_blocks.choices import Chooses
-from widgets.window.lesson_blocks.click import Points
-from widgets.window.lesson_blocks.exercise import Practises
-from widgets.window.lesson_blocks.task import DONE, Tries
+from widgets.window.lesson_blocks.choices import ChoiceView
+from widgets.window.lesson_blocks.click import ClickView
+from widgets.window.lesson_blocks.exercise import ExerciseView
+from widgets.window.lesson_blocks.task import DONE, TaskView
 from widgets.window.lesson_blocks.view import TOLD, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
@@ -583,7 +583,7 @@ class Guess(Asked):
     def verdict(self, here: Here, sample: str, line: int) -> str:
         return "right" if sample == "7" else "wrong"
 
-    def told(self, answer: str, *, others: bool = True) -> str:
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text} It is 7."
 
 
@@ -598,7 +598,7 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
         "---\ntitle: New\n---\n# One\n```guess mine\nWhich number?\nhint: Odd.\n```\n"
         "```test\nmine: 7 -> right\nmine: 8 -> wrong\n```\n```note\nminutes: 1\n```\n"
     )
-    report = Report()
+    report = CheckReport()
     report.read(lesson)
     assert (report.checks, report.wrong) == (2, [])
     card = window.lesson_card
@@ -622,7 +622,7 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
     name, store = view.block.name, window.store
     samples = [each for each in step.samples if each.block == name]
     task = next((each.text for each in samples if each.verdict == "done"), None)
-    if isinstance(view, Practises):
+    if isinstance(view, ExerciseView):
         seed, _, task = task.partition(" ") if task is not None else ("2", "", None)
         view.seed.setFocus()
         view.seed.selectAll()
@@ -648,12 +648,12 @@ def solved(window: MainWindow, view: BlockView, step: Step) -> None:
             press(KEY.Key_Down)
         if block.right == 0:
             press(KEY.Key_Space)
-    elif isinstance(block, Matrix):
+    elif isinstance(block, MatrixQuestion):
         for row, cell in enumerate(block.answer(view.here)):
             QTest.keyClicks(keyboard(), f"{cell:.4g}")
             if row + 1 < len(block.right):
                 press(KEY.Key_Tab)
-    elif isinstance(view, Points):  # the crosshair has tests of its own; here are no pictures
+    elif isinstance(view, ClickView):  # the crosshair has tests of its own; here are no pictures
         right = block.answer(view.here)
         view.take(lambda place: math.dist(place, right), right)
         view.first.setFocus()
@@ -1326,14 +1326,14 @@ def test_every_response_is_seen_whole_and_announced(
 
         def answer(view: Any, *, right: bool) -> None:
             asked = view.asked
-            if isinstance(asked, Points):
+            if isinstance(asked, ClickView):
                 place = asked.question.answer(asked.here)
                 asked.take(lambda at: 0.0 if right and len(at) == 2 else 500.0, place)
                 asked.check()
-            elif isinstance(asked, Chooses):
+            elif isinstance(asked, ChoiceView):
                 asked.findChildren(QRadioButton)[0 if right else 1].click()
                 asked.commit()
-            elif isinstance(asked, Tries):
+            elif isinstance(asked, TaskView):
                 number = float(view.variant.numbers["w"]) + (not right)
                 lens = Perspective(45.0, number, 100.0)
                 window.store.set_projection(seen(window, lens=lens))
@@ -1353,7 +1353,7 @@ def test_every_response_is_seen_whole_and_announced(
             of = f"{place} at {size}"
             assert view.variant is not None, of
             answer(view, right=False)
-            if not isinstance(view.asked, Tries):
+            if not isinstance(view.asked, TaskView):
                 assert "not it" in response(f"wrong {of}") or "idea" in texts(view)
             press(KEY.Key_I, ALT)
             assert "Hint" in response(f"hint {of}")
@@ -1367,7 +1367,7 @@ def test_every_response_is_seen_whole_and_announced(
             answer(view, right=True)
             said_last = response(f"right {of}")
             assert view.answer.startswith("2 "), of
-            if not isinstance(view.asked, Tries):  # the way, besides its reason
+            if not isinstance(view.asked, TaskView):  # the way, besides its reason
                 way = said_of(view.asked.question.solution(view.variant.here))
                 assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.document.view import View
-from app.drawings import Words
+from app.drawings import DrawingWords
 from app.drawings.figures import render
 from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
@@ -118,7 +118,7 @@ def test_the_blackboards_lengths_have_the_views_letters() -> None:
         ("001", "f", ("θ_v", "θ_h")), ("002", "−z_f", ("fov", "fov_x")),
         ("003", "f", ("β", "\u03b1")),
     ):  # fmt: skip
-        words = Words(letters)
+        words = DrawingWords(letters)
         assert words.get("{far_distance}") == far
         assert (words.get("{fov}"), words.get("{fov_x}")) == angles
 

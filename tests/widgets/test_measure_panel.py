@@ -23,7 +23,7 @@ from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
 from app.measure.arithmetic import CHEAP
 from app.measure.meaning import bargain, meaning
-from app.measure.results import Choice, Results, Trade, from_json, table, to_csv, to_json
+from app.measure.results import ChartPoint, Measurements, Trade, from_json, table, to_csv, to_json
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.cheap_arithmetic import hardware_of
 from app.scenes.phenomena.illustration import Diagram
@@ -102,7 +102,7 @@ def click_cell(panel: MeasurePanel, row: int) -> None:
     QTest.mouseClick(panel.table.viewport(), Qt.MouseButton.LeftButton, none, place)
 
 
-def write(path: Path, results: Results) -> Path:
+def write(path: Path, results: Measurements) -> Path:
     path.write_text(to_json(results), encoding="utf-8")
     return path
 
@@ -501,10 +501,10 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
 
 def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:
     """In italics and in words; grey means something else."""
-    usable = Choice("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
+    usable = ChartPoint("MSAA 2", 2.0, 2.0, 2.0, use={"smoothing": "MSAA 2"})
     winner = "supersampling 3 x 3"
     finer = replace(usable, name=winner, cost=1.0, error=1.0, use={"smoothing": winner})
-    peer = Choice("PyGLM", None, None, None, note="not installed")
+    peer = ChartPoint("PyGLM", None, None, None, note="not installed")
     trade = Trade("smoothing", "ms", "levels RMS", (usable, finer, peer), 5)
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
     refused, used = QSignalSpy(panel.refused), QSignalSpy(panel.used)
@@ -545,7 +545,9 @@ def test_table_and_chart_show_the_same_choices_in_grey(panel: MeasurePanel, tmp_
 def test_notes_take_the_free_width_and_are_fully_visible(
     panel: MeasurePanel, display: Any, tmp_path: Path
 ) -> None:
-    noted = Choice("MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"})
+    noted = ChartPoint(
+        "MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"}
+    )
     trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
     panel.resize(700, 300)
     panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(trade,), sweeps=())))
@@ -624,7 +626,7 @@ def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
     panel = window.measure_panel
     window.panels.open(panel)
     for name, (hardware, drawn) in CHEAP.items():
-        choice = Choice(
+        choice = ChartPoint(
             name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
         )
         trade = replace(TRADE, choices=(replace(TRADE.choices[2], bytes=12.0), choice))

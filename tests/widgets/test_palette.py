@@ -29,7 +29,7 @@ from widgets.parts import palette
 from widgets.parts.combo import Combo
 from widgets.parts.escape import HeldSlider
 from widgets.parts.icons import WarningLabel, icon
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 
 
 @pytest.fixture
@@ -161,9 +161,9 @@ CHOSEN: dict[str, Callable[[QWidget], tuple[QWidget, QRect]]] = {
     "combo box": chosen_in_combo, "menu": chosen_in_menu, "list": chosen_in_list,
     "table": chosen_in_table, "field": selected_in_field, "stages": pressed("stages"),
     "views": pressed("fixedViews"), "panels": pressed("drawerNames"), "steps": pressed("stepMarks"),
-    "title reached": named("paneTitle", lambda root: Label("NDC cube", root)),
-    "note": named("paneNote", lambda root: Label("1280 x 720", root)),
-    "message": named("messageBar", lambda root: Label("A message", root)),
+    "title reached": named("paneTitle", lambda root: PlainLabel("NDC cube", root)),
+    "note": named("paneNote", lambda root: PlainLabel("1280 x 720", root)),
+    "message": named("messageBar", lambda root: PlainLabel("A message", root)),
 }  # fmt: skip
 
 

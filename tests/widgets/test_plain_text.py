@@ -16,7 +16,7 @@ from tests.support.meshes import PYRAMID, obj_file
 from tests.support.window import MakeWindow, rgb_of, settle
 from widgets.controls.scene_card import SceneCard
 from widgets.parts.note import Balanced
-from widgets.parts.plain import Label, Markup, message_box, set_tip, subscripts
+from widgets.parts.plain import Markup, PlainLabel, message_box, set_tip, subscripts
 from widgets.parts.progress import progress
 from widgets.window.main_window import MainWindow
 
@@ -88,7 +88,7 @@ def assert_plain(window: MainWindow) -> None:
 
 
 def test_a_label_a_tooltip_and_a_box_show_what_they_are_given(folder: Path, qtbot: object) -> None:
-    label, box = Label(PICTURE), message_box(None, PICTURE)  # type: ignore[arg-type]
+    label, box = PlainLabel(PICTURE), message_box(None, PICTURE)  # type: ignore[arg-type]
     set_tip(label, PICTURE)
     for shown in (label, box):
         picture = rgb_of(shown.grab().toImage())
@@ -143,7 +143,7 @@ def test_letters_after_an_underscore_are_subscripts_and_the_rest_stays_plain() -
     assert subscripts(f"x_p {PICTURE}").startswith("x<sub>p</sub> &lt;img")
 
 
-def below(label: Label) -> int:
+def below(label: PlainLabel) -> int:
     """Return the ink of the lowest row: under letters, only an underscore has any."""
     label.resize(300, 60)
     ink = rgb_of(label.grab().toImage()).min(axis=2) < 128

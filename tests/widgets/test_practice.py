@@ -25,7 +25,7 @@ from pytestqt.qtbot import QtBot
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
-from app.lessons.practice import Mark, Sheet, drawn, exercises_of, find_waiting, to_review
+from app.lessons.practice import ExerciseMark, Sheet, drawn, exercises_of, find_waiting, to_review
 from app.lessons.record import RIGHT, WRONG, Attempt, standings
 from app.lessons.results import read
 from tests.support.exercises import WIDE
@@ -91,9 +91,9 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
     key = f"{step.name}/choose"
     for typed in ("abc", "3", "-1", "2" * 5000, "1" + "\N{SUPERSCRIPT TWO}"):
         marks = practice.marked(sheet, {key: f"{item.seed} {typed}"})
-        assert marks == [Mark(item, "", WRONG)]
+        assert marks == [ExerciseMark(item, "", WRONG)]
         qtbot.addWidget(SelfTestMarks(marks))
-    assert practice.marked(sheet, {key: f"{item.seed} 2"}) == [Mark(item, "2", RIGHT)]
+    assert practice.marked(sheet, {key: f"{item.seed} 2"}) == [ExerciseMark(item, "2", RIGHT)]
 
 
 def test_a_number_gives_everyone_the_same_test() -> None:

@@ -39,7 +39,7 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import format_value
-from app.picking.picking import Probe, Sight, Surface
+from app.picking.picking import PickSurface, Probe, Sight
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from tests.support.digits import all_digits_shown, plain
@@ -256,7 +256,7 @@ def test_picking_is_prepared_in_a_thread_when_the_scene_is_opened(
 ) -> None:
     made: list[str] = []
 
-    class Counted(Surface):
+    class Counted(PickSurface):
         def __init__(self, *arguments: Any) -> None:
             made.append(threading.current_thread().name)
             super().__init__(*arguments)

@@ -618,7 +618,7 @@ def test_a_report_that_fails_is_only_logged(
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
 ) -> None:
-    monkeypatch.setattr(report.Report, "tell", lambda *_: 1 // 0)
+    monkeypatch.setattr(report.ErrorReport, "tell", lambda *_: 1 // 0)
     fail(display, ValueError("the moon"))
     assert [m for m in caplog.messages if "report" in m] == ["the report itself failed"]
 

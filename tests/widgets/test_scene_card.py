@@ -40,10 +40,10 @@ from widgets.controls.scene_card import SceneCard
 from widgets.controls.setting_rows import Player, make_row, scale_of
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow
-from widgets.parts.messages import Words, number_text
+from widgets.parts.messages import TranslatedWords, number_text
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.panel import EVERYTHING as EVERY_CHANGE
-from widgets.parts.panel import Shown
+from widgets.parts.panel import ShownData
 from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits
 from widgets.window.main_window import MainWindow
@@ -124,7 +124,7 @@ def desk(qtbot: QtBot) -> Desk:
                 card.refuse(error)
 
         def show(document: Document) -> None:
-            card.take(Shown.of(document, scene), EVERY_CHANGE)
+            card.take(ShownData.of(document, scene), EVERY_CHANGE)
 
         card.settings_edited.connect(edit)
         store.changed.connect(show)
@@ -709,7 +709,7 @@ def test_the_phenomena_s_texts_are_in_the_window_s_language(
         assert readings(card)[1] == ("KIND", "A", "")
         assert card.readout.note.text() == "THE LIGHT IS BEHIND THE EYE AT z = 3."
         assert card.warning.text() == "NOTHING OF it IS SEEN."
-        words = Words({"near": "blizu"})
+        words = TranslatedWords({"near": "blizu"})
         assert (words["near"], words["light"], words.get("light", "")) == (
             "blizu", "LIGHT", "LIGHT"
         )  # fmt: skip

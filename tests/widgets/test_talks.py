@@ -42,7 +42,7 @@ from tests.support.window import (
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
-from widgets.window.question import Question
+from widgets.window.question import QuestionOverlay
 from widgets.window.settings import Settings
 from widgets.window.speaker import SpeakerWindow, TalkClock, planned
 from widgets.window.talk_ahead import REST_MS
@@ -1063,7 +1063,7 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
 def test_a_question_hides_the_fewest_names(display: Any) -> None:
     slide, named = QWidget(), list[QRectF]()
     slide.resize(1000, 600)
-    question = Question(slide, lambda: [(named, QRectF())])
+    question = QuestionOverlay(slide, lambda: [(named, QRectF())])
     slide.show()
     corners = []
     for spot in ((), (20, 580), (980, 580), (500, 580), (20, 20)):
@@ -1109,7 +1109,7 @@ def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow
 def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> None:
     slide = QWidget()
     slide.resize(1366, 640)
-    question = Question(slide, list)
+    question = QuestionOverlay(slide, list)
     slide.show()
     for times, fits in ((1, True), (40, False)):
         text = TALK.replace("How wide is it?", ("How wide is it? " * 12 + "\n") * times)

@@ -19,7 +19,7 @@ from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import Choice, ChoiceRow, Row
+from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.gestures import Gestures
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
@@ -170,10 +170,10 @@ class AnimationBar(QWidget, Playing, Gestures):
             self.tr("Height"),
             self.tr("How the eye's y changes during the walk (the exercise of lecture 004)."),
             (
-                Choice("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
-                Choice("swing", self.tr("swinging smoothly"),
+                Option("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
+                Option("swing", self.tr("swinging smoothly"),
                        self.tr("The eye's y swings between the lowest and the highest value.")),
-                Choice("steps", self.tr("in steps"),
+                Option("steps", self.tr("in steps"),
                        self.tr("The eye's y jumps to the next of four values every 2 seconds.")),
             ),
         )  # fmt: skip
@@ -190,8 +190,8 @@ class AnimationBar(QWidget, Playing, Gestures):
             self.tr("Look"),
             self.tr("Where the camera looks during the walk."),
             (
-                Choice("target", self.tr("at the target"), self.tr("The target stays in place.")),
-                Choice("level", self.tr("level"),
+                Option("target", self.tr("at the target"), self.tr("The target stays in place.")),
+                Option("level", self.tr("level"),
                        self.tr("The target gets the eye's y: the camera looks horizontally.")),
             ),
         )  # fmt: skip

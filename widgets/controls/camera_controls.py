@@ -10,11 +10,11 @@ from typing import Any
 from PySide6.QtCore import QObject
 
 from app.model.projection import Camera, Orbit, Projection
-from widgets.parts.fields import Choice
+from widgets.parts.fields import Option
 from widgets.parts.messages import field_name
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 from widgets.parts.scales import Linear, Log, Scale
-from widgets.parts.section import Of, Rows, Typed
+from widgets.parts.section import Of, Rows, TypedMemory
 
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 _NOT_YET = Linear(-1.0, 1.0, 0.01)
@@ -29,7 +29,7 @@ class CameraControls(QObject):
         self._lengths = self.tr("units"), self.tr("world units")
         self._make_camera(front, more)
         self._make_image(image)
-        self.fixed = Label(
+        self.fixed = PlainLabel(
             self.tr(
                 "The objects of this scene are fixed, because its numbers depend on them. You can"
                 " move those of the letter F, the cube, the posts and any mesh."
@@ -53,7 +53,7 @@ class CameraControls(QObject):
              self.tr("Turns the camera about its view direction; clockwise as the photographer"
                      " sees it.")),
         )  # fmt: skip
-        typed = Typed(lambda p: p.camera, lambda p: p.camera.orbit, _with_orbit)
+        typed = TypedMemory(lambda p: p.camera, lambda p: p.camera.orbit, _with_orbit)
         for part, name, scale, unit, tip in orbit:
             shown, said = unit
             part.add_number(name, "camera", tip, scale, shown, said, *typed.access(name))
@@ -78,8 +78,8 @@ class CameraControls(QObject):
         ):  # fmt: skip
             self._add_vector(placement, "placement", vector, tip, scale, unit)
         choices = (
-            Choice("trs", self.tr("T R S"), self.tr("Scaled and turned where it is, then moved.")),
-            Choice("rts", self.tr("R T S"),
+            Option("trs", self.tr("T R S"), self.tr("Scaled and turned where it is, then moved.")),
+            Option("rts", self.tr("R T S"),
                    self.tr("Scaled and moved, then turned about the world's origin.")),
         )  # fmt: skip
         placement.add_choice(
@@ -114,7 +114,7 @@ class CameraControls(QObject):
                 partial(_side, axis), partial(_with_side, axis),
             )  # fmt: skip
         tip = self.tr("Width becomes {0}/{1} of the height, in whole pixels.")
-        aspects = [Choice(text, text, tip.format(*ratio)) for text, ratio in ASPECTS.items()]
+        aspects = [Option(text, text, tip.format(*ratio)) for text, ratio in ASPECTS.items()]
         image.add_choice(
             "aspect", "image_size",
             self.tr("Width over height. The height stays, and with it the vertical field of view:"
@@ -122,9 +122,9 @@ class CameraControls(QObject):
             aspects, _aspect, _with_aspect, buttons=True, name=self.tr("Aspect"),
         )  # fmt: skip
         ranges = (
-            Choice("opengl", self.tr("OpenGL: −1 to 1"), self.tr("Near goes to −1, far to 1.")),
-            Choice("direct3d", self.tr("Direct3D: 0 to 1"), self.tr("Near goes to 0, far to 1.")),
-            Choice("reversed", self.tr("reversed: 1 to 0"),
+            Option("opengl", self.tr("OpenGL: −1 to 1"), self.tr("Near goes to −1, far to 1.")),
+            Option("direct3d", self.tr("Direct3D: 0 to 1"), self.tr("Near goes to 0, far to 1.")),
+            Option("reversed", self.tr("reversed: 1 to 0"),
                    self.tr("Near goes to 1, far to 0: floats are densest where depth needs them.")),
         )  # fmt: skip
         image.add_choice(

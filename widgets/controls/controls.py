@@ -27,17 +27,17 @@ from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
 from widgets.controls.camera_controls import CameraControls
 from widgets.controls.dock import Dock
-from widgets.controls.finder import Known, find, known
+from widgets.controls.finder import ControlTexts, find, known
 from widgets.controls.lens_controls import LensControls
 from widgets.controls.scene_card import SceneCard
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.focus import lay_out
 from widgets.parts.messages import seen_from, sentence, translated
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.panel import EVERYTHING, Changed, Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.panel import EVERYTHING, Changed, ShownData
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear, Log
-from widgets.parts.section import PARTS, Binding, Part, Rows, Section
+from widgets.parts.section import PARTS, Binding, Rows, Section, TitledRows
 
 _ABOUT: dict[str, tuple[str, ...]] = {
     **dict.fromkeys(("azimuth_deg", "elevation_deg", "distance"), ("eye",)),
@@ -98,13 +98,13 @@ class Controls(Dock, RowHolder):
         self.setAccessibleName(self.tr("Controls"))
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_found)
-        self._not_here = Label(wordWrap=True)
+        self._not_here = PlainLabel(wordWrap=True)
         self._not_here.setObjectName("paneNote")
         self._not_here.hide()
         self.card = SceneCard()
         self.card.highlighted.connect(self.highlighted)
         self.pass_on(self.card)
-        self._front = [Rows(), Part(self.tr("Camera"))]
+        self._front = [Rows(), TitledRows(self.tr("Camera"))]
         self.sections = {
             "more_lens": Section(self.tr("More of the lens")),
             "more_camera": Section(self.tr("More of the camera")),
@@ -145,7 +145,7 @@ class Controls(Dock, RowHolder):
 
     # -- the interface
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Show another projection, and fit the sliders to another scene, without a signal."""
         if changed & {"scene", "view"}:
             self._has_fixed_objects = shown.scene.phenomenon is not None
@@ -314,10 +314,10 @@ class Controls(Dock, RowHolder):
         if not text.strip():
             self._show_found(None)
             return
-        here: dict[QWidget, Known] = {
+        here: dict[QWidget, ControlTexts] = {
             row: known("", (row.name,), row.tip) for row in self.card.rows.values()
         }
-        elsewhere: dict[QWidget, Known] = {}
+        elsewhere: dict[QWidget, ControlTexts] = {}
         for key, binding in self._bindings.items():
             if key in self._replaced:
                 continue

@@ -59,20 +59,20 @@ ALSO = {
 """Other names of each control."""
 
 
-class Known(NamedTuple):
+class ControlTexts(NamedTuple):
     """The texts of a control: its names in the window's language and the model's, and its tip."""
 
     names: str
     tip: str
 
 
-def known(key: str, names: Iterable[str], tip: str) -> Known:
+def known(key: str, names: Iterable[str], tip: str) -> ControlTexts:
     """Return the texts of the control with this key, other names included."""
     also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
-    return Known(" ".join((*names, key, also)), tip)
+    return ControlTexts(" ".join((*names, key, also)), tip)
 
 
-def find(text: str, parts: Mapping[QWidget, Known]) -> set[QWidget]:
+def find(text: str, parts: Mapping[QWidget, ControlTexts]) -> set[QWidget]:
     """Return the controls whose names have all words, or else whose names and tips have them."""
     asked = _words(text)
     if not asked:

@@ -34,11 +34,11 @@ from app.model.projection import (
     receding_of,
 )
 from app.model.refusal import Refusal
-from widgets.parts.fields import Choice
+from widgets.parts.fields import Option
 from widgets.parts.messages import translated
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear, Log, Scale
-from widgets.parts.section import Binding, Read, Rows, Typed, Write, quiet, tidy
+from widgets.parts.section import Binding, Read, Rows, TypedMemory, Write, quiet, tidy
 
 NEAR_RATIO = 40.0
 """Ratio of the ends of near's slider: a pixel of 240 changes near by at most 2 %."""
@@ -82,7 +82,7 @@ class LensControls(QObject):
     def _make_kind(self) -> None:
         lenses = (*LENSES.values(), FreeMatrix)
         kinds = [
-            Choice(lens.kind, translated(lens.title, "Lens"), translated(lens.tip, "Lens"))
+            Option(lens.kind, translated(lens.title, "Lens"), translated(lens.tip, "Lens"))
             for lens in lenses
         ]
         kind = self._front.add_choice(
@@ -123,7 +123,7 @@ class LensControls(QObject):
             drawing, _, angle = key.partition("-")
             text, tip = drawings[drawing]
             rising = self.tr("{0}, rising at {1}°.").format(tip, angle)
-            choices.append(Choice(key, text.format(angle), rising))
+            choices.append(Option(key, text.format(angle), rising))
         self._front.add_choice(
             "preset", "lens",
             self.tr("The standard drawings of textbooks. The target stays in its place in the"
@@ -131,7 +131,7 @@ class LensControls(QObject):
             choices, _preset, _with_preset, none=self.tr("free"), lenses=oblique,
         )  # fmt: skip
         degrees = self.tr("degrees")
-        receding = Typed(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
+        receding = TypedMemory(_angles, lambda p: Receding(*receding_of(p.lens)), _with_receding)
         self._front.add_number(
             "receding", "lens",
             self.tr("Drawn length of a line perpendicular to the picture, relative to its true"
@@ -174,12 +174,12 @@ class LensControls(QObject):
         for side, tip in sides.items():
             self._front.add_length(side, tip, _field(side), _with_field(side), lenses=windowed)
         keeps = (
-            Choice("stretch", self.tr("stretch"),
+            Option("stretch", self.tr("stretch"),
                    self.tr("The window fills the image; circles may become ellipses.")),
-            Choice("x", self.tr("keep x, fit y"),
+            Option("x", self.tr("keep x, fit y"),
                    self.tr("The y range grows or shrinks about its centre (lecture 000,"
                            " variant X).")),
-            Choice("y", self.tr("keep y, fit x"),
+            Option("y", self.tr("keep y, fit x"),
                    self.tr("The x range grows or shrinks about its centre (lecture 000,"
                            " variant Y).")),
         )  # fmt: skip
@@ -236,7 +236,7 @@ class LensControls(QObject):
             "cy": self.tr("Principal point, downwards from the centre of the first pixel. At "
             "the image's centre the lens is symmetric, elsewhere off-axis."),
         }  # fmt: skip
-        typed = Typed(
+        typed = TypedMemory(
             lambda p: (p.lens, p.image_size), lambda p: p.intrinsics, Projection.with_intrinsics
         )
         self._more.add_title(self.tr("Calibrated camera (OpenCV K)"))

@@ -17,7 +17,7 @@ from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import number_text, of_phenomena, read_text
 from widgets.parts.note import Balanced
-from widgets.parts.plain import Label, set_tip, subscripts
+from widgets.parts.plain import PlainLabel, set_tip, subscripts
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
@@ -86,7 +86,7 @@ class Readout(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._highlight = NOTHING
-        self.lines: list[tuple[Label, _Value, Label]] = []
+        self.lines: list[tuple[PlainLabel, _Value, PlainLabel]] = []
         self._readings: Sequence[Reading] = ()
         self._first = 0
         self._why_closed = ""
@@ -101,7 +101,7 @@ class Readout(QWidget):
         )  # fmt: skip
         self.more.toggled.connect(self._show)
         self.more.hide()
-        self.note = Label(wordWrap=True)
+        self.note = PlainLabel(wordWrap=True)
         self.note.hide()
         in_column(self._grid, self.note, self.more, on=self, margins=(0, 0, 0, 0), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
@@ -172,7 +172,7 @@ class Readout(QWidget):
         return super().eventFilter(watched, event)
 
     def _add_line(self) -> None:
-        label, value, unit = Balanced(), _Value(), Label()
+        label, value, unit = Balanced(), _Value(), PlainLabel()
         unit.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         row = 2 * len(self.lines)
         for column, part in enumerate((label, value, unit)):
@@ -182,7 +182,9 @@ class Readout(QWidget):
         value.setObjectName("number")
         self.lines.append((label, value, unit))
 
-    def _write(self, line: tuple[Label, _Value, Label], reading: Reading, name: str) -> None:
+    def _write(
+        self, line: tuple[PlainLabel, _Value, PlainLabel], reading: Reading, name: str
+    ) -> None:
         label, value, unit = line
         value.cell = reading.cell
         exact = in_line(value_text(reading.value, number_text))
@@ -215,7 +217,7 @@ class Readout(QWidget):
             value.is_below = below
             self._grid.addWidget(value, row + below, 0 if below else 1, 1, 3 if below else 1)
 
-    def _widen(self, label: Label) -> None:
+    def _widen(self, label: PlainLabel) -> None:
         """Let only a long label wrap."""
         natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
         label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))

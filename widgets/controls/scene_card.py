@@ -17,11 +17,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QHideEvent, QShowEvent
-from PySide6.QtWidgets import (
-    QToolButton,
-    QVBoxLayout,
-    QWidget,
-)
+from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
@@ -36,15 +32,10 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.fields import ChoiceRow, Row, RowHolder
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import FREE, in_column, in_row
-from widgets.parts.messages import (
-    breakable,
-    of_phenomena,
-    read_text,
-    sentence,
-)
+from widgets.parts.messages import breakable, of_phenomena, read_text, sentence
 from widgets.parts.note import Balanced
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import show_tip
 from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
@@ -222,7 +213,7 @@ class SceneCard(QWidget, RowHolder):
         """Whether the card has rows."""
         return self._rows.count() > 0
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Show settings, readout and warning; an edited setting follows at once."""
         self.show_illustration(shown.illustration, shown.document.settings, shown.projection)
 

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal
 from app.scenes.phenomena.settings import Setting
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.fields import CheckRow, Choice, ChoiceRow, Row
+from widgets.parts.fields import CheckRow, ChoiceRow, Option, Row
 from widgets.parts.messages import limits_text, of_phenomena
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
@@ -29,7 +29,7 @@ def make_row(setting: Setting, none: str = "") -> Row:
     if isinstance(setting.default, bool):
         row = CheckRow(name, tip)
     elif isinstance(setting.default, str):
-        choices = [Choice(key, of_phenomena(text)) for key, text in setting.choices]
+        choices = [Option(key, of_phenomena(text)) for key, text in setting.choices]
         row = ChoiceRow(name, tip, choices, none=none)
     elif isinstance(setting.default, tuple):
         row = VectorRow(name, tip)

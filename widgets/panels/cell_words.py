@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from app.lecture.notation import Letters, Matrix, written
+from app.lecture.notation import Letters, WrittenMatrix, written
 from widgets.panels.matrix_view import VIEW, is_a_cameras
 from widgets.parts.messages import field_name, read_text, stage_title
 
@@ -15,7 +15,14 @@ class CellWords(QObject):
     """Explains cells in a lecture's letters."""
 
     def sentence(
-        self, matrix: Matrix, row: int, column: int, letters: Letters, *, rows: bool, typed: bool
+        self,
+        matrix: WrittenMatrix,
+        row: int,
+        column: int,
+        letters: Letters,
+        *,
+        rows: bool,
+        typed: bool,
     ) -> str:
         """Explain a cell; `rows` if vectors are rows, `typed` if it can be typed."""
         value, formula = matrix.values[row][column], matrix.formulas[row][column]
@@ -47,7 +54,7 @@ class CellWords(QObject):
         return " ".join(parts)
 
     def _of_camera(
-        self, matrix: Matrix, into: int, of: int, value: float, axes: tuple[str, ...]
+        self, matrix: WrittenMatrix, into: int, of: int, value: float, axes: tuple[str, ...]
     ) -> str:
         """Describe the effect of a component of the camera's axes or eye; empty for other cells."""
         target, source = "xyzw"[into], "xyzw"[of]
@@ -83,7 +90,7 @@ class CellWords(QObject):
             text = self.tr("It adds {2} to {0} before the divide, and so {2}/w to the quotient.")
         return text.format("xyzw"[into], "xyzw"[of], read_text(value))
 
-    def _to_w(self, matrix: Matrix, of: int, value: float, w_row: tuple[float, ...]) -> str:
+    def _to_w(self, matrix: WrittenMatrix, of: int, value: float, w_row: tuple[float, ...]) -> str:
         source, is_alone = "xyzw"[of], sum(map(bool, w_row)) == 1
         text = self.tr("It adds {1} times {0} to w, the divisor.")
         if value == 0.0:

@@ -34,8 +34,8 @@ from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, scrolled
 from widgets.parts.messages import read_text, sentence
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.panel import PROJECTION, Changed, Panel, Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Log
 from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
@@ -56,7 +56,7 @@ _E, _N, _U, _V, _LOOK, _UP_VECTOR, _TARGET = (
 )
 
 
-class _Step(NamedTuple):
+class _FrameStep(NamedTuple):
     """Name, formula and sentence of a step; the formula is for `widgets.parts.typeset`."""
 
     name: str
@@ -93,11 +93,11 @@ class FramePanel(Panel):
         self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
         )
-        self.title = Label()
+        self.title = PlainLabel()
         self.title.setObjectName("paneTitle")
         self.formula, self.numbers = TypesetLabel(), TypesetLabel()
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
-        self.sentence = Label(wordWrap=True)
+        self.sentence = PlainLabel(wordWrap=True)
         self._make_up()
         self._lay_out()
         all_digits.changed.connect(self._refresh)
@@ -127,40 +127,40 @@ class FramePanel(Panel):
             return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
 
-    def _make_steps(self) -> tuple[_Step, ...]:
+    def _make_steps(self) -> tuple[_FrameStep, ...]:
         letters = frame_letters(lettering.now)
         u, v, n, up, e, m, t = (letters[name] for name in ("u", "v", "n", "up", "e", "M", "T"))
         return (
-            _Step(
+            _FrameStep(
                 self.tr("eye"), _E,
                 self.tr("The centre of projection: where the camera stands in the world."),
             ),
-            _Step(
+            _FrameStep(
                 self.tr("look"), f"{_LOOK} = {_TARGET} − {_E}",
                 self.tr("The camera looks at the target; only the direction matters."),
             ),
-            _Step(
+            _FrameStep(
                 self.tr("up"), _UP_VECTOR,
                 self.tr("The direction that is vertical in the picture. It need not be "
                         "perpendicular to the view, and its length does not matter."),
             ),
-            _Step(
+            _FrameStep(
                 n, self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
                 self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
                         " along −{0}.").format(n),
             ),
-            _Step(
+            _FrameStep(
                 u, self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
                 self.tr("To the right in the picture: at right angles to {0} and {1}, of "
                         "length 1.").format(up, n),
             ),
-            _Step(
+            _FrameStep(
                 v, f"{_V} = {_N} × {_U}",
                 self.tr("Upwards in the picture: at right angles to {0} and "
                         "{1}. It is the part of {2} at right angles to the "
                         "view.").format(n, u, up),
             ),
-            _Step(
+            _FrameStep(
                 self.tr("view matrix"),
                 f"{m} = R {t},   R = ({_U}, {_V}, {_N})^T,   {m} ({_E} : 1) = (0 : 1)",
                 self.tr("The rows of the rotation R are {0}, {1} and {2}; {3} moves the eye to the"
@@ -169,7 +169,7 @@ class FramePanel(Panel):
         )  # fmt: skip
 
     def _make_up(self) -> None:
-        self.figures = Label(wordWrap=True)
+        self.figures = PlainLabel(wordWrap=True)
         self.angle = NumberRow(
             self.tr("Up from view"),
             self.tr("Turns up towards the view direction, in the plane of both. The frame "
@@ -272,7 +272,7 @@ class FramePanel(Panel):
 
     # -- the model
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         before, self._projection = self._projection, shown.projection
         if before.camera != shown.projection.camera or (
             before.has_camera != shown.projection.has_camera

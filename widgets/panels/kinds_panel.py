@@ -24,7 +24,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.lecture.kinds import KINDS, Kind, kind_of, path, scale_factors, with_kind
+from app.lecture.kinds import KINDS, ProjectionKind, kind_of, path, scale_factors, with_kind
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.shapes import box_faces
@@ -32,8 +32,8 @@ from widgets.parts.focus import RING_PX
 from widgets.parts.highlight import faded
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
-from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import Label
+from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.plain import PlainLabel
 from widgets.parts.readable import ReadablePanel
 
 _OF_CUBE = Projection(
@@ -74,7 +74,7 @@ class _Node(QAbstractButton):
     pointed = Signal(str)
     """The kind under the mouse or the focus; empty when it is left."""
 
-    def __init__(self, kind: Kind, parent: QWidget) -> None:
+    def __init__(self, kind: ProjectionKind, parent: QWidget) -> None:
         super().__init__(parent)
         self._kind = kind
         self.is_leaf = kind.name not in {each.parent for each in KINDS.values()}
@@ -245,7 +245,7 @@ class KindsPanel(ReadablePanel):
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Kinds of projection"))
-        self._shown: Shown | None = None
+        self._shown: ShownData | None = None
         self._style = LIGHT
         self._pointed = ""
         self._tree = _Tree()
@@ -253,7 +253,7 @@ class KindsPanel(ReadablePanel):
         for name, node in self.nodes.items():
             node.clicked.connect(partial(self._set, name))
             node.pointed.connect(self._point)
-        self.condition = Label(wordWrap=True, alignment=Qt.AlignmentFlag.AlignTop)
+        self.condition = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignTop)
         in_column((self._tree, 1), self.condition, on=self, margins=(4, 0, 4, 2), gap=4)
         self._fit()
 
@@ -271,7 +271,7 @@ class KindsPanel(ReadablePanel):
         self._style = style
         self._readable.changed()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown
         self._readable.changed()
 
@@ -332,7 +332,7 @@ class KindsPanel(ReadablePanel):
             )
             text = drawn.format(*map(read_text, factors))
         document = replace(self._shown.document, projection=projection)
-        illustration = Shown.of(document, self._shown.scene).illustration
+        illustration = ShownData.of(document, self._shown.scene).illustration
         if illustration is not None and illustration.warning is not None:
             why = illustration.warning.sentence(of_phenomena, read_text)
             text = self.tr("{0} This scene: {1}.").format(text, why)

@@ -23,7 +23,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.notation import (
     LETTERS,
     Letters,
-    Matrix,
+    WrittenMatrix,
     as_latex,
     as_numpy,
     as_text,
@@ -36,7 +36,7 @@ from app.lecture.pasting import Pasted, pasted
 from app.lecture.stages import NDC, REACHED_BY
 from app.lecture.typed_matrix import (
     EDITABLE,
-    Property,
+    MatrixProperty,
     properties,
     rounded_view,
     shown,
@@ -49,7 +49,7 @@ from app.model.projection import Projection
 from app.model.refusal import Refusal
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
-from widgets.panels.matrix_view import MatrixView, Writing, add_copies, rich
+from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.icons import REFUSAL_SHEET, WarningLabel
@@ -57,12 +57,12 @@ from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import read_text, sentence, stage_title, translated
 from widgets.parts.number_field import refusal
 from widgets.parts.number_text import parse_number
-from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 from widgets.parts.readable import ReadablePanel
 
 
-def note_on(matrix: Matrix, projection: Projection, letters: Letters) -> str:
+def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> str:
     """Return the note below a matrix, translated; empty for none."""
     if matrix.note:
         return translated(matrix.note, "Stage")
@@ -84,7 +84,7 @@ def note_on(matrix: Matrix, projection: Projection, letters: Letters) -> str:
     )
 
 
-def _words(properties: Sequence[Property], between: str = "; ") -> str:
+def _words(properties: Sequence[MatrixProperty], between: str = "; ") -> str:
     """Return the sentences about a matrix, translated."""
     return between.join(translated(text, "Matrix").format(*each) for text, each in properties)
 
@@ -99,7 +99,7 @@ class MatrixPanel(ReadablePanel):
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Matrices"))
-        self.shown: tuple[Matrix, ...] = ()
+        self.shown: tuple[WrittenMatrix, ...] = ()
         self._highlight = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
@@ -109,7 +109,7 @@ class MatrixPanel(ReadablePanel):
         self._speaker: MatrixView | None = None
         """The view whose cell is explained."""
         self._stop = NDC
-        self._earlier: tuple[object, tuple[Matrix, ...]] = (None, ())
+        self._earlier: tuple[object, tuple[WrittenMatrix, ...]] = (None, ())
         self._words = CellWords(self)
         self._row = MatrixRow()
         self._lay_out()
@@ -181,9 +181,9 @@ class MatrixPanel(ReadablePanel):
         return cast(Letters, self.letters.currentData())
 
     @property
-    def _writing(self) -> Writing:
+    def _writing(self) -> MatrixNotation:
         formulas = self.cells.currentData() == "formulas"
-        return Writing(
+        return MatrixNotation(
             self._letters, self.vectors.currentData() == "rows", formulas, style=self._style
         )
 
@@ -201,7 +201,7 @@ class MatrixPanel(ReadablePanel):
 
     # -- words
 
-    def sentence(self, matrix: Matrix, row: int, column: int) -> str:
+    def sentence(self, matrix: WrittenMatrix, row: int, column: int) -> str:
         """Explain a cell."""
         writing = self._writing
         typed = matrix.name in EDITABLE and not writing.formulas
@@ -313,7 +313,7 @@ class MatrixPanel(ReadablePanel):
             for view in self.views.values():
                 view.fit()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._show(shown.projection)
 
     def _show(self, projection: Projection) -> None:
@@ -346,7 +346,7 @@ class MatrixPanel(ReadablePanel):
             views |= zip(names, box.views, strict=True)
         return views
 
-    def _matrices(self, projection: Projection) -> tuple[Matrix, ...]:
+    def _matrices(self, projection: Projection) -> tuple[WrittenMatrix, ...]:
         rows, running = self._writing.rows, self.running.isChecked()
         return matrices(projection, self._letters, rows=rows, running=running)
 
@@ -355,7 +355,7 @@ class MatrixPanel(ReadablePanel):
             return
         in_hand, writing = self._in_hand(), self._writing
         self.shown = self._matrices(self._projection)
-        before: dict[str, Matrix] = {}
+        before: dict[str, WrittenMatrix] = {}
         if self._before is not None:
             key = (self._before, writing.letters, writing.rows, self.running.isChecked())
             if self._earlier[0] != key:
@@ -434,7 +434,7 @@ class MatrixPanel(ReadablePanel):
 
     # -- copying
 
-    def _copy(self, form: str, *copied: Matrix) -> None:
+    def _copy(self, form: str, *copied: WrittenMatrix) -> None:
         letters, formulas = self._letters, self._writing.formulas
         write = as_latex if form == "latex" else as_text
         texts = (

@@ -9,19 +9,19 @@ from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, Signal
 from PySide6.QtWidgets import QSizePolicy, QSpacerItem, QWidget
 
 from app.lecture.highlight import Highlight
-from app.lecture.notation import Matrix
-from widgets.panels.matrix_view import MatrixView, Writing
+from app.lecture.notation import WrittenMatrix
+from widgets.panels.matrix_view import MatrixNotation, MatrixView
 from widgets.parts.buttons import tool_button
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import stage_title
-from widgets.parts.plain import Label, set_tip, subscripts
+from widgets.parts.plain import PlainLabel, set_tip, subscripts
 
 _NOTE_CHARACTERS = 36
 """Characters in a line of a note under a narrow matrix."""
 
 
-def _named(matrix: Matrix, title: str) -> str:
+def _named(matrix: WrittenMatrix, title: str) -> str:
     """Add the lecture's name of a matrix, with its subscripts, to a title."""
     return subscripts(f"{title} = {matrix.called}" if matrix.called else title)
 
@@ -32,11 +32,11 @@ class MatrixBox(QWidget):
     unfolded = Signal(bool)
 
     def __init__(
-        self, matrix: Matrix, new_view: Callable[[str], MatrixView], *, unfolded: bool
+        self, matrix: WrittenMatrix, new_view: Callable[[str], MatrixView], *, unfolded: bool
     ) -> None:
         super().__init__()
         self.name = matrix.name
-        self._title, self._note = Label(), Label()
+        self._title, self._note = PlainLabel(), PlainLabel()
         self._title.setObjectName("paneTitle")
         self._note.setObjectName("paneNote")
         self._note.hide()
@@ -52,11 +52,11 @@ class MatrixBox(QWidget):
         fold.setVisible(bool(matrix.factors))
         self.view = new_view(matrix.name)
         self.factor_views = [new_view(factor.name) for factor in matrix.factors]
-        self._factor_names = [Label() for _ in matrix.factors]
+        self._factor_names = [PlainLabel() for _ in matrix.factors]
         self._factors = QWidget()
         inner: list[Part] = []
         for view, name in zip(self.factor_views, self._factor_names, strict=True):
-            inner += Label("·" if inner else "="), in_column(view, name, FREE, gap=1)
+            inner += PlainLabel("·" if inner else "="), in_column(view, name, FREE, gap=1)
         in_row(*inner, on=self._factors, margins=(0, 0, 0, 0), gap=4)
         both = in_row((self.view, Qt.AlignmentFlag.AlignTop), self._factors, FREE, gap=4)
         title = in_row(self._title, fold, FREE, gap=4)
@@ -75,7 +75,12 @@ class MatrixBox(QWidget):
         show_icon(self._fold, "back" if unfolded else "unfold")
 
     def show_matrix(
-        self, matrix: Matrix, before: Matrix | None, title: str, note: str, writing: Writing
+        self,
+        matrix: WrittenMatrix,
+        before: WrittenMatrix | None,
+        title: str,
+        note: str,
+        writing: MatrixNotation,
     ) -> None:
         """Show the matrix with its changes, its factors, and a note below."""
         self._title.setText(_named(matrix, title))
@@ -89,7 +94,7 @@ class MatrixBox(QWidget):
         lines = (textwrap.fill(each, wide, break_on_hyphens=False) for each in note.splitlines())
         self._note.setText(subscripts("\n".join(lines)))
         self._note.setVisible(bool(note))
-        earlier: Sequence[Matrix | None] = before.factors if before else ()
+        earlier: Sequence[WrittenMatrix | None] = before.factors if before else ()
         if len(earlier) != len(matrix.factors):
             earlier = [None] * len(matrix.factors)
         rows = zip(self.factor_views, self._factor_names, matrix.factors, earlier, strict=True)

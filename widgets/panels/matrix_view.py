@@ -31,7 +31,7 @@ from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
-from app.lecture.notation import Letters, Matrix, cell_text, letters_in, stacked, written
+from app.lecture.notation import Letters, WrittenMatrix, cell_text, letters_in, stacked, written
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from widgets.parts.highlight import faded, paint_highlight
@@ -51,7 +51,7 @@ _STEPS = {
 }  # fmt: skip
 
 
-class Writing(NamedTuple):
+class MatrixNotation(NamedTuple):
     """The notation of all matrices."""
 
     letters: Letters = "own"
@@ -82,7 +82,7 @@ def first_change(before: str, after: str) -> int | None:
 
 
 def _differences(
-    matrix: Matrix, before: Matrix | None, writing: Writing
+    matrix: WrittenMatrix, before: WrittenMatrix | None, writing: MatrixNotation
 ) -> dict[tuple[int, int], int | None]:
     """Return the cells that differ, each with its first differing digit, or None for a formula."""
     if before is None:
@@ -95,7 +95,7 @@ def _differences(
     }
 
 
-def is_a_cameras(matrix: Matrix) -> bool:
+def is_a_cameras(matrix: WrittenMatrix) -> bool:
     """Whether a matrix is built from a camera's axes; a typed matrix is not."""
     return matrix.name in (*VIEW, "world_from_view") and matrix.formulas[0][0] != "m_11"
 
@@ -162,7 +162,11 @@ class MatrixView(QWidget):
     """Row and column of the next cell to type in."""
 
     def __init__(
-        self, title: str, explain: Callable[[Matrix, int, int], str], *, editable: bool = False
+        self,
+        title: str,
+        explain: Callable[[WrittenMatrix, int, int], str],
+        *,
+        editable: bool = False,
     ) -> None:
         super().__init__()
         self.setAccessibleName(title)
@@ -174,13 +178,13 @@ class MatrixView(QWidget):
         self.texts: list[list[str]] = []
         """The cells' texts; formulas are for `widgets.parts.typeset`."""
         self._refused = False
-        self._matrix: Matrix | None = None
+        self._matrix: WrittenMatrix | None = None
         self._changed: dict[tuple[int, int], int | None] = {}
         """The first changed digit, by row and column of the cells that differ from before."""
         self._columns = self._fitting = [0.0] * 4
         """Widths of the columns, and the widths that the present texts need."""
         self._heights = [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
-        self._writing = Writing()
+        self._writing = MatrixNotation()
         self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
         self._told: tuple[int, int] | None = None
@@ -189,7 +193,9 @@ class MatrixView(QWidget):
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
-    def show_matrix(self, matrix: Matrix, before: Matrix | None, writing: Writing) -> None:
+    def show_matrix(
+        self, matrix: WrittenMatrix, before: WrittenMatrix | None, writing: MatrixNotation
+    ) -> None:
         """Show a matrix, and mark the cells that differ from `before`."""
         written_before, self._written = self._written, (writing, all_digits.now)
         rewritten = self._written != written_before
@@ -300,7 +306,7 @@ class MatrixView(QWidget):
             painter.drawRect(self.cell_rect(*self.place).adjusted(1, 1, -1, -1))
         painter.end()
 
-    def _paint_axes(self, painter: QPainter, matrix: Matrix) -> None:
+    def _paint_axes(self, painter: QPainter, matrix: WrittenMatrix) -> None:
         left, top = self._margin
         painter.setFont(self._small())
         plate = QFontMetricsF(self._small()).height()

@@ -39,8 +39,8 @@ from app.measure.results import (
     CANCELLED,
     DAMAGED,
     MEASURED_ONLY,
-    Choice,
-    Results,
+    ChartPoint,
+    Measurements,
     Sweep,
     Trade,
     from_json,
@@ -60,9 +60,9 @@ from widgets.parts.focus import FocusRing
 from widgets.parts.icons import icon
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import of_measurements, sentence
-from widgets.parts.note import Note
-from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.note import NoteLabel
+from widgets.parts.panel import Changed, ShownData
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.writing import all_digits
 
 ENDINGS = (".csv", ".json", *chart.ENDINGS)
@@ -76,7 +76,7 @@ _NAME = Qt.ItemDataRole.UserRole
 class MeasurePanel(DiagramPanel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
-    `document` returns the document to measure, `current` what is in use, as of `Choice.use`.
+    `document` returns the document to measure, `current` what is in use, as of `ChartPoint.use`.
     `smoothings` are those that the panes can draw with. The widget `precision` stands above the
     list.
     """
@@ -104,9 +104,9 @@ class MeasurePanel(DiagramPanel):
         """The last refusal, until the panel is used again."""
         self._asked: list[str] = []
         """The trades and sweeps that are being measured."""
-        self.measured: dict[str, Results] = {}
+        self.measured: dict[str, Measurements] = {}
         """The last results of every trade and sweep, by name; each holds only that one."""
-        self.loaded: dict[str, Results] = {}
+        self.loaded: dict[str, Measurements] = {}
         """The results from a file, by name."""
         self.words: dict[str, str] = {}
         """Why a trade or sweep has no results."""
@@ -187,11 +187,11 @@ class MeasurePanel(DiagramPanel):
 
     def _make_views(self) -> None:
         self._drawn = in_row(margins=(0, 0, 0, 0))
-        self.where, self.seen = Note(), Note()
+        self.where, self.seen = NoteLabel(), NoteLabel()
         self.where.setAccessibleName(self.tr("Machine and date of the measurement"))
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
         selectable = Qt.TextInteractionFlag.TextSelectableByMouse
-        self.sentence = Label(wordWrap=True, textInteractionFlags=selectable)
+        self.sentence = PlainLabel(wordWrap=True, textInteractionFlags=selectable)
         self.table = QTableWidget()
         self.table.setAccessibleName(self.tr("Results"))
         self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -223,7 +223,7 @@ class MeasurePanel(DiagramPanel):
         self._gestures = max(0, self._gestures - 1)
         self._show_paused()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._picked = ""
         self._readable.changed()  # another choice may be in use
 
@@ -269,7 +269,7 @@ class MeasurePanel(DiagramPanel):
         self.measuring.start(self._document(), trades, sweeps, quick=self.how.currentData())
         self._show_running()
 
-    def _finished(self, results: Results | None, said: str) -> None:
+    def _finished(self, results: Measurements | None, said: str) -> None:
         found = {} if results is None else _split(results)
         missing = [name for name in self._asked if name not in found]
         cancelled = results is not None and not results.complete
@@ -379,7 +379,7 @@ class MeasurePanel(DiagramPanel):
 
     # -- showing
 
-    def _shown(self) -> tuple[Results | None, Results | None]:
+    def _shown(self) -> tuple[Measurements | None, Measurements | None]:
         """Return the results that are shown, and those drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         return (measured, loaded) if measured is not None else (loaded, None)
@@ -410,7 +410,7 @@ class MeasurePanel(DiagramPanel):
         self.where.setText(chart.where(shown) if shown else "")
         self.seen.setText(chart.seen(shown, of_measurements) if shown else "")
 
-    def _priced(self, results: Results) -> Trade | Sweep:
+    def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""
         return _part(results.by(self.cost.currentData()))
 
@@ -420,7 +420,7 @@ class MeasurePanel(DiagramPanel):
         chosen = picked or chart.in_use(trade, self._current())
         return bargain(trade, chosen, of_measurements) if chosen else ""
 
-    def _show_chart(self, shown: Results | None, other: Results | None) -> None:
+    def _show_chart(self, shown: Measurements | None, other: Measurements | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
         if shown is not None:
             over = self._priced(other) if other is not None else None
@@ -429,7 +429,7 @@ class MeasurePanel(DiagramPanel):
             diagrams = chart.diagrams(part, current, over, name, of_measurements)
         self._show_diagrams(diagrams, least=1)
 
-    def _show_table(self, shown: Results | None, other: Results | None) -> None:
+    def _show_table(self, shown: Measurements | None, other: Measurements | None) -> None:
         heads: list[str] = []
         rows: list[list[str]] = []
         if shown is not None:
@@ -466,7 +466,7 @@ class MeasurePanel(DiagramPanel):
         self._fit_notes()
 
     def _show_row(
-        self, y: int, row: Sequence[str], trade: Trade | None, choice: Choice | None
+        self, y: int, row: Sequence[str], trade: Trade | None, choice: ChartPoint | None
     ) -> None:
         why = self._why_not(choice) if choice is not None else ""
         slanted = QFont(self.table.font())
@@ -500,7 +500,7 @@ class MeasurePanel(DiagramPanel):
 
     # -- using
 
-    def _choices(self) -> list[tuple[Trade, Choice]]:
+    def _choices(self) -> list[tuple[Trade, ChartPoint]]:
         """Return the choices of the rows, in order, with their trades."""
         parts = [self._priced(each) for each in self._shown() if each is not None]
         return [(part, c) for part in parts if isinstance(part, Trade) for c in part.choices]
@@ -534,13 +534,13 @@ class MeasurePanel(DiagramPanel):
             self.table.setCurrentCell(row, column)
             self._row_used(row, column)
 
-    def _why_not(self, choice: Choice) -> str:
+    def _why_not(self, choice: ChartPoint) -> str:
         """Say why the panes cannot use a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
         return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
 
-    def _use(self, choice: Choice) -> None:
+    def _use(self, choice: ChartPoint) -> None:
         why = self._why_not(choice)
         if not why:
             self.used.emit(dict(choice.use))
@@ -552,13 +552,13 @@ class MeasurePanel(DiagramPanel):
             self._refuse(why)
 
 
-def _part(results: Results) -> Trade | Sweep:
+def _part(results: Measurements) -> Trade | Sweep:
     """Return the only trade or sweep of split results."""
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     return parts[0]
 
 
-def _says_something(results: Results) -> bool:
+def _says_something(results: Measurements) -> bool:
     """Whether split results contain a number."""
     part = _part(results)
     if isinstance(part, Trade):
@@ -566,7 +566,7 @@ def _says_something(results: Results) -> bool:
     return any(error is not None for curve in part.curves.values() for error in curve.errors)
 
 
-def _split(results: Results) -> dict[str, Results]:
+def _split(results: Measurements) -> dict[str, Measurements]:
     """Split results by the names of their trades and sweeps."""
     found = {
         trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
@@ -578,7 +578,7 @@ def _split(results: Results) -> dict[str, Results]:
     }
 
 
-def _read(path: Path) -> Results:
+def _read(path: Path) -> Measurements:
     with open_regular(path) as file:
         text, _ = decode(file.read())
     results = from_json(text, path.name)
@@ -590,7 +590,7 @@ def _read(path: Path) -> Results:
     return results
 
 
-def _other_rows(other: Results) -> tuple[list[str], list[list[str]]]:
+def _other_rows(other: Measurements) -> tuple[list[str], list[list[str]]]:
     """The table of a file's results; its last column, the only wide one, names the machine."""
     heads, *rows = table(_part(other), all_digits=all_digits.now)
     name = chart.machine(other)

@@ -38,7 +38,7 @@ class Measuring(QObject):
     progressed = Signal(float)
     """The fraction done."""
     finished = Signal(object, str)
-    """`Results` or None, and a sentence on what could not be measured, if anything."""
+    """`Measurements` or None, and a sentence on what could not be measured, if anything."""
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

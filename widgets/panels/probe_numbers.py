@@ -23,7 +23,7 @@ DIVIDE = 4
 """The line that shows the divisor, after its sign."""
 
 
-class Numbers(NamedTuple):
+class ProbeRows(NamedTuple):
     """The content of the table."""
 
     probes: Sequence[int] = ()
@@ -38,7 +38,7 @@ class Numbers(NamedTuple):
 class ProbeNumbers(QObject):
     """Computes the table, and says why a number is missing."""
 
-    def numbers(self, projection: Projection, probes: Sequence[Probe]) -> Numbers:
+    def numbers(self, projection: Projection, probes: Sequence[Probe]) -> ProbeRows:
         """Follow probes through all stages."""
         rows = [probe.row for probe in probes if probe.row is not None]
         traced: Trace | None = None
@@ -59,7 +59,7 @@ class ProbeNumbers(QObject):
                 row += 1
         directions = any(probe.direction for probe in probes)
         lines = self._lines(projection, directions=directions)
-        return Numbers([probe.number for probe in probes], lines, blocks, outside)
+        return ProbeRows([probe.number for probe in probes], lines, blocks, outside)
 
     def _lines(self, projection: Projection, *, directions: bool) -> list[tuple[str, str]]:
         steps = steps_of_a_point(projection, lettering.now, directions=directions)

@@ -24,8 +24,8 @@ from widgets.parts.icons import RefusalLabel, icon
 from widgets.parts.layouts import Part, in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_field import ShortField, refusal
-from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.readable import ReadablePanel
 from widgets.parts.writing import all_digits, lettering
 
@@ -77,7 +77,7 @@ class ProbePanel(ReadablePanel):
             field.setAccessibleName(self.tr("Probe, world {0}").format(name))
             set_tip(field, self.tr("World {0} of the probe; type a number").format(name))
             field.editingFinished.connect(self._typed)
-            label = Label(name)
+            label = PlainLabel(name)
             label.setBuddy(field)
             parts += label, (field, 1)
         set_tip(
@@ -96,7 +96,7 @@ class ProbePanel(ReadablePanel):
         self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
         line = in_row(*parts, self.pin, self._remove, self._clear)
         self.error = RefusalLabel()
-        self._hint = Label(
+        self._hint = PlainLabel(
             self.tr(
                 "Click a point in any pane to follow it from the world to its pixel; click "
                 "an empty place in the image for the ray of that pixel."
@@ -264,7 +264,7 @@ class ProbePanel(ReadablePanel):
             self.table.fit_rows(self.font())
             self._turn()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._projection = shown.projection
         self._readable.changed()
 

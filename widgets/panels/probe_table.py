@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.lecture.highlight import NOTHING, Highlight
-from widgets.panels.probe_numbers import DIVIDE, Numbers
+from widgets.panels.probe_numbers import DIVIDE, ProbeRows
 from widgets.parts.highlight import faded
 from widgets.parts.messages import number_text, read_text
 from widgets.parts.plain import subscripts
@@ -55,7 +55,7 @@ class _Model(QAbstractTableModel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.content = Numbers()
+        self.content = ProbeRows()
         self._highlighted = NOTHING
 
     def highlight_at(self, index: _Index) -> Highlight:
@@ -73,7 +73,7 @@ class _Model(QAbstractTableModel):
                 first, last = self.index(row, 1), self.index(row, self.columnCount() - 1)
                 self.dataChanged.emit(first, last, [_Role.BackgroundRole])
 
-    def show(self, content: Numbers) -> bool:
+    def show(self, content: ProbeRows) -> bool:
         """Show other cells; return whether the lines or columns have changed."""
         anew = content[:2] != self.content[:2]
         if anew:
@@ -150,7 +150,7 @@ class ProbeTable(QTableView):
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setMinimumSectionSize(0)
 
-    def show_numbers(self, content: Numbers, font: QFont, *, anew: bool) -> None:
+    def show_numbers(self, content: ProbeRows, font: QFont, *, anew: bool) -> None:
         """Show the probes' numbers; columns may shrink if they are written `anew`.
 
         The font is the panel's: a change of font may reach this table too late.
@@ -168,7 +168,7 @@ class ProbeTable(QTableView):
             needed = math.ceil(typeset(formula, font).height)
             rows.resizeSection(row, max(line, needed) + 4)
 
-    def _widen(self, content: Numbers, font: QFont, anew: bool) -> None:
+    def _widen(self, content: ProbeRows, font: QFont, anew: bool) -> None:
         """Make every number fully visible: without its last digits it would be wrong."""
         metrics = QFontMetrics(font)
         digit = metrics.horizontalAdvance("0")

@@ -16,8 +16,8 @@ from widgets.panels.diagram_panel import DiagramPanel
 from widgets.parts.focus import FocusRing
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
-from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label, subscripts
+from widgets.parts.panel import Changed, ShownData
+from widgets.parts.plain import PlainLabel, subscripts
 
 WORD = 16
 """Characters of a file's name that fit into the narrowest column."""
@@ -38,7 +38,7 @@ class ScenePanel(DiagramPanel):
         super().__init__()
         self._phenomenon: Phenomenon | None = None
         self._illustration: Illustration | None = None
-        self.title, self.lectures, self.explanation = (Label(wordWrap=True) for _ in range(3))
+        self.title, self.lectures, self.explanation = (PlainLabel(wordWrap=True) for _ in range(3))
         self.title.setObjectName("paneTitle")
         self.lectures.setObjectName("paneNote")
         self.explanation.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
@@ -67,7 +67,7 @@ class ScenePanel(DiagramPanel):
         )
         self._show_diagrams(())
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self.show_illustration(shown.illustration)
 
     def show_illustration(self, illustration: Illustration | None) -> None:

@@ -15,7 +15,7 @@ from collections.abc import Mapping, Sequence
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.drawings.frame_budget import FrameBudget, Level
+from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
@@ -61,7 +61,7 @@ class Adaptive(QObject):
         self._told: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
-        self.budget = FrameBudget([Level(False, 1.0)], 0.0)
+        self.budget = FrameBudget([FrameQuality(False, 1.0)], 0.0)
         for pane in panes.values():
             pane.canvas.drawn.connect(self._drawn)
             pane.canvas.shown.connect(self._swapped)
@@ -161,11 +161,11 @@ class Adaptive(QObject):
         """Plan the present levels, from the finest on."""
         assert self._scene is not None
         share = self.quality.detail
-        levels = [Level(False, share)]
+        levels = [FrameQuality(False, share)]
         if not self.software_rendering and self.quality.smoothing not in SMOOTHINGS:
-            levels.insert(0, Level(True, share))
+            levels.insert(0, FrameQuality(True, share))
         coarser = (s for s in shares_for_dragging(self._scene) if s < share)
-        levels += [Level(False, s) for s in coarser if is_made(self._scene, s)]
+        levels += [FrameQuality(False, s) for s in coarser if is_made(self._scene, s)]
         first = 0
         if self.software_rendering and self._target_ms > 0.0 and self._scene.cells:
             cells = self._scene.cells

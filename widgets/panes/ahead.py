@@ -7,18 +7,18 @@ from typing import Any, NamedTuple
 
 from app.drawings.drawing import Drawing
 from widgets.panes.canvas import AnyCanvas, RasterCanvas
-from widgets.parts.panel import Shown
+from widgets.parts.panel import ShownData
 
 
-class _Drawn(NamedTuple):
+class _DrawnAhead(NamedTuple):
     args: tuple[object, ...]
     """The arguments of `Pane.build` that the drawing is for."""
-    shown: Shown
+    shown: ShownData
     screen: Any
     drawing: Drawing
 
 
-class Ahead:
+class DrawingsAhead:
     """The drawings that are made ahead for a canvas; only a `RasterCanvas` can take them.
 
     `make_drawing` is that of the `Pane`; `smooth` sets the antialiasing of a window of VTK's.
@@ -31,11 +31,11 @@ class Ahead:
         smooth: Callable[[Any], object],
     ) -> None:
         self._canvas, self._make_drawing, self._smooth = canvas, make_drawing, smooth
-        self._drawn: list[_Drawn] = []
+        self._drawn: list[_DrawnAhead] = []
         self._replaced: list[tuple[Any, Drawing | None]] = []
         """Screens and drawings that were replaced; releasing them takes time."""
 
-    def draw(self, shown: Shown, *args: object) -> None:
+    def draw(self, shown: ShownData, *args: object) -> None:
         """Make the drawing that a `build` with the same arguments will show."""
         canvas = self._canvas
         if not isinstance(canvas, RasterCanvas) or not canvas.is_open:
@@ -47,7 +47,7 @@ class Ahead:
             drawing.reset_view()
             self._smooth(screen.render_window)
             screen.render_window.Render()  # compiles the shaders
-            self._drawn.append(_Drawn(args, shown, screen, drawing))
+            self._drawn.append(_DrawnAhead(args, shown, screen, drawing))
 
     def keep(self, *wanted: tuple[object, ...]) -> None:
         """Release all drawings with other arguments, and all replaced drawings."""
@@ -59,7 +59,7 @@ class Ahead:
 
     def take(
         self, args: tuple[object, ...], before: Drawing | None
-    ) -> tuple[Shown, Drawing] | None:
+    ) -> tuple[ShownData, Drawing] | None:
         """Show the drawing for these arguments instead of the one before, if there is one."""
         for each in self._drawn:
             if each.args == args and isinstance(self._canvas, RasterCanvas):

@@ -25,7 +25,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.document.compare import Picture, Written, in_words, names_in
+from app.document.compare import ComparedPicture, DifferenceWriter, in_words, names_in
 from app.document.settings import name_of, pictured
 from app.drawings.side_by_side import places_of
 from app.drawings.style import Style
@@ -39,8 +39,8 @@ from widgets.parts.layouts import in_row
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.note import Title
 from widgets.parts.palette import LABEL_SHARE
-from widgets.parts.panel import Shown
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.panel import ShownData
+from widgets.parts.plain import PlainLabel, set_tip
 
 GRASP_PX = 15
 """Width of a divider for the mouse; the painted line has a fifth of it."""
@@ -115,7 +115,7 @@ class Divider(QWidget):
 class _Other(QWidget):
     """One of the other pictures: a pane without mouse and keys, cut to its place."""
 
-    def __init__(self, pane: Pane, picture: Picture) -> None:
+    def __init__(self, pane: Pane, picture: ComparedPicture) -> None:
         super().__init__(pane.surface)
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self.picture = picture
@@ -128,15 +128,15 @@ class _Other(QWidget):
         self.pane.canvas.setMinimumSize(1, 1)
         self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.pane.setParent(self)
-        self.why = Label(parent=self)
+        self.why = PlainLabel(parent=self)
         self.why.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.why.setWordWrap(True)
         self.why.setAutoFillBackground(True)
         self.why.hide()
         """Says why there is no such picture."""
-        self.shown: Shown | None = None
+        self.shown: ShownData | None = None
 
-    def refresh(self, shown: Shown, smoothing: str) -> None:
+    def refresh(self, shown: ShownData, smoothing: str) -> None:
         """Draw the picture again if it has changed."""
         try:
             document = pictured(shown.document, self.picture)
@@ -146,7 +146,7 @@ class _Other(QWidget):
         else:
             before = self.shown
             if before is None or before.scene is not shown.scene or before.document != document:
-                self.shown = Shown.of(document, shown.scene)
+                self.shown = ShownData.of(document, shown.scene)
             assert self.shown is not None
             at_rest = smoothing if self.picture.held is not None else ""
             if self._of.canvas.is_open and not self.pane.canvas.is_open:
@@ -163,7 +163,7 @@ class _Other(QWidget):
         self.setVisible(not cut.isEmpty())
 
 
-class _Words(Label):
+class _TwoLineLabel(PlainLabel):
     """Two lines for as much text as fits; the tooltip has all of it."""
 
     def __init__(self) -> None:
@@ -221,7 +221,7 @@ class Compare(QObject):
     def __init__(self, pane: Pane, smoothing: Callable[[], str]) -> None:
         super().__init__(pane)
         self._pane, self._smoothing = pane, smoothing
-        self.pictures: tuple[Picture, ...] = ()
+        self.pictures: tuple[ComparedPicture, ...] = ()
         """From left to right or from the top; empty while there is only the document's own."""
         self.dividers: tuple[float, ...] = ()
         """Fractions of the picture's width; empty where the pictures are side by side."""
@@ -235,7 +235,7 @@ class Compare(QObject):
         """The height of the screen that a class looks at; 0 for a window."""
         self.bar = QWidget()
         """Below the picture: says how the pictures differ."""
-        self.words = _Words()
+        self.words = _TwoLineLabel()
         self.words.setAccessibleName(self.tr("Differences between the pictures"))
         self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)
         self.end = tool_button(
@@ -300,13 +300,13 @@ class Compare(QObject):
     def _has_two_shapes(self) -> bool:
         return len({each.projection.aspect for each in self._seen if each is not None}) > 1
 
-    def show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
+    def show(self, pictures: Sequence[ComparedPicture], dividers: Sequence[float]) -> None:
         """Compare these pictures; `refresh` draws them."""
         if tuple(pictures) != self.pictures or tuple(dividers) != self.dividers:
             self._show(pictures, dividers)
             self.changed.emit()
 
-    def _show(self, pictures: Sequence[Picture], dividers: Sequence[float]) -> None:
+    def _show(self, pictures: Sequence[ComparedPicture], dividers: Sequence[float]) -> None:
         if tuple(pictures) != self.pictures:
             self.close_canvases()
             for widget in (*self.others, *self.captions):
@@ -369,7 +369,7 @@ class Compare(QObject):
         self._say(shown)
 
     @property
-    def _seen(self) -> list[Shown | None]:
+    def _seen(self) -> list[ShownData | None]:
         """What each picture shows, in their order; None for an impossible one."""
         return [self._pane.shown if each is None else each.shown for each in self._others]
 
@@ -396,10 +396,10 @@ class Compare(QObject):
 
     # -- in words
 
-    def _say(self, shown: Shown) -> None:
+    def _say(self, shown: ShownData) -> None:
         phenomenon = PHENOMENA.get(shown.document.scene)
         settings = () if phenomenon is None else phenomenon.settings
-        written = Written(field_name, of_phenomena, read_text)
+        written = DifferenceWriter(field_name, of_phenomena, read_text)
         names = [of_phenomena(name_of(shown.document, picture)) for picture in self.pictures]
         seen = [place for place, each in enumerate(self._seen) if each is not None]
         states = [each.document.state for each in self._seen if each is not None]

@@ -14,7 +14,7 @@ from PySide6.QtGui import QOpenGLContext
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 
 REST_MS = 250
 PIXELS = 130_000
@@ -41,7 +41,7 @@ class Counting(QObject):
         self._timer = QTimer(self, singleShot=True, interval=REST_MS)
         self._timer.timeout.connect(self._rest)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Count this illustration once nothing changes any more."""
         self.stop()
         if shown.illustration is not None and shown.illustration.rendering is not None:

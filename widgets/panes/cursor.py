@@ -37,8 +37,8 @@ from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.messages import read_text
-from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label
+from widgets.parts.panel import Changed, ShownData
+from widgets.parts.plain import PlainLabel
 from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
@@ -85,7 +85,7 @@ class Cursor(QObject):
         self._away = QPointF()
         self._why_closed = ""
         self._ring = _Ring(pane.canvas)
-        self._label = Label(parent=pane.canvas, wordWrap=True, margin=3)
+        self._label = PlainLabel(parent=pane.canvas, wordWrap=True, margin=3)
         self._label.setObjectName("cursorLabel")
         self._label.setAutoFillBackground(True)
         self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -99,7 +99,7 @@ class Cursor(QObject):
         """The text beside the cursor; empty while the cursor is hidden."""
         return self._label.text() if self._is_there else ""
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Let go, and forget the place, which belongs to another scene."""
         self._leave()
         self._scene, self._thing = shown.scene, None

@@ -46,8 +46,8 @@ from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
 from widgets.parts.number_rows import QUIET_MS
-from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import Label, set_tip, wrapped
+from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.plain import PlainLabel, set_tip, wrapped
 
 HOLD_WITHIN_PX = 12.0
 """Greatest distance from a handle at which it appears, and a drag takes hold of it."""
@@ -80,7 +80,7 @@ class Manipulation(Gestures, QObject):
         )
         self.message = MessageBar(world)
         """The present refusal."""
-        self._line = Label(parent=world, wordWrap=True, margin=4)
+        self._line = PlainLabel(parent=world, wordWrap=True, margin=4)
         self._line.setObjectName("heldLine")
         self._line.setAutoFillBackground(True)
         self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
@@ -98,7 +98,7 @@ class Manipulation(Gestures, QObject):
         image.hand.scrolled.connect(self._dolly)
         image.hand.pushed.connect(self._push)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Keep the values with which the next drag begins."""
         if "scene" in changed:
             self.let_go()

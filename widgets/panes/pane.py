@@ -35,14 +35,14 @@ from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera, Projection
 from app.picking.picking import Probe
-from widgets.panes.ahead import Ahead
+from widgets.panes.ahead import DrawingsAhead
 from widgets.panes.canvas import AnyCanvas, Hand, RasterCanvas
 from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock
 from widgets.parts.layouts import in_column
-from widgets.parts.panel import PROJECTION, Changed, Shown
-from widgets.parts.plain import Label
+from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.plain import PlainLabel
 
 REST_MS = 80
 """A coarse picture is refined when nothing has changed for so long."""
@@ -87,7 +87,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
 """How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
 
 
-class Surface(QWidget):
+class CanvasHolder(QWidget):
     """Holds a canvas so that its edges are on whole pixels of the screen.
 
     At a fractional scale of the screen Qt otherwise leaves a black line at an edge, and stretches
@@ -182,7 +182,7 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self._make_drawing = make_drawing
         self.drawing: Drawing | None = None
-        self.shown: Shown | None = None
+        self.shown: ShownData | None = None
         """What the pane shows, or will show when it appears."""
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
@@ -215,7 +215,7 @@ class Pane(QFrame):
         self.header = Header(self, title, tools)
         self.title, self.note = self.header.title, self.header.note
         self.canvas = make_canvas(self)
-        self.ahead = Ahead(self.canvas, make_drawing, self._smooth)
+        self.ahead = DrawingsAhead(self.canvas, make_drawing, self._smooth)
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
@@ -235,7 +235,7 @@ class Pane(QFrame):
         self._has_changed = True
         self.canvas.drawn.connect(self._plan_refining)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
-        self.surface = Surface(self.canvas)
+        self.surface = CanvasHolder(self.canvas)
         self._column = QGridLayout(self)
         self._column.setContentsMargins(0, 0, 0, 0)
         self._column.setSpacing(0)
@@ -244,7 +244,7 @@ class Pane(QFrame):
         sides = Qt.AlignmentFlag
         for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
-        self._cover = Label(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._cover = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._cover.setAutoFillBackground(True)
         self._cover.hide()
         self._column.addWidget(self._cover, 0, 0)
@@ -256,7 +256,7 @@ class Pane(QFrame):
         if self.isVisible():
             self._appear()
 
-    def build(self, shown: Shown, view: Camera | None, *args: object) -> None:
+    def build(self, shown: ShownData, view: Camera | None, *args: object) -> None:
         """Make another drawing, for another scene or style; a hidden pane does it on appearing.
 
         `view` is the pane's own camera; None places it so that everything is in view.
@@ -285,7 +285,7 @@ class Pane(QFrame):
         """Return a pane with the same drawings on a raster canvas, which nobody can turn."""
         return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
 
-    def draw_like(self, other: Pane, shown: Shown, *, at_rest: str = "") -> None:
+    def draw_like(self, other: Pane, shown: ShownData, *, at_rest: str = "") -> None:
         """Show something in the same way as another pane, which has been built.
 
         `at_rest` is the smoothing of a picture with all triangles; if it is empty, smoothing and
@@ -326,7 +326,7 @@ class Pane(QFrame):
         assert self.shown is not None
         return self.shown.projection
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Show the model's new value; a hidden pane does it on appearing."""
         self.shown = shown
         self._due.add("projection")
@@ -437,7 +437,7 @@ class Pane(QFrame):
             self.request_repaint()
         board.is_soft = False
 
-    def _build(self, shown: Shown, args: tuple[object, ...]) -> None:
+    def _build(self, shown: ShownData, args: tuple[object, ...]) -> None:
         taken, before = self.ahead.take(args, self.drawing), None
         if taken is not None:
             before, self.drawing = taken

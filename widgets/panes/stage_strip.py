@@ -29,7 +29,7 @@ from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
 from widgets.parts.gestures import Gestures
 from widgets.parts.layouts import in_column, in_row
-from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 from widgets.parts.writing import lettering
 
@@ -160,7 +160,7 @@ class StageStrip(QWidget, Playing, Gestures):
         if position != self._at:
             self._stand_at(position)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Name the stops, axes and limits of this projection."""
         self._projection = shown.projection
         lens = self._projection.lens

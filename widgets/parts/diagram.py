@@ -98,7 +98,7 @@ def decade_ticks(low: float, high: float, most: int) -> list[float]:
 
 
 @dataclass(frozen=True)
-class _Axis:
+class _DiagramAxis:
     """One axis of a diagram: its numbers and their places."""
 
     low: float
@@ -177,7 +177,7 @@ def segments(points: Floats) -> tuple[Floats, NDArray[np.intp]]:
     return np.stack(parts, axis=1), which[kept]
 
 
-def seen_parts(curves: Sequence[Curve], across: _Axis, up: _Axis) -> list[Floats]:
+def seen_parts(curves: Sequence[Curve], across: _DiagramAxis, up: _DiagramAxis) -> list[Floats]:
     """Return the visible part of each curve: segments (m, 2, 2) or dots (m, 2), in window units."""
     rows = [np.empty((0, 2))]
     for curve in curves:
@@ -366,12 +366,12 @@ class DiagramView(QWidget):
         font.setBold(True)
         return font
 
-    def _layout(self, diagram: Diagram) -> tuple[QRectF, tuple[_Axis, _Axis]]:
+    def _layout(self, diagram: Diagram) -> tuple[QRectF, tuple[_DiagramAxis, _DiagramAxis]]:
         """Return the frame, and the axes across and up."""
         ticks = (diagram.x_ticks, diagram.y_ticks)
         x_ticks, y_ticks = (None if t is None else list(map(float, t)) for t in ticks)
-        across = _Axis(diagram.left, diagram.right, diagram.x_log, x_ticks)
-        up = _Axis(diagram.bottom, diagram.top, diagram.y_log, y_ticks)
+        across = _DiagramAxis(diagram.left, diagram.right, diagram.x_log, x_ticks)
+        up = _DiagramAxis(diagram.bottom, diagram.top, diagram.y_log, y_ticks)
         small = QFontMetricsF(self._small)
         line, label = small.height(), QFontMetricsF(self.font()).height()
         top = label + GAP_PX if diagram.title else 0.0
@@ -388,7 +388,9 @@ class DiagramView(QWidget):
             frame = _in_proportion(frame, abs(across.high - across.low), abs(up.high - up.low))
         return frame, (across, up)
 
-    def _marks(self, diagram: Diagram, axis: _Axis, length: float, is_across: bool) -> list[float]:
+    def _marks(
+        self, diagram: Diagram, axis: _DiagramAxis, length: float, is_across: bool
+    ) -> list[float]:
         """Return the ticks whose numbers do not overlap; a picture has none."""
         if not axis.usable or length <= 0.0 or _is_picture(diagram):
             return []
@@ -397,7 +399,7 @@ class DiagramView(QWidget):
         return axis.marks(max(2, min(9, int(length / each))))
 
     def _placed_marks(
-        self, diagram: Diagram, axis: _Axis, length: float, is_across: bool
+        self, diagram: Diagram, axis: _DiagramAxis, length: float, is_across: bool
     ) -> list[tuple[float, float]]:
         """Return the ticks and their places along the axis, 0 to 1, in the order of the places."""
         marks = self._marks(diagram, axis, length, is_across)
@@ -473,7 +475,11 @@ class DiagramView(QWidget):
             painter.restore()
 
     def _paint_ticks(
-        self, painter: QPainter, diagram: Diagram, frame: QRectF, axes: tuple[_Axis, _Axis]
+        self,
+        painter: QPainter,
+        diagram: Diagram,
+        frame: QRectF,
+        axes: tuple[_DiagramAxis, _DiagramAxis],
     ) -> None:
         across, up = axes
         painter.setPen(self._pen("muted", 0.5))

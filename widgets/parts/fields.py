@@ -28,19 +28,12 @@ from PySide6.QtGui import (
     QMouseEvent,
     QWheelEvent,
 )
-from PySide6.QtWidgets import (
-    QButtonGroup,
-    QCheckBox,
-    QComboBox,
-    QGridLayout,
-    QSizePolicy,
-    QWidget,
-)
+from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.gestures import Gestures
-from widgets.parts.highlight import Marked
+from widgets.parts.highlight import TintedWidget
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_row
 from widgets.parts.note import Balanced
@@ -69,7 +62,7 @@ QToolButton:hover, QToolButton:focus { border-color: palette(text); }
 """A style sheet, because Fusion hardly shows which of two dark buttons is down."""
 
 
-class _Name(Balanced):
+class _NameLabel(Balanced):
     double_clicked = Signal()
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
@@ -77,7 +70,7 @@ class _Name(Balanced):
             self.double_clicked.emit()
 
 
-class _Combo(Combo):
+class _FocusedCombo(Combo):
     """A combo box that ignores the wheel, so that the column scrolls, until it has the focus."""
 
     def __init__(self) -> None:
@@ -93,7 +86,7 @@ class _Combo(Combo):
             event.ignore()
 
 
-class Row(Marked, QWidget, Gestures):
+class Row(TintedWidget, QWidget, Gestures):
     """The name, the reset, the error line and the gestures that all rows share.
 
     Parameters
@@ -122,7 +115,7 @@ class Row(Marked, QWidget, Gestures):
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
         self._told: dict[QWidget, str] = {}
-        self.name_label = _Name(name)
+        self.name_label = _NameLabel(name)
         self._tell(self.name_label, self._tip)
         self.name_label.double_clicked.connect(self.reset)
         self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
@@ -257,7 +250,7 @@ class Row(Marked, QWidget, Gestures):
         return super().eventFilter(watched, event)
 
 
-class Choice(NamedTuple):
+class Option(NamedTuple):
     """One option: its key, translated text and explanation."""
 
     key: str
@@ -282,7 +275,7 @@ class ChoiceRow(Row):
         self,
         name: str,
         tip: str,
-        choices: Sequence[Choice],
+        choices: Sequence[Option],
         *,
         buttons: bool = False,
         none: str = "",
@@ -301,8 +294,8 @@ class ChoiceRow(Row):
             widget.installEventFilter(self)
         self._show_value()
 
-    def _make_combo(self, choices: Sequence[Choice], none: str) -> QComboBox:
-        self._combo = combo = _Combo()
+    def _make_combo(self, choices: Sequence[Option], none: str) -> QComboBox:
+        self._combo = combo = _FocusedCombo()
         combo.setPlaceholderText(none)
         for index, choice in enumerate(choices):
             combo.addItem(choice.text)
@@ -319,7 +312,7 @@ class ChoiceRow(Row):
             self._grid.addWidget(combo, 0, 1)
         return combo
 
-    def _make_buttons(self, choices: Sequence[Choice]) -> list[QWidget]:
+    def _make_buttons(self, choices: Sequence[Option]) -> list[QWidget]:
         made: list[QWidget] = []
         row = in_row(gap=2)
         self._grid.addLayout(row, 0, 1)

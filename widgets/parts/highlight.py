@@ -18,7 +18,7 @@ from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 
 if TYPE_CHECKING:
     OfWidget = QWidget
@@ -63,7 +63,7 @@ def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:
     painter.drawRect(rect.adjusted(0.5, 0.5, -0.5, -0.5))
 
 
-class Marked(OfWidget):
+class TintedWidget(OfWidget):
     """A widget that is tinted while its subject is highlighted elsewhere."""
 
     is_marked = False
@@ -82,5 +82,5 @@ class Marked(OfWidget):
             painter.end()
 
 
-class MarkedLabel(Marked, Label):
+class MarkedLabel(TintedWidget, PlainLabel):
     """Words that are tinted while their subject is highlighted elsewhere."""

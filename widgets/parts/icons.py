@@ -21,7 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtSvg import QSvgRenderer
 from PySide6.QtWidgets import QAbstractButton, QApplication
 
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 
 SIGN = 1.25
 """Width of a warning sign and the gap after it, in line heights."""
@@ -74,7 +74,7 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
 
 def icon(name: str) -> QIcon:
     """Return an icon for something other than an action or a button, such as a list item."""
-    return QIcon(_Drawn(name))
+    return QIcon(_PaintedIcon(name))
 
 
 def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = True) -> None:
@@ -83,7 +83,7 @@ def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = Tru
     _draw(painter, rect, name, *_colour(mode))
 
 
-class WarningLabel(Label):
+class WarningLabel(PlainLabel):
     """Plain text after a warning sign; an empty text has no sign."""
 
     def __init__(self) -> None:
@@ -146,7 +146,7 @@ def _fit(button: QAbstractButton) -> None:
     button.setIconSize(QSize(side, side))
 
 
-class _Drawn(QIconEngine):
+class _PaintedIcon(QIconEngine):
     """An icon that is drawn when it becomes visible, in the palette's current colours."""
 
     def __init__(self, name: str) -> None:
@@ -154,7 +154,7 @@ class _Drawn(QIconEngine):
         self._name = name
 
     def clone(self) -> QIconEngine:
-        made = _Drawn(self._name)
+        made = _PaintedIcon(self._name)
         _clones.append(made)
         return made
 
@@ -193,5 +193,5 @@ def _draw(painter: QPainter, rect: QRect, name: str, colour: str, opacity: float
     QSvgRenderer(QByteArray(svg.encode())).render(painter, QRectF(rect))
 
 
-_clones: list[_Drawn] = []
+_clones: list[_PaintedIcon] = []
 """Qt owns these, but PySide would delete them if Python dropped them."""

@@ -46,7 +46,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
-from app.lessons.blocks.block import Here, Part
+from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.marking import digits_shown
 from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, said_of
 from widgets.parts.messages import FEW, figure_text
@@ -84,7 +84,7 @@ h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
 """
 
 
-def answer_of(part: Part, here: Here) -> str:
+def answer_of(part: ReadBlock, here: Here) -> str:
     """Return the right number with its unit, to four digits or more; a `Refusal` names the line."""
     return part.answer_text(here, lambda value: figure_text(value, digits_shown(value, FEW)))
 

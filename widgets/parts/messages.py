@@ -129,7 +129,7 @@ def of_phenomena(text: str, letters: Letters | None = None) -> str:
     return in_letters(QCoreApplication.translate("phenomena", text), letters or lettering.now)
 
 
-class Words(dict[str, str]):
+class TranslatedWords(dict[str, str]):
     """The words of the drawings, and of the phenomena's marks, in the window's language."""
 
     def __missing__(self, word: str) -> str:

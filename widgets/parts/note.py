@@ -5,19 +5,13 @@ from __future__ import annotations
 from bisect import bisect_left
 
 from PySide6.QtCore import QEvent, QRect, QSize, Qt
-from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
-    QPainter,
-    QPaintEvent,
-    QPalette,
-    QResizeEvent,
-)
+from PySide6.QtGui import QAbstractTextDocumentLayout, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy
 
-from widgets.parts.plain import Label, TextDocument, set_tip, subscripts
+from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
 
 
-class Note(Label):
+class NoteLabel(PlainLabel):
     """A line of text that is elided if there is no room; the tooltip has all of it."""
 
     def __init__(self) -> None:
@@ -59,7 +53,7 @@ class Note(Label):
             super().setText(shown)
 
 
-class Title(Note):
+class Title(NoteLabel):
     """A note that requests the width of its whole text."""
 
     def __init__(self, text: str, name: str = "paneTitle") -> None:
@@ -81,10 +75,10 @@ class Title(Note):
 
     def _elide(self) -> None:
         super()._elide()
-        set_tip(self, "" if Label.text(self) == self.text() else self.text())
+        set_tip(self, "" if PlainLabel.text(self) == self.text() else self.text())
 
 
-class Balanced(Label):
+class Balanced(PlainLabel):
     """Plain text that wraps into lines of about equal length, without a lonely last word.
 
     Letters after an underscore are subscripts, but not in a `name`, such as that of a file.

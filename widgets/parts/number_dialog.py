@@ -14,7 +14,7 @@ from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
 from widgets.parts.number_field import NumberField, refusal
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 
 
 class NumberDialog(QDialog):
@@ -35,7 +35,7 @@ class NumberDialog(QDialog):
         """The first number, until the user accepts another one."""
         self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
-        asked = Label(question, wordWrap=True)
+        asked = PlainLabel(question, wordWrap=True)
         self.field = NumberField(name, unit)
         self.field.show_number(value)
         self.field.setAccessibleName(f"{name} ({unit})")

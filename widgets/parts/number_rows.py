@@ -26,7 +26,7 @@ from widgets.parts.messages import (
 )
 from widgets.parts.number_field import ShortField
 from widgets.parts.number_text import short_text
-from widgets.parts.plain import Label, Markup, set_tip
+from widgets.parts.plain import Markup, PlainLabel, set_tip
 from widgets.parts.scales import Scale, Stops
 from widgets.parts.writing import all_digits
 
@@ -214,7 +214,7 @@ class NumberRow(_TypedRow):
         self.field = ShortField(name, unit)
         self._tell(self.field, self._tip)
         self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
-        self.unit_label = Label(unit)
+        self.unit_label = PlainLabel(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
             self._tell(self.unit_label, unit_tip)
@@ -404,7 +404,7 @@ class VectorRow(_TypedRow):
         for letter, field in zip("xyz", self.fields, strict=True):
             self._tell(field, f"{field.name}. {self._tip}")
             field.characters = VECTOR_CHARACTERS
-            label = Label(letter)
+            label = PlainLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
             one = in_row(gap=3)
             self._line.addLayout(one, 1)

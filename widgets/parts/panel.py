@@ -27,7 +27,7 @@ EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "qualit
 
 
 @dataclass(frozen=True, eq=False)
-class Shown:
+class ShownData:
     """The data that all panes and panels show, made once per change of the document.
 
     The scene belongs to the document. The illustration is for this projection, or None if the scene
@@ -39,7 +39,7 @@ class Shown:
     illustration: Illustration | None
 
     @classmethod
-    def of(cls, document: Document, scene: Scene) -> Shown:
+    def of(cls, document: Document, scene: Scene) -> ShownData:
         """Make the snapshot of a document with its loaded scene."""
         illustration = None
         if scene.phenomenon is not None:
@@ -57,7 +57,7 @@ class Shown:
         found = inks(self.document, self.scene, self.illustration)
         return {name: getattr(style, colour) for name, colour in found.items()}
 
-    def changed_since(self, before: Shown | None) -> Changed:
+    def changed_since(self, before: ShownData | None) -> Changed:
         """Return the parts that differ from an earlier snapshot, if there was one."""
         if before is None:
             return EVERYTHING
@@ -83,9 +83,9 @@ class Listener(Protocol):
 
     @property
     def concerns(self) -> Changed:
-        """The parts of a `Shown` whose changes this object needs."""
+        """The parts of a `ShownData` whose changes this object needs."""
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Show another snapshot; `changed` has at least one of the parts that it `concerns`."""
 
 
@@ -111,7 +111,7 @@ class Panel(QWidget, Gestures):
     export_wanted = Signal(QImage)
     """The user wants this picture of a diagram on the clipboard, or in a file."""
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Show another snapshot; see `Listener`."""
         raise NotImplementedError
 

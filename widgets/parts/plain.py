@@ -58,7 +58,7 @@ def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
     QToolTip.showText(place, tip_of(text), widget)
 
 
-class Label(QLabel):
+class PlainLabel(QLabel):
     """A label that shows plain text unless it is a `Markup`."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None, **properties: Any) -> None:

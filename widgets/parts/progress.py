@@ -9,7 +9,7 @@ from typing import TypeAlias
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QProgressDialog, QWidget
 
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 
 SHOWN_AFTER_MS = 100
 Tell: TypeAlias = Callable[[float], bool]
@@ -25,7 +25,7 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
     """
     cancel = QCoreApplication.translate("Progress", "Cancel")
     dialog = QProgressDialog("", cancel, 0, steps, window)
-    dialog.setLabel(Label(text))
+    dialog.setLabel(PlainLabel(text))
     dialog.setWindowModality(Qt.WindowModality.WindowModal)
     dialog.setMinimumDuration(SHOWN_AFTER_MS)
     try:

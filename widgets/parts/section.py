@@ -17,12 +17,12 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.model.projection import Projection
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import Choice, ChoiceRow, Row
+from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import field_name
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Log, Scale
 
 Read: TypeAlias = Callable[[Projection], Any]
@@ -37,7 +37,7 @@ def tidy(number: float) -> float:
     return float(f"{number:.13g}")
 
 
-class Typed:
+class TypedMemory:
     """Keeps typed numbers that the model does not keep.
 
     Computed from the model, they would contain rounding errors, and some would be lost: the
@@ -130,7 +130,7 @@ class Rows(QWidget):
         super().__init__()
         self.bindings: dict[str, Binding] = {}
         self._order: list[QWidget] = []
-        self._titles: list[Label] = []
+        self._titles: list[PlainLabel] = []
         self.body = QWidget()
         self._rows = in_column(on=self.body, margins=(0, 0, 0, GAP_PX), gap=GAP_PX)
         self._column = in_column(self.body, on=self, margins=(0, 0, 0, 0), gap=2)
@@ -167,7 +167,7 @@ class Rows(QWidget):
         )  # fmt: skip
 
     def add_choice(
-        self, key: str, part: Of, tip: str, choices: Sequence[Choice], read: Read, write: Write,
+        self, key: str, part: Of, tip: str, choices: Sequence[Option], read: Read, write: Write,
         *, buttons: bool = False, none: str = "", name: str = "", lenses: tuple[str, ...] = (),
     ) -> ChoiceRow:  # fmt: skip
         """Add a choice; see `ChoiceRow`."""
@@ -186,7 +186,7 @@ class Rows(QWidget):
 
     def add_title(self, text: str) -> None:
         """Add a quiet title of the rows that follow."""
-        title = Label(text)
+        title = PlainLabel(text)
         quiet(title)
         self._titles.append(title)
         self.add(title)
@@ -205,17 +205,17 @@ class Rows(QWidget):
                 self._rows.insertWidget(place, widget)
 
 
-class Part(Rows):
+class TitledRows(Rows):
     """Rows below a quiet title."""
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.title = Label(title)
+        self.title = PlainLabel(title)
         quiet(self.title)
         self._column.insertWidget(0, self.title)
 
 
-def quiet(label: Label) -> None:
+def quiet(label: PlainLabel) -> None:
     """Make a label a quiet title."""
     label.setObjectName("quietTitle")  # for the application's style sheet
 

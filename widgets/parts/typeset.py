@@ -113,7 +113,7 @@ def typeset(text: str, font: QFont) -> Typeset:
 def _laid_out(text: str, described: str) -> Typeset:
     font = QFont()
     font.fromString(described)
-    lines = [_Reader(line).line(font) for line in text.split("\n")]
+    lines = [_TypesetReader(line).line(font) for line in text.split("\n")]
     room = BETWEEN_ROWS * QFontMetricsF(font).height()
     placed, y = [], 0.0
     for number, line in enumerate(lines):
@@ -148,7 +148,7 @@ def _axis(font: QFont) -> float:
     return QFontMetricsF(font).strikeOutPos()
 
 
-class _Reader:
+class _TypesetReader:
     """Reads a formula from left to right and lays it out."""
 
     def __init__(self, text: str) -> None:

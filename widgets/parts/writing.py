@@ -15,7 +15,7 @@ from app.lecture.notation import Letters
 _T = TypeVar("_T")
 
 
-class Writing(QObject, Generic[_T]):
+class SharedChoice(QObject, Generic[_T]):
     """A choice, and a signal when it changes."""
 
     changed = Signal()
@@ -30,7 +30,7 @@ class Writing(QObject, Generic[_T]):
             self.changed.emit()
 
 
-lettering = Writing[Letters]("own")
+lettering = SharedChoice[Letters]("own")
 """The lecture whose letters are used."""
-all_digits = Writing(False)
+all_digits = SharedChoice(False)
 """Whether numbers are shown with all digits instead of four."""

@@ -7,7 +7,7 @@
           +---------- one sentence --------+     (Qt and VTK would end the process instead)
 
 Later errors of slots, threads, Qt and VTK go to one log file; an uncaught exception also opens a
-`Report`.
+`ErrorReport`.
 """
 
 from __future__ import annotations

@@ -21,8 +21,8 @@ from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import LETTERS, Choices
 from app.lessons.blocks.click import PICTURE_PX, Click
 from app.lessons.blocks.exercise import Variant
-from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import Marked, Question
+from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.course import panes_of
 from app.lessons.lines import refused
 from app.lessons.text import escaped
@@ -38,7 +38,7 @@ from widgets.program.paper import (
     RULE_PT,
     TEXT_PT,
     TITLE_PT,
-    Block,
+    PageBlock,
 )
 
 FIGURE_WIDTHS = (0.5, 0.46, 0.42, 0.38)
@@ -108,8 +108,8 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
             yield partial(paint, head if number == 1 else None, parts, right, width, height)
 
     def paint(
-        head: Block | None,
-        parts: Sequence[_Part],
+        head: PageBlock | None,
+        parts: Sequence[_ExamPart],
         right: str,
         width: float,
         height: float,
@@ -167,7 +167,7 @@ def key(
             yield partial(paint, page, left, f"{number} / {len(pages)}", width, height)
 
     def paint(
-        page: paper.Page, left: str, right: str, width: float, height: float, painter: QPainter
+        page: paper.PaperPage, left: str, right: str, width: float, height: float, painter: QPainter
     ) -> None:
         paper.paint_page(painter, page, width, height, False)
         paper.foot(painter, left, right, width, height)
@@ -175,20 +175,20 @@ def key(
     return paper.pdf(title, lay_out)
 
 
-def _answer(number: int, exercise: Numbered, width: float) -> Iterator[Block]:
+def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock]:
     """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
     question, here = exercise.question, exercise.variant.here
     answer = answer_of(question, here)
-    parts = [f"**{number}.** {question.told(answer, others=False)}"]
+    parts = [f"**{number}.** {question.with_answer(answer, others=False)}"]
     if isinstance(question, Click):
         parts.append(f"**{answer}**")
-    if isinstance(question, Marked):
+    if isinstance(question, MarkedQuestion):
         parts.append(question.solution(here))
     texts = "\n\n".join(filter(None, (*parts, question.why, _mistaken(question, here))))
     if not isinstance(question, Click):
         yield paper.text(texts, width, TEXT_PT)
         return
-    mark = paper.Mark(question.answer(here), question.within_px / PICTURE_PX)
+    mark = paper.MarkedPlace(question.answer(here), question.within_px / PICTURE_PX)
     figure = paper.figure(here.document, width, IN_KEY * width, exercise.panes, mark)
     left = figure.wide + NOTE_INDENT_PT
     yield paper.beside(figure, [paper.text(texts, width - left, TEXT_PT)], left)
@@ -205,13 +205,13 @@ def _mistaken(question: Question, here: Here) -> str:
         found = question.values(here, reply.formulas, reply.line)
         cells = [figure_text(number, FEW) for number in found]
         value = ", ".join(cells) or letter
-        if isinstance(question, Matrix):
+        if isinstance(question, MatrixQuestion):
             width = question.columns
             rows = (cells[at : at + width] for at in range(0, len(cells), width))
             value = "; ".join(map(", ".join, rows))
         elif isinstance(question, Click):
             value = f"({value})"
-        elif isinstance(question, Marked) and question.unit:
+        elif isinstance(question, MarkedQuestion) and question.unit:
             value += question.unit if question.unit == "°" else f" {question.unit}"
         lines.append(f"{escaped(name)}: {value}")
     if not lines:
@@ -223,14 +223,14 @@ def _mistaken(question: Question, here: Here) -> str:
 
 
 @dataclass
-class _Part:
+class _ExamPart:
     """An exercise: its least height, and what paints it over the width in a given height."""
 
     height: float
     paint: Callable[[QPainter, float], object]
 
 
-def _head(title: str, seed: int, width: float) -> Block:
+def _head(title: str, seed: int, width: float) -> PageBlock:
     """The title and lines for name and date."""
     variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
     top = paper.text(title, width, TITLE_PT, title=True)
@@ -246,12 +246,12 @@ def _head(title: str, seed: int, width: float) -> Block:
             _draw(painter, block, begin * width, below - block.height)
             _line(painter, begin * width + block.wide + BETWEEN_PT, end * width, below)
 
-    return Block(below, paint)
+    return PageBlock(below, paint)
 
 
 def paged(
-    exercises: Sequence[Numbered], head: Block, width: float, height: float
-) -> list[list[_Part]]:
+    exercises: Sequence[Numbered], head: PageBlock, width: float, height: float
+) -> list[list[_ExamPart]]:
     """Place exercises on few pages that are about equally full, with figures as wide as fit."""
     layouts = []
     for share in FIGURE_WIDTHS:
@@ -282,7 +282,7 @@ def _ends(heights: Sequence[float], height: float) -> list[int]:
     return [*ends, len(heights)]
 
 
-def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
+def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamPart:
     """An exercise: title, text beside its picture, room to write, and the place for the answer."""
     question = exercise.question
     title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
@@ -331,28 +331,28 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _Part:
         )
         _draw(painter, answer, 0.0, height - answer.height)
 
-    return _Part(least, paint)
+    return _ExamPart(least, paint)
 
 
-def _place_of_answer(question: Question) -> Block:
+def _place_of_answer(question: Question) -> PageBlock:
     """The line for a number or a choice, or the cells of a matrix; nothing for a place."""
     if isinstance(question, Click):
-        return Block(0.0, lambda *_: None)
+        return PageBlock(0.0, lambda *_: None)
     word = paper.text(QCoreApplication.translate("Exam", "Answer:"), 200.0, TEXT_PT)
-    unit = paper.text(question.unit if isinstance(question, Marked) else "", 200.0, TEXT_PT)
+    unit = paper.text(question.unit if isinstance(question, MarkedQuestion) else "", 200.0, TEXT_PT)
     rows, columns = 1, 1
     wide, high = LINE_PT, RULE_PT
-    if isinstance(question, Matrix):
+    if isinstance(question, MatrixQuestion):
         rows, columns = question.rows, question.columns
         wide, high = CELL_PT
-    left = word.wide + BETWEEN_PT + (BRACKET_PT if isinstance(question, Matrix) else 0.0)
+    left = word.wide + BETWEEN_PT + (BRACKET_PT if isinstance(question, MatrixQuestion) else 0.0)
     right, low = left + columns * wide, rows * high
 
     def paint(painter: QPainter, _part: QRectF) -> None:
-        middle = low / 2.0 if isinstance(question, Matrix) else low - word.height / 2.0
+        middle = low / 2.0 if isinstance(question, MatrixQuestion) else low - word.height / 2.0
         _draw(painter, word, 0.0, middle - word.height / 2.0)
         _draw(painter, unit, right + 2.0 * BRACKET_PT, middle - unit.height / 2.0)
-        if not isinstance(question, Matrix):
+        if not isinstance(question, MatrixQuestion):
             _line(painter, left, right, low)
             return
         painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
@@ -365,10 +365,10 @@ def _place_of_answer(question: Question) -> Block:
             corners = ((x + inwards, 0.0), (x, 0.0), (x, low), (x + inwards, low))
             painter.drawPolyline([QPointF(*corner) for corner in corners])
 
-    return Block(low, paint)
+    return PageBlock(low, paint)
 
 
-def _draw(painter: QPainter, block: Block, x: float, y: float) -> None:
+def _draw(painter: QPainter, block: PageBlock, x: float, y: float) -> None:
     painter.save()
     painter.translate(x, y)
     block.paint(painter, QRectF(0.0, 0.0, 1e4, block.height))

@@ -19,10 +19,10 @@ from widgets.parts.typeset import Typeset, typeset
 from widgets.program import paper
 from widgets.program.handout_content import (
     Content,
-    Equation,
-    Figure,
+    EquationTables,
     Heading,
-    Numbers,
+    PanelNumbers,
+    StepFigure,
     ToWrite,
     contents,
     planned,
@@ -35,8 +35,8 @@ from widgets.program.paper import (
     RULE_PT,
     TEXT_PT,
     TITLE_PT,
-    Block,
-    Page,
+    PageBlock,
+    PaperPage,
 )
 
 FIGURE_WIDTHS = (0.58, 0.54, 0.62, 0.5, 0.66, 0.46, 0.7)
@@ -60,52 +60,54 @@ def handout(course: Course, *, answers: bool = True) -> bytes:
         for number, page in enumerate(paged(course, width, height, answers), 1):
             yield partial(paint, page, number, width, height)
 
-    def paint(page: Page, number: int, width: float, height: float, painter: QPainter) -> None:
+    def paint(page: PaperPage, number: int, width: float, height: float, painter: QPainter) -> None:
         paper.paint_page(painter, page, width, height, not answers)
         paper.foot(painter, course.lesson.title, str(number), width, height)
 
     return paper.pdf(course.lesson.title, lay_out)
 
 
-class _Sheet:
+class _HandoutSheet:
     """The blocks of a talk's steps, for figures of one width."""
 
     def __init__(self, course: Course, width: float, part: float, answers: bool) -> None:
         self._course, self._width, self._answers = course, width, answers
         self._figure_width = part * width
 
-    def head(self) -> Iterator[Block]:
+    def head(self) -> Iterator[PageBlock]:
         yield paper.text(self._course.lesson.title, self._width, 1.4 * TITLE_PT, title=True)
         if self._answers and (minutes := planned(self._course.lesson)):
             yield paper.text(minutes, self._width, TEXT_PT)
 
-    def steps(self) -> Iterator[Block]:
+    def steps(self) -> Iterator[PageBlock]:
         for place in range(len(self._course.lesson.steps)):
             blocks = list(self._of(place))
             blocks[-1].after = BETWEEN_STEPS_PT
             yield from blocks
 
-    def _of(self, place: int) -> Iterator[Block]:
+    def _of(self, place: int) -> Iterator[PageBlock]:
         """Yield a step's blocks; numbers, and what students are asked, are beside their figure."""
         found = [(each, list(self._blocks(each)))
                  for each in contents(self._course, place, self._answers)]  # fmt: skip
         parts = [each for each in found if each[1]]
         for (each, blocks), (after, _) in pairwise([*parts, ("", [])]):
             is_kept = bool(after) and (
-                not self._answers or isinstance(after, Figure | Equation | Numbers)
+                not self._answers or isinstance(after, StepFigure | EquationTables | PanelNumbers)
             )
             for block in blocks[:-1]:
-                block.kept = block.kept or is_kept or isinstance(each, Equation | Numbers)
+                block.kept = (
+                    block.kept or is_kept or isinstance(each, EquationTables | PanelNumbers)
+                )
             blocks[-1].kept = blocks[-1].kept or is_kept
             yield from blocks
 
-    def _blocks(self, content: Content) -> Iterator[Block]:
-        if isinstance(content, Figure):
+    def _blocks(self, content: Content) -> Iterator[PageBlock]:
+        if isinstance(content, StepFigure):
             yield from self._with_figure(content)
-        elif isinstance(content, Numbers):
+        elif isinstance(content, PanelNumbers):
             yield from (paper.text(text, self._width, NOTE_PT) for text in content.texts)
             yield from _side_by_side(content.formulas, self._width)
-        elif isinstance(content, Equation):
+        elif isinstance(content, EquationTables):
             yield from _beside(content.tables, self._width)
         elif isinstance(content, Heading):
             yield paper.text(content.text, self._width, TITLE_PT, title=True)
@@ -114,7 +116,7 @@ class _Sheet:
         else:
             yield paper.text(content, self._width, TEXT_PT)
 
-    def _with_figure(self, shown: Figure) -> Iterator[Block]:
+    def _with_figure(self, shown: StepFigure) -> Iterator[PageBlock]:
         """Yield a figure and its texts: beside it if they are narrow and low enough."""
         texts, note = shown.texts, shown.note
         figure = paper.figure(shown.document, self._width, self._figure_width)
@@ -129,11 +131,11 @@ class _Sheet:
             if not self._answers:
                 yield self._lines(LINES_BELOW * RULE_PT)
             return
-        beside, most = list[Block](), COLUMN_OVER * figure.height
+        beside, most = list[PageBlock](), COLUMN_OVER * figure.height
         if not self._answers:
             most = figure.height - LINES_BESIDE * RULE_PT
 
-        def fits(block: Block) -> bool:
+        def fits(block: PageBlock) -> bool:
             high = sum(each.height + BETWEEN_PT for each in beside) + block.height
             return high <= most and block.wide <= room + 0.5
 
@@ -149,18 +151,18 @@ class _Sheet:
         yield paper.beside(figure, beside, left)
         yield from self._below(texts, note)
 
-    def _below(self, texts: Iterable[str], note: str) -> Iterator[Block]:
+    def _below(self, texts: Iterable[str], note: str) -> Iterator[PageBlock]:
         yield from (paper.text(text, self._width, TEXT_PT) for text in texts)
         if note:
             yield paper.text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
 
-    def _lines(self, height: float) -> Block:
+    def _lines(self, height: float) -> PageBlock:
         return paper.ruled(self._width, height)
 
 
-def _beside(tables: Iterable[str], width: float) -> Iterator[Block]:
+def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:
     """Yield tables beside each other."""
-    row: list[Block] = []
+    row: list[PageBlock] = []
     for block in (paper.text(table, width, NOTE_PT) for table in tables):
         if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:
             yield paper.in_row(row)
@@ -170,7 +172,7 @@ def _beside(tables: Iterable[str], width: float) -> Iterator[Block]:
         yield paper.in_row(row)
 
 
-def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[Block]:
+def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[PageBlock]:
     font = QFont("DejaVu Sans")
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
@@ -184,7 +186,7 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[Block]:
         rows[-1].append(part.at(right, part.ascent))
         right += part.width + BETWEEN_FORMULAS_PX
     for row in rows:
-        yield Block(scale * max(part.descent for part in row), partial(_paint_row, row))
+        yield PageBlock(scale * max(part.descent for part in row), partial(_paint_row, row))
 
 
 def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None:
@@ -193,7 +195,7 @@ def _paint_row(row: Sequence[Typeset], painter: QPainter, _part: QRectF) -> None
         formula.paint(painter, 0.0, 0.0)
 
 
-def paged(course: Course, width: float, height: float, answers: bool) -> list[Page]:
+def paged(course: Course, width: float, height: float, answers: bool) -> list[PaperPage]:
     """Place a talk on pages, with figures of the width that fills them best."""
-    sheets = (_Sheet(course, width, part, answers) for part in FIGURE_WIDTHS)
+    sheets = (_HandoutSheet(course, width, part, answers) for part in FIGURE_WIDTHS)
     return paper.best([paper.placed([*sheet.head(), *sheet.steps()], height) for sheet in sheets])

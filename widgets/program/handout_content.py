@@ -37,7 +37,7 @@ class Heading(NamedTuple):
     text: str
 
 
-class Figure(NamedTuple):
+class StepFigure(NamedTuple):
     """A state, with the texts that belong beside it."""
 
     document: Document
@@ -50,20 +50,20 @@ class Figure(NamedTuple):
     """Whether students are still to answer what is asked of it."""
 
 
-class Equation(NamedTuple):
+class EquationTables(NamedTuple):
     """The matrices of a slide that is an equation, each as Markdown."""
 
     tables: list[str]
 
 
-class Numbers(NamedTuple):
+class PanelNumbers(NamedTuple):
     """The numbers of a panel: Markdown, and what is typeset."""
 
     texts: list[str]
     formulas: list[str]
 
 
-Content: TypeAlias = Heading | Figure | Equation | Numbers | ToWrite | str
+Content: TypeAlias = Heading | StepFigure | EquationTables | PanelNumbers | ToWrite | str
 """Or Markdown."""
 
 
@@ -84,7 +84,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     asked = [part for part in step.parts if part.reveals or part in step.asked]
     texts = [part.text for part in step.parts if part not in asked]
     slide = picture_beside(course.lesson.path, step.name)
-    yield Figure(
+    yield StepFigure(
         shown,
         texts,
         _note(step) if answers else "",
@@ -92,7 +92,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
         bool(asked) and not answers,
     )
     if not any(part.is_tall and "\n|" in part.text for part in step.parts):
-        yield Equation(list(_equation(shown)))
+        yield EquationTables(list(_equation(shown)))
     before = course.shown(place - 1).document if place else None
     if "equation" not in shown.view.slide:  # else it has its matrices
         yield _panel(shown, before)
@@ -101,15 +101,15 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
             yield part.posed()
             yield ToWrite()
             continue
-        yield part.told(answer_of(part, here))
+        yield part.with_answer(answer_of(part, here))
         whys = [part.why] if part.why else []
         if part.show is not None:
             after = here.shown_by(part.show)
-            yield Figure(after, whys)
+            yield StepFigure(after, whys)
             if "equation" not in after.view.slide:
                 yield _panel(after, shown)
             elif after.view.equation != shown.view.equation:
-                yield Equation(list(_equation(after)))
+                yield EquationTables(list(_equation(after)))
         else:
             yield from whys
 
@@ -143,14 +143,14 @@ def _equation(document: Document) -> Iterator[str]:
         yield "\n".join(lines)
 
 
-def _panel(document: Document, before: Document | None) -> Numbers:
+def _panel(document: Document, before: Document | None) -> PanelNumbers:
     """Return the numbers of the open panel, unless they are the same as in the state before."""
     view = document.view
     seen = None if before is None else (before, before.view.panel, before.view.letters)
     if seen == (document, view.panel, view.letters) or view.panel not in ("matrices", "scene"):
-        return Numbers([], [])
+        return PanelNumbers([], [])
     if view.panel == "matrices":
-        return Numbers([], list(_matrices(document)))
+        return PanelNumbers([], list(_matrices(document)))
     return _readout(document)
 
 
@@ -166,9 +166,9 @@ def _matrices(document: Document) -> Iterator[str]:
         yield "\n".join(lines)
 
 
-def _readout(document: Document) -> Numbers:
+def _readout(document: Document) -> PanelNumbers:
     """The scene's numbers, except the one counted in the window's own picture."""
-    scene, found = scene_of(document), Numbers([], [])
+    scene, found = scene_of(document), PanelNumbers([], [])
     if scene.phenomenon is None:
         return found
     said = partial(of_phenomena, letters=document.view.letters)

@@ -25,10 +25,10 @@ from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
 from widgets.program.handout_content import (
     Content,
-    Equation,
-    Figure,
+    EquationTables,
     Heading,
-    Numbers,
+    PanelNumbers,
+    StepFigure,
     ToWrite,
     contents,
     planned,
@@ -64,7 +64,7 @@ def handout_page(course: Course, *, answers: bool = True) -> bytes:
 
     With `answers` it is the teacher's, with the notes; without them the students'.
     """
-    page, lesson = _Page(), course.lesson
+    page, lesson = _PhonePage(), course.lesson
     body = [page.text(f"# {lesson.title}")]
     if answers and (minutes := planned(lesson)):
         body.append(f"<p>{escaped(minutes)}</p>")
@@ -76,7 +76,7 @@ def handout_page(course: Course, *, answers: bool = True) -> bytes:
     return html(in_line(lesson.title), style, [*page.outlines(), *body])
 
 
-class _Page:
+class _PhonePage:
     """Makes the elements of a page, and keeps what they share."""
 
     def __init__(self) -> None:
@@ -87,12 +87,12 @@ class _Page:
     def element(self, content: Content) -> str:
         if isinstance(content, Heading):
             return self.text(f"## {content.text}")
-        if isinstance(content, Figure):
+        if isinstance(content, StepFigure):
             note = f"<aside>{self.text(content.note)}</aside>" if content.note else ""
             return "\n".join([self._figure(content), *map(self.text, content.texts), note])
-        if isinstance(content, Equation):
+        if isinstance(content, EquationTables):
             return _beside(map(self.text, content.tables))
-        if isinstance(content, Numbers):
+        if isinstance(content, PanelNumbers):
             return "\n".join(
                 [*map(self.text, content.texts), _beside(map(_typeset, content.formulas))]
             )
@@ -142,7 +142,7 @@ class _Page:
             f".d{depth}{{vertical-align:{-depth / 100.0:g}em}}" for depth in sorted(self._depths)
         )
 
-    def _figure(self, shown: Figure) -> str:
+    def _figure(self, shown: StepFigure) -> str:
         document = shown.document
         panes = panes_of(document)
         about = describe(document, scene_of(document), panes)

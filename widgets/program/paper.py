@@ -91,7 +91,7 @@ def pdf(title: str, lay_out: Callable[[float, float], Iterable[PaintPage]]) -> b
 
 
 @dataclass
-class Block:
+class PageBlock:
     """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
@@ -112,7 +112,7 @@ def text(
     title: bool = False,
     left: float = 0.0,
     kept: bool = False,
-) -> Block:
+) -> PageBlock:
     document = TextDocument()
     font = QFont("DejaVu Sans")
     font.setStyleHint(QFont.StyleHint.SansSerif)
@@ -125,10 +125,12 @@ def text(
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
     wide = document.idealWidth() + left
-    return Block(document.size().height(), document.drawContents, left, title or kept, wide=wide)
+    return PageBlock(
+        document.size().height(), document.drawContents, left, title or kept, wide=wide
+    )
 
 
-def beside(figure: Block, others: Sequence[Block], left: float) -> Block:
+def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageBlock:
     """A figure, and blocks below each other beside it."""
     right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
 
@@ -139,10 +141,10 @@ def beside(figure: Block, others: Sequence[Block], left: float) -> Block:
             _paint_block(painter, block, QRectF(0.0, 0.0, part.width() - left, block.height))
             painter.translate(0.0, block.height + BETWEEN_PT)
 
-    return Block(max(figure.height, right), paint)
+    return PageBlock(max(figure.height, right), paint)
 
 
-def below(figure: Block, caption: Block) -> Block:
+def below(figure: PageBlock, caption: PageBlock) -> PageBlock:
     """A figure, and a line of text below it."""
 
     def paint(painter: QPainter, part: QRectF) -> None:
@@ -150,10 +152,10 @@ def below(figure: Block, caption: Block) -> Block:
         painter.translate(0.0, figure.height + CAPTION_PT)
         caption.paint(painter, QRectF(0.0, 0.0, caption.wide, caption.height))
 
-    return Block(figure.height + CAPTION_PT + caption.height, paint, wide=figure.wide)
+    return PageBlock(figure.height + CAPTION_PT + caption.height, paint, wide=figure.wide)
 
 
-def ruled(width: float, height: float) -> Block:
+def ruled(width: float, height: float) -> PageBlock:
     """Lines to write on."""
 
     def paint(painter: QPainter, part: QRectF) -> None:
@@ -163,10 +165,10 @@ def ruled(width: float, height: float) -> Block:
             if part.top() <= y <= part.bottom() + 0.5:
                 painter.drawLine(QPointF(0.0, y), QPointF(width, y))
 
-    return Block(height, paint)
+    return PageBlock(height, paint)
 
 
-def picture(image: QImage, width: float) -> Block:
+def picture(image: QImage, width: float) -> PageBlock:
     """A picture across the page."""
     place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
 
@@ -175,10 +177,10 @@ def picture(image: QImage, width: float) -> Block:
         painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
         painter.drawRect(place)
 
-    return Block(place.height(), paint, wide=width)
+    return PageBlock(place.height(), paint, wide=width)
 
 
-class Mark(NamedTuple):
+class MarkedPlace(NamedTuple):
     """A ring round a place, as of `Drawing.spots_of`; its radius relative to the width."""
 
     place: tuple[float, ...]
@@ -190,8 +192,8 @@ def figure(
     width: float,
     one_pane: float,
     panes: Sequence[str] = (),
-    mark: Mark | None = None,
-) -> Block:
+    mark: MarkedPlace | None = None,
+) -> PageBlock:
     """The picture of a state: one pane, or the compared pictures across the page.
 
     Painting it raises a `Refusal` if the place of a mark is not in the picture.
@@ -248,10 +250,10 @@ def figure(
                 painter.drawEllipse(spot, *2 * [wide * (mark.radius if mark else 0.0)])
                 painter.drawPoint(spot)
 
-    return Block(high, paint, wide=wide)
+    return PageBlock(high, paint, wide=wide)
 
 
-def in_row(blocks: Sequence[Block]) -> Block:
+def in_row(blocks: Sequence[PageBlock]) -> PageBlock:
     """Blocks beside each other, their middles on a line."""
     height = max(block.height for block in blocks)
 
@@ -263,35 +265,35 @@ def in_row(blocks: Sequence[Block]) -> Block:
             painter.restore()
             painter.translate(block.wide + BETWEEN_PT, 0.0)
 
-    return Block(height, paint)
+    return PageBlock(height, paint)
 
 
 # --------------------------------------------------------------------------- pages
 
 
-class Piece(NamedTuple):
+class PagePiece(NamedTuple):
     """What of a block is on a page, and where."""
 
-    block: Block
+    block: PageBlock
     y: float
     begin: float
     height: float
 
 
-class Page(NamedTuple):
-    pieces: list[Piece]
+class PaperPage(NamedTuple):
+    pieces: list[PagePiece]
     blank: float
     """Of its height, below the last piece."""
 
 
-def placed(blocks: Sequence[Block], height: float) -> list[Page]:
+def placed(blocks: Sequence[PageBlock], height: float) -> list[PaperPage]:
     """Place blocks below each other, and begin a new page for one that does not fit."""
-    pages, pieces, y = list[Page](), list[Piece](), 0.0
+    pages, pieces, y = list[PaperPage](), list[PagePiece](), 0.0
 
     def turn() -> None:
         nonlocal pieces, y
         end = max((piece.y + piece.height for piece in pieces), default=0.0)
-        pages.append(Page(pieces, 1.0 - end / height))
+        pages.append(PaperPage(pieces, 1.0 - end / height))
         pieces, y = [], 0.0
 
     for number, block in enumerate(blocks):
@@ -304,7 +306,7 @@ def placed(blocks: Sequence[Block], height: float) -> list[Page]:
         done = 0.0
         while True:
             part = min(block.height - done, height - y)
-            pieces.append(Piece(block, y, done, part))
+            pieces.append(PagePiece(block, y, done, part))
             y, done = y + part, done + part
             if done >= block.height - 0.5:
                 break
@@ -314,17 +316,19 @@ def placed(blocks: Sequence[Block], height: float) -> list[Page]:
     return pages
 
 
-def best(layouts: Sequence[list[Page]]) -> list[Page]:
+def best(layouts: Sequence[list[PaperPage]]) -> list[PaperPage]:
     """The first of the layouts whose pages are full enough, or the one with the fullest pages."""
 
-    def emptiest(pages: list[Page]) -> float:
+    def emptiest(pages: list[PaperPage]) -> float:
         return max(page.blank for page in pages)
 
     full = (pages for pages in layouts if emptiest(pages) <= BLANK)
     return next(full, min(layouts, key=emptiest))
 
 
-def paint_page(painter: QPainter, page: Page, width: float, height: float, is_ruled: bool) -> None:
+def paint_page(
+    painter: QPainter, page: PaperPage, width: float, height: float, is_ruled: bool
+) -> None:
     """Paint a page; what is blank becomes space between its blocks, or lines to write on."""
     blank = page.blank * height
     gaps = sum(not piece.block.kept for piece in page.pieces[:-1])
@@ -343,7 +347,7 @@ def paint_page(painter: QPainter, page: Page, width: float, height: float, is_ru
         painter.restore()
 
 
-def _paint_block(painter: QPainter, block: Block, part: QRectF) -> None:
+def _paint_block(painter: QPainter, block: PageBlock, part: QRectF) -> None:
     painter.save()
     if block.left:
         line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())

@@ -17,12 +17,12 @@ from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QWidget
 
 from app import __version__
 from widgets.parts.layouts import in_column
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 
 log = logging.getLogger(__name__)
 
 
-class Report(QDialog):
+class ErrorReport(QDialog):
     """Reports an error without blocking the window; `log_file` is None if there is no log."""
 
     def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
@@ -32,7 +32,7 @@ class Report(QDialog):
         self.count = 0
         """The errors since the report was closed."""
         self._sentence, self._place = (
-            Label(
+            PlainLabel(
                 wordWrap=True,
                 textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
             )
@@ -86,7 +86,7 @@ class ExceptionWatch(QObject):
     def __init__(self, log_file: Path | None) -> None:
         super().__init__()
         self._log_file = log_file
-        self.report: Report | None = None
+        self.report: ErrorReport | None = None
         self.caught = 0
         self._waits = False
         # Queued: a thread must not touch widgets, and a slot may run inside a paint event.
@@ -126,7 +126,7 @@ class ExceptionWatch(QObject):
     def _show(self, summary: str, details: str) -> None:
         try:
             if self.report is None:
-                self.report = Report(self._log_file)
+                self.report = ErrorReport(self._log_file)
             self.report.tell(summary, details)
             self.put_off(self._waits)
         except Exception:  # raising it would call this method again, forever

@@ -25,7 +25,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.combo import Combo
 from widgets.parts.icons import show_icon
 from widgets.parts.messages import file_title, of_phenomena
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
 from widgets.window.lesson_menu import LessonMenu
@@ -327,7 +327,9 @@ class Actions(QObject):
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
         )
         tools.addWidget(self.scene_box)
-        label = Label(self.tr("Scene"), tools)  # on Linux a box takes its label's name, even hidden
+        label = PlainLabel(
+            self.tr("Scene"), tools
+        )  # on Linux a box takes its label's name, even hidden
         label.setBuddy(self.scene_box)
         label.hide()
         rest = QWidget()

@@ -25,7 +25,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
@@ -89,7 +89,7 @@ class Arrangement(QObject):
             panes=elsewhere | cameras(self._panes),
         )
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         before, self._scene_fixed = self._scene_fixed, shown.scene.fixed
         if "view" in changed:
             self.show(shown.document.view)

@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 from PySide6.QtCore import QObject
 
-from app.document.compare import Picture
+from app.document.compare import ComparedPicture
 from app.document.settings import compared
 from app.document.store import Store
 from app.model.refusal import Refusal
@@ -23,7 +23,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.buttons import tool_button
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.actions import Actions
 from widgets.window.look import Look
 from widgets.window.slots import Slots
@@ -75,7 +75,7 @@ class Comparing(QObject):
     def is_on(self) -> bool:
         return self.pictures.is_on
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Redraw the other pictures; the image pane must have been notified first."""
         self.pictures.refresh()
 
@@ -84,8 +84,8 @@ class Comparing(QObject):
         if self.is_on:
             self.end()
         else:
-            held = Picture(held=self._store.document.state)
-            self._show((held, Picture(live=True)), (0.5,))
+            held = ComparedPicture(held=self._store.document.state)
+            self._show((held, ComparedPicture(live=True)), (0.5,))
         self._mark()
 
     def begin(self, name: str) -> None:
@@ -105,7 +105,7 @@ class Comparing(QObject):
             self._slots.arrange(self._slots.layout_name, self._was_large)
         self._was_large = None
 
-    def _show(self, pictures: tuple[Picture, ...], dividers: tuple[float, ...]) -> None:
+    def _show(self, pictures: tuple[ComparedPicture, ...], dividers: tuple[float, ...]) -> None:
         """Compare pictures, in the large slot."""
         slots = self._slots
         if slots.layout_name == "pictures" and slots.large != "image" and not slots.whole:

@@ -16,7 +16,7 @@ from widgets.controls.controls import Controls
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.fields import Row
 from widgets.parts.layouts import in_row
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 
 LETTERS_SHARE = 0.021
 """Height of the letters, in heights of the screen: the speaker reads them."""
@@ -46,7 +46,7 @@ class ControlStrip(QFrame):
         self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=GAP_PX)
         self.hide()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Offer the first controls of another scene."""
         phenomenon = shown.scene.phenomenon
         own = [f"settings.{each.name}" for each in phenomenon.settings] if phenomenon else []

@@ -23,7 +23,7 @@ from PySide6.QtWidgets import (
 )
 
 from widgets.parts.layouts import in_column, in_row
-from widgets.parts.panel import Panel, Shown
+from widgets.parts.panel import Panel, ShownData
 from widgets.parts.plain import set_tip
 
 LEAST_EM = 4
@@ -33,7 +33,7 @@ LARGEST_SHARE = 1 / 3
 """Largest share of the window's height for the open panel."""
 
 
-class _Name(QToolButton):
+class _DrawerHead(QToolButton):
     """Opens and folds a panel by a click, Space or Enter; elided if it does not fit."""
 
     def minimumSizeHint(self) -> QSize:
@@ -67,8 +67,8 @@ class Panels(QWidget):
 
     def __init__(self) -> None:
         super().__init__()
-        self._shown: Shown | None = None
-        self._told: dict[Panel, Shown] = {}
+        self._shown: ShownData | None = None
+        self._told: dict[Panel, ShownData] = {}
         """The snapshot that each panel shows."""
         self._buttons: list[QToolButton] = []
         self._tips: list[str] = []
@@ -85,7 +85,7 @@ class Panels(QWidget):
 
     def add(self, name: str, panel: Panel, tip: str) -> None:
         """Add a folded panel under a translated name with a tooltip."""
-        button = _Name(autoRaise=True)
+        button = _DrawerHead(autoRaise=True)
         button.setText(name)
         set_tip(button, tip)
         button.setCheckable(True)
@@ -112,7 +112,7 @@ class Panels(QWidget):
     def open_panel(self) -> Panel | None:
         return None if self.isHidden() else self._panel(self._stack.currentIndex())
 
-    def keep(self, shown: Shown) -> None:
+    def keep(self, shown: ShownData) -> None:
         """Keep the snapshot that `tell` passes to the open panel."""
         self._shown = shown
 

@@ -22,7 +22,7 @@ from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
 from widgets.parts.lesson_text import formula_parts
 from widgets.parts.messages import sentence
-from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.readable import Readable
 
 LARGEST_EM, LEAST_EM = 0.058, 0.034
@@ -86,7 +86,7 @@ def _of_number(text: str) -> _Glyphs:
     return _Glyphs(x, tall.ascent, tall.descent, tuple(parts))
 
 
-class _Laid(NamedTuple):
+class _MatrixLayout(NamedTuple):
     """A matrix of the equation: its cells, and the least widths and heights in em."""
 
     term: Term
@@ -95,7 +95,7 @@ class _Laid(NamedTuple):
     heights: tuple[float, ...]
 
 
-def _laid(term: Term, digits: int) -> _Laid:
+def _laid(term: Term, digits: int) -> _MatrixLayout:
     """Lay out formulas, or numbers of so many digits if there are any."""
     matrix = term.matrix
     cells = tuple(
@@ -108,7 +108,7 @@ def _laid(term: Term, digits: int) -> _Laid:
     columns = zip(*cells, strict=True)
     widths = tuple(max(cell.width for cell in column) + 2.0 * _PAD_EM for column in columns)
     heights = tuple(max(cell.ascent + cell.descent for cell in row) + 0.4 for row in cells)
-    return _Laid(term, cells, widths, heights)
+    return _MatrixLayout(term, cells, widths, heights)
 
 
 class EquationSlide(QWidget):
@@ -121,11 +121,11 @@ class EquationSlide(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
-        self._shown: Shown | None = None
+        self._shown: ShownData | None = None
         self._text, self._controls = "", frozenset[str]()
         self._equation: Equation | None = None
         self._problem = ""
-        self._laid: tuple[_Laid, ...] = ()
+        self._laid: tuple[_MatrixLayout, ...] = ()
         self._style = LIGHT
         self._hues = dict[str, str]()
         """Of letters that have the colour of what the picture names by them."""
@@ -138,11 +138,11 @@ class EquationSlide(QWidget):
 
     # -- the model
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown
         self.ask(shown)
 
-    def ask(self, shown: Shown) -> None:
+    def ask(self, shown: ShownData) -> None:
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
@@ -305,7 +305,7 @@ class EquationSlide(QWidget):
     def _paint_matrix(
         self,
         painter: QPainter,
-        laid: _Laid,
+        laid: _MatrixLayout,
         em: float,
         place: QPointF,
         widths: Sequence[float],

@@ -8,14 +8,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QPixmap, QShowEvent
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QDialogButtonBox,
-    QFormLayout,
-    QLineEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
@@ -26,7 +19,7 @@ from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 
 ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
@@ -135,7 +128,7 @@ class ExportDialog(QDialog):
         set_tip(self._crop, self.tr("Leaves a margin of 2 mm around what is drawn"))
         self._crop.toggled.connect(self._check)
         self._problem = WarningLabel()
-        self._preview = Label("")
+        self._preview = PlainLabel("")
         self._preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._preview.setAccessibleName(self.tr("Preview"))
         self._preview.setWordWrap(True)
@@ -152,7 +145,7 @@ class ExportDialog(QDialog):
         form.addRow(self.tr("&Format"), self._ending)
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
         form.addRow(self.tr("&Arranged"), self._column)
-        size = in_row(self._width, Label("×"), self._height, self._units)
+        size = in_row(self._width, PlainLabel("×"), self._height, self._units)
         form.addRow(self.tr("Size"), size)
         form.addRow(self.tr("&Letters (pt)"), self._text)
         form.addRow(self.tr("C&olours"), self._palette)

@@ -28,8 +28,8 @@ from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.parts.panel import Changed, Shown
-from widgets.parts.plain import Label, message_box
+from widgets.parts.panel import Changed, ShownData
+from widgets.parts.plain import PlainLabel, message_box
 from widgets.parts.progress import progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -144,7 +144,7 @@ class Files(QObject):
         views.addItems(names)
         views.setCurrentRow(0)
         views.itemActivated.connect(dialog.accept)
-        asked = Label(self.tr("The file has {0} views:").format(len(names)))
+        asked = PlainLabel(self.tr("The file has {0} views:").format(len(names)))
         asked.setBuddy(views)
         buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
@@ -340,7 +340,7 @@ class Files(QObject):
         self._store.origin.written = _written(path) if path else None
         self._name_window()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._name_window()
 
     def _name_window(self) -> None:

@@ -18,12 +18,7 @@ from pathlib import Path
 from typing import cast
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QAccessible,
-    QAccessibleAnnouncementEvent,
-    QKeySequence,
-    QShowEvent,
-)
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeySequence, QShowEvent
 from PySide6.QtWidgets import (
     QApplication,
     QFrame,
@@ -38,7 +33,7 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import View
-from app.lessons.blocks.block import Part, of_kind
+from app.lessons.blocks.block import ReadBlock, of_kind
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
@@ -51,12 +46,12 @@ from widgets.parts.focus import lay_out
 from widgets.parts.layouts import FREE, TOP, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 from widgets.parts.roles import give_role
 from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
-from widgets.window.lesson_blocks.exercise import Practises
-from widgets.window.lesson_blocks.task import DONE, Tries
+from widgets.window.lesson_blocks.exercise import ExerciseView
+from widgets.window.lesson_blocks.task import DONE, TaskView
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.self_test_marks import SelfTestMarks
@@ -105,7 +100,7 @@ class LessonCard(QFrame):
     """A test was closed before its end; its answers are kept."""
     room_wanted = Signal(int)
     """How many pixels of height a response lacks; 0 once the step is left, or has new numbers."""
-    went_on = Signal()
+    buttons_changed = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
     def __init__(self, lessons: Lessons, store: Store, settings: Settings, record: Record) -> None:
@@ -117,7 +112,7 @@ class LessonCard(QFrame):
         self._progress = Progress()
         self._late = QTimer(self, singleShot=True, interval=LATE_MS)
         self._late.timeout.connect(self._keep)
-        self._rest: list[Part] = []
+        self._rest: list[ReadBlock] = []
         """The parts of the step that are not shown yet."""
         self._shown: tuple[Course, int] | None = None
         """The course and the step of the page."""
@@ -129,7 +124,7 @@ class LessonCard(QFrame):
         self.blocks: list[BlockView] = []
         self._current: BlockView | None = None
         """The block that has the cursor, or had it last."""
-        self._title = Label(wordWrap=True)
+        self._title = PlainLabel(wordWrap=True)
         self._title.setObjectName("paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
         self.anew = _tool("reset", forget, self.begin_again)
@@ -141,14 +136,14 @@ class LessonCard(QFrame):
         self._numbers: list[QToolButton] = []
         self._heads: list[QWidget] = []
         """The words before the marks of steps with an exercise."""
-        self._counted = Label()
+        self._counted = PlainLabel()
         self._counted.setObjectName("paneNote")
         self._marks_row = in_row(FREE, self._counted, on=self._marks, margins=(0, 0, 0, 0), gap=2)
         self._area = QScrollArea(widgetResizable=True)
         self._area.setFrameShape(QFrame.Shape.NoFrame)
         self._area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._area.setAccessibleName(self.tr("Step"))
-        self._notice = Label(wordWrap=True)
+        self._notice = PlainLabel(wordWrap=True)
         self._notice.setObjectName("notice")
         self._notice.hide()
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
@@ -220,7 +215,7 @@ class LessonCard(QFrame):
         self._lessons.close()
         self.is_on = False
         self.toggled.emit(False)
-        self.went_on.emit()
+        self.buttons_changed.emit()
         if is_test:
             self.test_left.emit()
 
@@ -251,7 +246,7 @@ class LessonCard(QFrame):
         self._shown = None
         self._title.setText(lesson.title)
         self._make_marks(lesson)
-        self._show_way(True)
+        self._show_step_buttons(True)
         if not self.is_on:
             self.is_on = True
             self.toggled.emit(True)
@@ -277,7 +272,7 @@ class LessonCard(QFrame):
 
     def _call_handles(self) -> None:
         """Show for a moment what an open task of the step may be solved with."""
-        tasks = [view.task for view in self.blocks if isinstance(view, Tries) and view.is_open]
+        tasks = [view.task for view in self.blocks if isinstance(view, TaskView) and view.is_open]
         self.handles_called.emit(frozenset().union(*(task.handles for task in tasks)))
         self._calling.start()
 
@@ -321,7 +316,7 @@ class LessonCard(QFrame):
             for place, step in enumerate(lesson.steps):
                 practises = _practises(lesson, step)
                 if practises and not before:
-                    head = Label(self.tr("Practice"))
+                    head = PlainLabel(self.tr("Practice"))
                     head.setObjectName("paneNote")
                     head.setContentsMargins(5, 0, 2, 0)
                     self._heads.append(head)
@@ -357,7 +352,7 @@ class LessonCard(QFrame):
         self.back.setEnabled(place > 0)
         self.next.setText(self.tr("&Next") if place + 1 < count else self.tr("Do&ne"))
         self._share_keys()
-        self.went_on.emit()
+        self.buttons_changed.emit()
 
     def _hide(self) -> None:
         """Hide what would show the answer of an open exercise; take clicks for a question."""
@@ -402,7 +397,7 @@ class LessonCard(QFrame):
                 self._column.addWidget(LessonText(part.text))
                 continue
             view = view_of(here, part)
-            if isinstance(view, Practises) and self._sheet is not None:
+            if isinstance(view, ExerciseView) and self._sheet is not None:
                 seed = self._sheet.items[self._shown[1]].seed
                 view.pose(seed, is_test=self._sheet.is_test)
             answer = self._progress.answers.get(self._key(view.block.name), "")
@@ -580,7 +575,7 @@ class LessonCard(QFrame):
             block.give_hint()
             self._area.ensureWidgetVisible(block)
             self._share_keys()
-            self.went_on.emit()
+            self.buttons_changed.emit()
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
@@ -644,7 +639,7 @@ class LessonCard(QFrame):
 
     def _go_back_to(self, place: int) -> None:
         self._shown = None
-        self._show_way(True)
+        self._show_step_buttons(True)
         self._lessons.go(place)
 
     def _mark_test(self) -> None:
@@ -670,11 +665,11 @@ class LessonCard(QFrame):
         page = QWidget()
         in_column(said, *ways, *below, FREE, on=page)
         self._area.setWidget(page)
-        self._show_way(False)
+        self._show_step_buttons(False)
         ways[0].setFocus(Qt.FocusReason.OtherFocusReason)
-        self.went_on.emit()
+        self.buttons_changed.emit()
 
-    def _show_way(self, on: bool) -> None:
+    def _show_step_buttons(self, on: bool) -> None:
         """Show or hide the buttons that only an open lesson needs."""
         shown: dict[QWidget, bool] = {self.hint: not self._is_test, self.anew: self._sheet is None}
         for part in (self._marks, self.back, self.again, self.hint, self.next, self.anew):
@@ -710,7 +705,7 @@ class LessonCard(QFrame):
             self.look_again()
             return
         self.again.setEnabled(self._lessons.is_away)
-        self.went_on.emit()
+        self.buttons_changed.emit()
         document, look = self._store.document, self._store.look()
         if self._aside is not None:
             aside, looked = self._aside

@@ -11,14 +11,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
 
 from app.lessons.course import name_of
-from widgets.window.lesson_card import (
-    AGAIN_KEY,
-    BACK_KEY,
-    NEXT_KEY,
-    TOUR,
-    LessonCard,
-    heads,
-)
+from widgets.window.lesson_card import AGAIN_KEY, BACK_KEY, NEXT_KEY, TOUR, LessonCard, heads
 from widgets.window.practice import Practice, review_text
 from widgets.window.settings import Progress, Settings
 
@@ -109,7 +102,7 @@ class LessonMenu(QMenu):
             (self.leave, card.leave),
         ):
             action.triggered.connect(lambda _on=False, act=act: act())
-        card.went_on.connect(partial(self._show, card))
+        card.buttons_changed.connect(partial(self._show, card))
         self._show(card)
 
     def _show_practice(self, practice: Practice) -> None:

@@ -23,8 +23,8 @@ from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
-from app.lessons.checking import Report
-from app.lessons.course import Course, Shown, scene_of
+from app.lessons.checking import CheckReport
+from app.lessons.course import Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.state import State
 from app.model.projection import Camera
@@ -279,21 +279,21 @@ class Lessons(QObject):
         self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
         self._set_off()
 
-    def _shown_at(self, place: int) -> Shown:
+    def _shown_at(self, place: int) -> ShownStep:
         """Return what a step shows: its own state, or that of its exercise."""
         assert self.course is not None
         shown = self.course.shown(place)
         if self._posed is None or place != self.place:
             return shown
-        return Shown(self._posed, _fields(self._posed, shown.view))
+        return ShownStep(self._posed, _fields(self._posed, shown.view))
 
-    def _show(self, shown: Shown, scene: Any) -> bool:
+    def _show(self, shown: ShownStep, scene: Any) -> bool:
         here = self._store.document.scene, self._store.document.mesh
         there = shown.document.scene, shown.document.mesh
         view = self._view(shown, other_scene=here != there)
         return self._move_to(replace(shown.document, view=view), scene)
 
-    def _view(self, shown: Shown, *, other_scene: bool) -> View:
+    def _view(self, shown: ShownStep, *, other_scene: bool) -> View:
         """Return the view of a step: fields set by the lesson, the others from the window."""
         look, left = self._store.look(), self._beside
         own = {name: before for name, (before, then) in left.items() if getattr(look, name) == then}
@@ -454,7 +454,7 @@ class Lessons(QObject):
     def mistakes(self) -> str:
         """Check the open file as `lesson check` does, without its pictures; say what is wrong."""
         assert self.lesson is not None
-        report = Report()
+        report = CheckReport()
         report.read(self.lesson.path)
         texts = [sentence(error) for error in report.wrong[:MOST_MISTAKES]]
         if len(report.wrong) > MOST_MISTAKES:

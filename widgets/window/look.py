@@ -19,8 +19,8 @@ from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import Words, field_name
-from widgets.parts.panel import EVERYTHING, Changed, Shown
+from widgets.parts.messages import TranslatedWords, field_name
+from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
 from widgets.window.slots import panes_of_slide
@@ -57,7 +57,7 @@ class Look(QObject):
     ) -> None:
         super().__init__(window)
         self._panes, self._settings, self._store, self._window = panes, settings, store, window
-        self.words = Words(
+        self.words = TranslatedWords(
             {
                 **WORDS,
                 **{english: field_name(name) for name, english in FIELDS.items()},
@@ -79,7 +79,7 @@ class Look(QObject):
                 ),
             }
         )
-        self._shown: Shown | None = None
+        self._shown: ShownData | None = None
         self._glides = False
         self._screen_px = 0.0
         """Height of the screen while presenting, otherwise 0: the scale of text and lines."""
@@ -90,7 +90,7 @@ class Look(QObject):
 
     # -- what is shown
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Update the panes' drawings, or build new ones if those cannot show the change."""
         self._shown, quality = shown, shown.document.quality
         anew = "scene" in changed
@@ -183,7 +183,7 @@ class Look(QObject):
             how += (quality,)
         return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
 
-    def ahead(self, steps: Sequence[Shown]) -> Iterator[None]:
+    def ahead(self, steps: Sequence[ShownData]) -> Iterator[None]:
         """Draw scenes that may be shown next, piece by piece; discard those of an earlier call.
 
         The steps show other scenes than the current one, with its quality.
@@ -205,7 +205,7 @@ class Look(QObject):
             pane.ahead.draw(step, *arguments)
             yield
 
-    def _is_seen_at(self, step: Shown, name: str) -> bool:
+    def _is_seen_at(self, step: ShownData, name: str) -> bool:
         """Whether a pane will be visible at a step."""
         if not self._screen_px:
             return self._panes[name].isVisible()

@@ -54,7 +54,7 @@ from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, Shown
+from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, ShownData
 from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
@@ -404,8 +404,8 @@ class MainWindow(QMainWindow):
 
     # -- showing the document
 
-    def _snapshot(self, document: Document) -> Shown:
-        return Shown.of(document, self.files.scene(document.scene, document.mesh))
+    def _snapshot(self, document: Document) -> ShownData:
+        return ShownData.of(document, self.files.scene(document.scene, document.mesh))
 
     def show_document(self, document: Document) -> None:
         before = self.shown

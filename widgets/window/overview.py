@@ -22,7 +22,7 @@ from app.lessons.text import in_line
 from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
-from widgets.parts.plain import Label
+from widgets.parts.plain import PlainLabel
 from widgets.window.lesson_blocks.view import Sign
 
 ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
@@ -112,9 +112,11 @@ class Overview(QDialog):
     def _legend(self) -> QWidget:
         parts: list[QWidget | None] = []
         for outcome, icon in ICONS.items():
-            parts += [Sign(icon, self._words[outcome]), Label(self._words[outcome]), None]
+            parts += [Sign(icon, self._words[outcome]), PlainLabel(self._words[outcome]), None]
         holder = QWidget()
-        in_row(*parts, Label(self.tr("only a number: not yet")), on=holder, margins=(4, 0, 4, 0))
+        in_row(
+            *parts, PlainLabel(self.tr("only a number: not yet")), on=holder, margins=(4, 0, 4, 0)
+        )
         return holder
 
     def _row(self, name: str, course: Course) -> Sequence[QWidget]:
@@ -128,7 +130,7 @@ class Overview(QDialog):
         ]
         holder = QWidget()
         in_row(*found, FREE, on=holder, margins=(0, 0, 0, 0), gap=2)
-        return topic, holder, Label(self._met(course), wordWrap=True)
+        return topic, holder, PlainLabel(self._met(course), wordWrap=True)
 
     def _exercise(self, topic: str, number: int, found: Found) -> QToolButton:
         standing = self._known.get(found.key, Standing())

@@ -17,7 +17,7 @@ from app.model.refusal import Refusal
 from widgets.panes.canvas import ARROWS
 from widgets.panes.cursor import LONG_STEP_PX, STEP_PX
 from widgets.panes.pane import Pane
-from widgets.window.lesson_blocks.click import Points
+from widgets.window.lesson_blocks.click import ClickView
 
 ARM_PX, RING_PX = 14, 9
 """Half the length of the crosshair's lines; the radius of the ring at the right place."""
@@ -63,10 +63,10 @@ class Pointing(QObject):
     def __init__(self, panes: Mapping[str, Pane], window: QWidget) -> None:
         super().__init__(window)
         self._panes = panes
-        self._view: Points | None = None
+        self._view: ClickView | None = None
         """The question for which the crosshair is moved."""
-        self._asked: Sequence[Points] = ()
-        self._answered: Points | None = None
+        self._asked: Sequence[ClickView] = ()
+        self._answered: ClickView | None = None
         self._at: QPointF | None = None
         """The crosshair, from the canvas' upper left, in Qt's pixels."""
         self._marks = {
@@ -78,7 +78,7 @@ class Pointing(QObject):
             pane.aimed.connect(partial(self._clicked, name))
             pane.canvas.drawn.connect(self._follow, Qt.ConnectionType.QueuedConnection)
 
-    def aim(self, asked: Sequence[Points], answered: Points | None) -> None:
+    def aim(self, asked: Sequence[ClickView], answered: ClickView | None) -> None:
         """Take the places in pictures for these questions; mark the right place of another one."""
         for view in asked:
             if view not in self._asked:
@@ -93,13 +93,13 @@ class Pointing(QObject):
                 pane.canvas.installEventFilter(self)
         self._follow()
 
-    def _pane(self, view: Points) -> Pane | None:
+    def _pane(self, view: ClickView) -> Pane | None:
         """Return the picture of a question if it shows the question's state, else None."""
         pane = self._panes[view.question.pane]
         is_shown = pane.shown is not None and pane.shown.document == view.here.document
         return pane if pane.drawing is not None and is_shown else None
 
-    def _take_up(self, view: Points | None) -> None:
+    def _take_up(self, view: ClickView | None) -> None:
         """Move the crosshair for another question."""
         if view is not self._view:
             self._view, self._at = view, None
@@ -111,7 +111,7 @@ class Pointing(QObject):
         if self._view is not None and self._view.first is not None:
             self._view.first.setFocus()
 
-    def _begin(self, view: Points) -> None:
+    def _begin(self, view: ClickView) -> None:
         """Give the keys to the picture, with the crosshair in its middle."""
         self._take_up(view)
         canvas = self._panes[view.question.pane].canvas
@@ -133,7 +133,7 @@ class Pointing(QObject):
         view.take(partial(self._away_px, view, self._at), self._place(pane, view, self._at))
         self._follow()
 
-    def _spot(self, view: Points, place: Value) -> QPointF | None:
+    def _spot(self, view: ClickView, place: Value) -> QPointF | None:
         """Return where a place is seen, in the canvas' pixels; None if it is not."""
         pane = self._pane(view)
         if pane is None or pane.drawing is None:
@@ -141,7 +141,7 @@ class Pointing(QObject):
         ((x, y),) = pane.drawing.spots_of(np.array([place])).tolist()
         return None if math.isnan(x) else QPointF(x, y) / pane.canvas.pixel_ratio
 
-    def _place(self, pane: Pane, view: Points, at: QPointF) -> Value:
+    def _place(self, pane: Pane, view: ClickView, at: QPointF) -> Value:
         """Return the place of a click near the right one, found by Newton's method.
 
         Empty if there is none: the way there leads where nothing is seen.
@@ -157,7 +157,7 @@ class Pointing(QObject):
             place = place + np.linalg.pinv(slopes) @ ((at.x(), at.y()) - spots[0])
         return tuple(place.tolist())
 
-    def _away_px(self, view: Points, at: QPointF, place: Value) -> float:
+    def _away_px(self, view: ClickView, at: QPointF, place: Value) -> float:
         """Return how far a click is from a place, in pixels of a screen with scale 1."""
         spot = self._spot(view, place)
         return math.inf if spot is None else math.hypot(spot.x() - at.x(), spot.y() - at.y())

@@ -19,7 +19,7 @@ TOP_EDGE_PX = 3
 """The tool bar appears when the mouse is this close to the top of the screen."""
 
 
-class _Edge(QWidget):
+class _TopEdge(QWidget):
     """The top edge of the window."""
 
     entered = Signal()
@@ -101,7 +101,7 @@ class Present(QObject):
         self.is_on = False
         self.geometry_before = QByteArray()
         """Geometry of the ordinary window, while presenting."""
-        self._blank, self._edge = _Blank(window), _Edge(window)
+        self._blank, self._edge = _Blank(window), _TopEdge(window)
         self._edge.hide()
         self._edge.entered.connect(lambda: self.show_tools(True))
         application = QApplication.instance()

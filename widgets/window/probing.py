@@ -18,7 +18,7 @@ from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
-from widgets.parts.panel import Changed, Panel, Shown
+from widgets.parts.panel import Changed, Panel, ShownData
 
 RING_SHARE = 0.035
 """Diameter of the lecturer's mouse pointer, a ring, as a share of the screen's height."""
@@ -38,7 +38,7 @@ class Probing(QObject):
         panes: Mapping[str, Pane],
         panel: ProbePanel,
         manipulation: Manipulation,
-        shown: Callable[[], Shown],
+        shown: Callable[[], ShownData],
         window: QWidget,
     ) -> None:
         super().__init__(window)
@@ -62,7 +62,7 @@ class Probing(QObject):
         hand.dragged.connect(self._drag)
         hand.drag_ended.connect(self._let_go)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Remove every probe, even a held one, because their scene is gone."""
         self._drop()
         self._pointer = ()

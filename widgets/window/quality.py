@@ -25,7 +25,7 @@ from app.precision.quality import AUTO, AUTOMATIC, Quality
 from app.scenes.scene import Scene
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.parts.messages import sentence
-from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, Shown
+from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, ShownData
 from widgets.window.look import Look
 from widgets.window.settings import Settings
 from widgets.window.status_line import StatusLine
@@ -53,7 +53,7 @@ class DrawnQuality(QObject):
         status: StatusLine,
         settings: Settings,
         store: Store,
-        shown: Callable[[], Shown],
+        shown: Callable[[], ShownData],
         scene: Callable[[str], Scene],
         refuse: Callable[[str], object],
     ) -> None:
@@ -68,7 +68,7 @@ class DrawnQuality(QObject):
         status.automatic_wanted.connect(self._automatic)
         look.adaptive.changed.connect(self._say)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Report the quality; the panes must have been notified first."""
         self._say()
 
@@ -136,7 +136,7 @@ class DrawnQuality(QObject):
             self._store.set_document(document)
 
     def in_use(self) -> dict[str, str]:
-        """Return the choices that the panes are drawn with, in the form of `Choice.use`."""
+        """Return the choices that the panes are drawn with, in the form of `ChartPoint.use`."""
         shown = self._shown()
         document, scene, projection = shown.document, shown.scene, shown.projection
         quality = document.quality
@@ -184,7 +184,7 @@ class Cost(QObject):
         for pane in self._panes:
             pane.set_timed(on)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Time the model's matrices, which would otherwise count for the first pane."""
         began = time.perf_counter()
         _ = shown.projection.clip_from_world, shown.projection.image_from_ndc

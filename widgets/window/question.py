@@ -35,7 +35,7 @@ EDGE_SHARE = 0.02
 """Free on each side, in heights of the screen."""
 
 
-class Question(QFrame):
+class QuestionOverlay(QFrame):
     """Lies over a slide where it hides the least; what does not fit is reached by the wheel.
 
     Parameters

@@ -16,7 +16,7 @@ from widgets.controls.controls import Controls
 from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 from widgets.window.actions import Actions
 from widgets.window.drawer import Panels
 
@@ -64,7 +64,7 @@ class SceneGuide(QObject):
         self._choose(name)
         self._menus.show_scene(self._store.document.scene)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Describe the scene, and bring the controls that matter for it to the top."""
         document, phenomenon = shown.document, shown.scene.phenomenon
         asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth

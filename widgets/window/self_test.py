@@ -20,7 +20,7 @@ from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import MOST
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import FREE, in_column, in_row
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 
 COLUMNS = 2
 
@@ -69,10 +69,10 @@ class SelfTestDialog(QDialog):
         set_tip(self.number, self.tr("The same topics and number give everyone the same test"))
         self.number.setMaximumWidth(5 * self.fontMetrics().height())
         self.number.textChanged.connect(self._show_count)
-        self._count = Label()
+        self._count = PlainLabel()
         every = push_button(self.tr("&All topics"), act=lambda: self._choose(True))
         none = push_button(self.tr("&None"), act=lambda: self._choose(False))
-        how = Label(
+        how = PlainLabel(
             self.tr(
                 "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
                 " digits. At the end you see all solutions."
@@ -83,7 +83,7 @@ class SelfTestDialog(QDialog):
         self.begin = buttons.addButton(self.tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        last = in_row(every, none, FREE, Label(self.tr("Test number")), self.number)
+        last = in_row(every, none, FREE, PlainLabel(self.tr("Test number")), self.number)
         in_column(how, (area, 1), last, in_row((self._count, 1), buttons), on=self)
         em = self.fontMetrics().height()
         wide, high = area.minimumWidth() + 30, holder.sizeHint().height() + 12 * em

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from PySide6.QtWidgets import QWidget
 
 from app.lessons.blocks.choices import Choices
-from app.lessons.blocks.matrix import Matrix
-from app.lessons.blocks.question import Marked, Question
+from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.course import idea_named
-from app.lessons.practice import Mark
+from app.lessons.practice import ExerciseMark
 from app.lessons.record import RIGHT
 from app.lessons.text import escaped
 from widgets.parts.layouts import TOP, in_column
@@ -21,7 +21,7 @@ from widgets.window.lesson_blocks.view import Sign, on_holder
 class SelfTestMarks(QWidget):
     """The marks of a test and its solutions; `title` says how many are right, and stands above."""
 
-    def __init__(self, marks: Sequence[Mark]) -> None:
+    def __init__(self, marks: Sequence[ExerciseMark]) -> None:
         super().__init__()
         right = sum(mark.word == RIGHT for mark in marks)
         said = self.tr("{0} of {1} right").format(right, len(marks))
@@ -30,12 +30,12 @@ class SelfTestMarks(QWidget):
         in_column(*parts, on=self, margins=(0, 0, 0, 0), gap=10)
         self.setAccessibleName(said)
 
-    def _marked(self, number: int, mark: Mark) -> QWidget:
+    def _marked(self, number: int, mark: ExerciseMark) -> QWidget:
         question, here = mark.item.variant.question, mark.item.variant.here
         texts = [f"**{number}.** {question.text}", self._own(mark)]
         if isinstance(question, Question):
             texts.append(self.tr("The right answer:") + f" {_right(question, mark)}")
-            if isinstance(question, Marked):
+            if isinstance(question, MarkedQuestion):
                 texts.append(question.solution(here))
             texts.append(question.why)
         else:
@@ -45,14 +45,14 @@ class SelfTestMarks(QWidget):
         words = LessonText("\n\n".join(filter(None, texts)))
         return on_holder((sign, TOP), (words, 1), gap=4)
 
-    def _own(self, mark: Mark) -> str:
+    def _own(self, mark: ExerciseMark) -> str:
         """Return the student's own answer, and the idea behind it."""
         if not mark.typed:
             return self.tr("You gave no answer.")
         question, own = mark.item.variant.question, f"**{escaped(mark.typed)}**"
         if isinstance(question, Choices):
             own = f"*{question.replies[int(mark.typed) - 1].text}*"
-        elif isinstance(question, Matrix):
+        elif isinstance(question, MatrixQuestion):
             own = f"\n\n{question.table([escaped(cell) for cell in question.texts_of(mark.typed)])}"
         said = self.tr("Your answer:") + f" {own}"
         idea = idea_named(mark.word)
@@ -62,7 +62,7 @@ class SelfTestMarks(QWidget):
         return said
 
 
-def _right(question: Question, mark: Mark) -> str:
+def _right(question: Question, mark: ExerciseMark) -> str:
     if isinstance(question, Choices):
         return question.replies[question.right].text
     answer = answer_of(question, mark.item.variant.here)

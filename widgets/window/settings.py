@@ -164,7 +164,7 @@ def _one_progress(kept: Any) -> Progress:
     )
 
 
-class _Kept(Generic[_T]):
+class _KeptSetting(Generic[_T]):
     """One setting: its key in the file, how it is read from text and written, and its default.
 
     A shared setting is read from the file each time, because other windows change it too.
@@ -191,8 +191,8 @@ class _Kept(Generic[_T]):
         settings.write(self._key, self._text_of(value))
 
 
-def _kept_flag(key: str, default: bool) -> _Kept[bool]:
-    return _Kept(key, _flag, default, lambda on: "true" if on else "false")
+def _kept_flag(key: str, default: bool) -> _KeptSetting[bool]:
+    return _KeptSetting(key, _flag, default, lambda on: "true" if on else "false")
 
 
 def _progress_text(progress: Mapping[str, Progress]) -> str:
@@ -226,19 +226,19 @@ class Settings:
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
 
-    theme = _Kept("theme", _theme, "system")
+    theme = _KeptSetting("theme", _theme, "system")
     """One of `THEMES`."""
     all_digits = _kept_flag("all-digits", False)
     """Whether panels show all digits of a number instead of four."""
-    language = _Kept("language", _language, "")
+    language = _KeptSetting("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
-    tolerance_px = _Kept(
+    tolerance_px = _KeptSetting(
         "tolerance", _number_in(LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX), DRAWING_TOLERANCE_PX
     )
     """Error in pixels up to which a GPU's own arithmetic may draw."""
-    frame_ms = _Kept("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
+    frame_ms = _KeptSetting("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
-    reduce_motion = _Kept[bool | None](
+    reduce_motion = _KeptSetting[bool | None](
         "reduce-motion", _flag, None, lambda on: "true" if on else "false"
     )
     """Whether steps of talks follow each other without a transition; None for the system's."""
@@ -246,17 +246,19 @@ class Settings:
     """Whether the program starts with the start card."""
     speaker_window = _kept_flag("speaker_window", True)
     """Whether the speaker's window opens when a talk is presented."""
-    swapped_screens = _Kept[list[str]]("swapped-screens", _paths, [], json.dumps)
+    swapped_screens = _KeptSetting[list[str]]("swapped-screens", _paths, [], json.dumps)
     """Pairs of screens whose primary one the class sees."""
-    notes_px = _Kept("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
+    notes_px = _KeptSetting("notes", _number_in(LEAST_NOTES_PX, LARGEST_NOTES_PX), 22)
     """Height of the letters in the speaker's notes."""
-    export = _Kept[dict[str, Any]]("export", lambda text: _json(text, dict), {}, json.dumps)
+    export = _KeptSetting[dict[str, Any]]("export", lambda text: _json(text, dict), {}, json.dumps)
     """The last choice in the dialog for pictures."""
-    geometry = _Kept[bytes | None]("geometry", _bytes, None, _base64)
+    geometry = _KeptSetting[bytes | None]("geometry", _bytes, None, _base64)
     """The window's geometry in Qt's format; None before the first time."""
-    recent = _Kept[list[str]]("recent", _paths, [], json.dumps, shared=True)
+    recent = _KeptSetting[list[str]]("recent", _paths, [], json.dumps, shared=True)
     """Paths of the files opened or saved by any window, newest first."""
-    progress = _Kept[dict[str, Progress]]("progress", _progress, {}, _progress_text, shared=True)
+    progress = _KeptSetting[dict[str, Progress]](
+        "progress", _progress, {}, _progress_text, shared=True
+    )
     """Progress of each started lesson, by its name or path, the newest last."""
 
     def keep_progress(self, name: str, progress: Progress | None) -> None:

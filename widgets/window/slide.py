@@ -15,7 +15,7 @@ from widgets.parts.layouts import in_row
 from widgets.parts.note import Title
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
-from widgets.window.question import Question
+from widgets.window.question import QuestionOverlay
 from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7
@@ -35,7 +35,7 @@ class Slide(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_AcceptTouchEvents)
         self._slots = slots
         self.equation = EquationSlide()
-        self.question = Question(self, self.named)
+        self.question = QuestionOverlay(self, self.named)
         self.pen = Pen(self)
         self.pen.hide()
         self._row = in_row(self.equation, slots, on=self, margins=(0, 0, 0, 0), gap=0)

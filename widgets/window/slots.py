@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QSplitter
 from app.document.view import LAYOUTS, PANES
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 
 COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [584, 486]
@@ -165,7 +165,7 @@ class Slots(QSplitter):
             self.window().setUpdatesEnabled(True)
         self.rearranged.emit()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         """Bring the pane that another scene is about into the large slot."""
         if shown.scene.leading != self.leading:
             self.leading = name = shown.scene.leading

@@ -8,14 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
-from PySide6.QtGui import (
-    QCloseEvent,
-    QFont,
-    QImage,
-    QOpenGLContext,
-    QPixmap,
-    QResizeEvent,
-)
+from PySide6.QtGui import QCloseEvent, QFont, QImage, QOpenGLContext, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -27,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.document import Document
-from app.lessons.blocks.block import Part
+from app.lessons.blocks.block import ReadBlock
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
 from app.lessons.text import in_line
@@ -36,7 +29,7 @@ from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import answer_of, set_text
-from widgets.parts.plain import Label, TextDocument, set_tip
+from widgets.parts.plain import PlainLabel, TextDocument, set_tip
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.slots import panes_of_slide
@@ -90,7 +83,7 @@ def planned(course: Course, place: int) -> tuple[float, float]:
     return sum(minutes[:place]), minutes[place]
 
 
-class _Picture(Label):
+class _PictureLabel(PlainLabel):
     """A picture, as large as there is room for."""
 
     def __init__(self, name: str) -> None:
@@ -149,18 +142,18 @@ class SpeakerWindow(QWidget):
         self._tick.start()
 
     def _make(self) -> None:
-        self._number = Label()
-        self._title, self._next_title = (Label(wordWrap=True) for _ in range(2))
-        self._said = Label(wordWrap=True)
-        self._clock = Label()
-        self._elapsed = Label()
-        self._plan = Label()
+        self._number = PlainLabel()
+        self._title, self._next_title = (PlainLabel(wordWrap=True) for _ in range(2))
+        self._said = PlainLabel(wordWrap=True)
+        self._clock = PlainLabel()
+        self._elapsed = PlainLabel()
+        self._plan = PlainLabel()
         self.notes = QTextEdit()
         self.notes.setDocument(TextDocument(self.notes))
         self.notes.setReadOnly(True)
         self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
-        self.now, self.picture = _Picture(self.tr("The slide")), _Picture(self.tr("Next"))
+        self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
         for chosen in (self.steps.itemActivated, self.steps.itemClicked):
@@ -173,8 +166,9 @@ class SpeakerWindow(QWidget):
         swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
         set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
         times = (
-            Label(self.tr("Time")), 6, self._clock, 16, Label(self.tr("Elapsed")), 6, self._elapsed,
-            16, self.pause, 8, self.reset, 8, (self._plan, 1),
+            PlainLabel(self.tr("Time")), 6, self._clock, 16,
+            PlainLabel(self.tr("Elapsed")), 6, self._elapsed, 16,
+            self.pause, 8, self.reset, 8, (self._plan, 1),
         )  # fmt: skip
         layout = QGridLayout()
         layout.addLayout(in_row(*times), 0, 0, 1, 2)
@@ -255,7 +249,7 @@ class SpeakerWindow(QWidget):
         set_text(document, "\n\n".join(parts), palette=self.palette())
         document.setDocumentMargin(8.0)
 
-    def _told(self, part: Part) -> str:
+    def _told(self, part: ReadBlock) -> str:
         """Return a question and its right answer."""
         assert self._course is not None
         answer = ""

@@ -31,7 +31,7 @@ from widgets.parts import palette
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 from widgets.window.pictures import image_of
@@ -48,8 +48,8 @@ BARE = View(layers=frozenset({"labels"}))
 """The view of a thumbnail, without labels."""
 
 
-def _heading(text: str) -> Label:
-    heading = Label(text)
+def _heading(text: str) -> PlainLabel:
+    heading = PlainLabel(text)
     heading.setObjectName("paneTitle")
     return heading
 
@@ -128,7 +128,7 @@ class StartCard(QWidget):
         self._drawing.start(0)
 
     def _head(self) -> QHBoxLayout:
-        title = Label(self.tr("How a camera turns a 3-D scene into a picture"))
+        title = PlainLabel(self.tr("How a camera turns a 3-D scene into a picture"))
         title.setObjectName("cardTitle")
         tip = self.tr("Begin with the letter F (Esc)")
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
@@ -169,7 +169,7 @@ class StartCard(QWidget):
             act = partial(self._leave_for, self.review_wanted)
             yield tool_button(text, tip, act, icon="reset", flat=True)
         if following:
-            said = Label(following)
+            said = PlainLabel(following)
             said.setObjectName("paneNote")
             said.setIndent(round(1.3 * said.fontMetrics().height()))  # below the text
             yield said

@@ -32,7 +32,7 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_dialog import NumberDialog
-from widgets.parts.panel import PROJECTION, Changed, Shown
+from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 
 RESTS_AFTER_MS = 150
@@ -94,7 +94,7 @@ class StatusLine(QStatusBar):
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER_MS)
         self._rest.timeout.connect(self._predict)
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self._projection, self._scene = shown.projection, shown.scene
         self._wait_for_rest()
 

@@ -11,7 +11,7 @@ from app.lessons.course import scene_of
 from app.lessons.lesson import Step
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import set_text
-from widgets.parts.panel import Shown
+from widgets.parts.panel import ShownData
 from widgets.parts.plain import TextDocument
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.look import Look
@@ -20,7 +20,7 @@ REST_MS = round(1000 * TRANSITION_S) + 150
 """Delay after a step before the next one is prepared, in the background."""
 
 
-class Ahead(QObject):
+class StepPreparation(QObject):
     """Prepares the next and the previous step, in pieces between Qt's events."""
 
     done = Signal()
@@ -70,7 +70,7 @@ class Ahead(QObject):
                 yield
             try:
                 document = course.shown(number).document
-                scenes.append(Shown.of(document, scene_of(document)))
+                scenes.append(ShownData.of(document, scene_of(document)))
             except Refusal:
                 continue
             yield

@@ -29,7 +29,7 @@ from app.drawings.style import LIGHT, Style, tone
 from app.lessons.lesson import Step
 from app.lessons.text import said_of
 from widgets.parts.lesson_text import INKS, set_text
-from widgets.parts.panel import Changed, Shown
+from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import TextDocument
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
@@ -73,17 +73,17 @@ class TalkBand(QFrame):
         self._step = ""
         self._screen_px = 0.0
         self._style = LIGHT
-        self._shown: Shown | None = None
+        self._shown: ShownData | None = None
         self.hide()
 
     def set_style(self, style: Style) -> None:
         self._style = style
         self._colour()
 
-    def take(self, shown: Shown, changed: Changed) -> None:
+    def take(self, shown: ShownData, changed: Changed) -> None:
         self.ask(shown)
 
-    def ask(self, shown: Shown) -> None:
+    def ask(self, shown: ShownData) -> None:
         """Give the letters of formulas the colours of what the pictures name by them."""
         self._shown = shown
         self._colour()

@@ -23,7 +23,7 @@ from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lessons import Lessons
 
@@ -107,7 +107,7 @@ class TitleDialog(QDialog):
     def __init__(self, name: str, title: str, turned: bool, parent: QWidget) -> None:
         super().__init__(parent)
         self.setWindowTitle(name)
-        label = Label(self.tr("&Title of the step"))
+        label = PlainLabel(self.tr("&Title of the step"))
         self.field = QLineEdit(title)
         self.field.setMinimumWidth(24 * self.fontMetrics().averageCharWidth())
         label.setBuddy(self.field)

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
 from app.document.store import Store
-from app.lessons.blocks.block import Part
+from app.lessons.blocks.block import ReadBlock
 from app.lessons.course import Course
 from app.lessons.state import State
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
@@ -31,10 +31,10 @@ from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
 from widgets.window.pen import Pen
 from widgets.window.present import Present
-from widgets.window.question import Question
+from widgets.window.question import QuestionOverlay
 from widgets.window.settings import Settings
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
-from widgets.window.talk_ahead import Ahead
+from widgets.window.talk_ahead import StepPreparation
 from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
 from widgets.window.talk_writing import TalkWriter
@@ -64,7 +64,7 @@ class Talks(QObject):
         messages: MessageBar,
         settings: Settings,
         band: TalkBand,
-        question: Question,
+        question: QuestionOverlay,
         pen: Pen,
         look: Look,
     ) -> None:
@@ -75,7 +75,7 @@ class Talks(QObject):
         self._drawn_on: Path | None = None
         """The file of the talk that the strokes belong to."""
         self.writer = TalkWriter(window, lessons, store, messages)
-        self._ahead = Ahead(lessons, look, self)
+        self._ahead = StepPreparation(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
         self.revealed = 0
@@ -132,7 +132,7 @@ class Talks(QObject):
         return course is not None and course.file is not None
 
     @property
-    def _questions(self) -> Sequence[Part]:
+    def _questions(self) -> Sequence[ReadBlock]:
         step = self._lessons.step
         return [part for part in step.parts if part.reveals] if step is not None else []
 

@@ -11,11 +11,11 @@ from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
-from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import (
     CHECKS,
     RIGHT,
-    Marked,
+    MarkedQuestion,
     Question,
     Reply,
     Value,
@@ -23,7 +23,7 @@ from app.lessons.blocks.question import (
     said_below,
 )
 from app.lessons.lines import LACKS, Body, refused
-from app.lessons.marking import Typed
+from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -35,7 +35,7 @@ WAYS = ("value", "count", "matrix", "click", "choice")
 
 
 @dataclass(frozen=True, kw_only=True)
-class Answer(Marked):
+class Answer(MarkedQuestion):
     """A question whose answer is the value of a formula; of what it `counts`, the exact one."""
 
     kind = "answer"
@@ -60,7 +60,7 @@ class Answer(Marked):
         if ways[0].key == "click":
             return Click.of(body, text, items)
         if ways[0].key == "matrix":
-            return Matrix.of(body, text, items)
+            return MatrixQuestion.of(body, text, items)
         value = items.single(ways[0].key)
         assert value is not None
         wrong = (item for item in items if item.key == "wrong")
@@ -111,9 +111,9 @@ class Answer(Marked):
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
         return f"{write(self.answer(here))}{unit}"
 
-    def told(self, answer: str, *, others: bool = True) -> str:
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text
 
 
-def _is_count(typed: Typed, value: float) -> bool:
+def _is_count(typed: TypedNumber, value: float) -> bool:
     return typed.value == Fraction(value)

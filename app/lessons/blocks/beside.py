@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from app.document.compare import Picture
+from app.document.compare import ComparedPicture
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lessons.blocks.block import Here
@@ -36,7 +36,7 @@ def beside(here: Here, own: Document, name: str, wrong: float) -> Document | Non
         return None
     if found is None or not math.isclose(found, wrong, rel_tol=1e-9):
         return None
-    pictures = Picture(YOURS, (change,)), Picture(MODEL, live=True)
+    pictures = ComparedPicture(YOURS, (change,)), ComparedPicture(MODEL, live=True)
     return replace(own, view=replace(own.view, compare=pictures, dividers=(), large="image"))
 
 

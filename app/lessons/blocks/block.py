@@ -135,7 +135,7 @@ def of_kind(blocks: Iterable[Block], kind: type[AnyBlock]) -> tuple[AnyBlock, ..
 
 
 @dataclass(frozen=True, kw_only=True)
-class Part(Block):
+class ReadBlock(Block):
     """A block that the student or the class reads.
 
     Attributes
@@ -162,20 +162,20 @@ class Part(Block):
         """Return the question as Markdown for a class."""
         return self.text
 
-    def told(self, answer: str, *, others: bool = True) -> str:
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
         """Return the question with its right answer as Markdown; `answer` is from `answer_text`."""
         return self.text
 
     def explained(self, answer: str, *, others: bool = True) -> str:
         """Return the text of `told` and the reason."""
-        return "\n\n".join(filter(None, (self.told(answer, others=others), self.why)))
+        return "\n\n".join(filter(None, (self.with_answer(answer, others=others), self.why)))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         """Return the right answer if `told` does not already contain it, else an empty text."""
         return ""
 
 
-class Words(Part):
+class TextBlock(ReadBlock):
     """The text between two blocks."""
 
     def texts(self) -> Iterator[tuple[int, str]]:
@@ -183,7 +183,7 @@ class Words(Part):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Asked(Part):
+class Asked(ReadBlock):
     """A block that the student has to answer.
 
     Attributes

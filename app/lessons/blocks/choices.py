@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 from app.lessons import marking
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, said_below
-from app.lessons.lines import LACKS, Body, Item, Items, on_line, refused, whole
+from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -38,7 +38,7 @@ class Choice(Reply):
     text: str
 
     @classmethod
-    def read(cls, item: Item) -> Choice:
+    def read(cls, item: LineItem) -> Choice:
         """Read a choice: its text, then its formula and its idea in either order."""
         idea = _IDEA.search(item.text)
         text, _, behind = _IDEA.sub("", item.text).partition(" := ")
@@ -114,7 +114,7 @@ class Choices(Question):
     def posed(self) -> str:
         return self._listed(lambda _each: True, "")
 
-    def told(self, answer: str, *, others: bool = True) -> str:
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
         return self._listed(lambda each: others or each.right, RIGHT)
 
     def _listed(self, is_there: Callable[[Choice], bool], mark: str) -> str:

@@ -9,9 +9,9 @@ from dataclasses import dataclass
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, said_below
 from app.lessons.blocks.working import has_names, in_list, working
-from app.lessons.lines import LACKS, Body, Item, Items, number_in, on_line, refused, split
+from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.limits import ONE_OF
@@ -35,7 +35,7 @@ A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by sp
 
 
 @dataclass(frozen=True, kw_only=True)
-class Click(Marked):
+class Click(MarkedQuestion):
     """A question whose answer is a place in a picture.
 
     Attributes
@@ -133,7 +133,7 @@ class Click(Marked):
         return f"({', '.join(map(write, self.answer(here)))})"
 
 
-def _place(item: Item, count: int) -> tuple[Formula, ...]:
+def _place(item: LineItem, count: int) -> tuple[Formula, ...]:
     parts = split(item.text)
     if len(parts) != count:
         raise refused(item.line, NOT_SO_MANY, count, value=item.text[:60])

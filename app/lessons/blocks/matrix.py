@@ -10,10 +10,10 @@ from typing import TypeVar
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import Marked, Reply, Value, Verdict, said_below
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, said_below
 from app.lessons.blocks.working import has_names, in_list, working
-from app.lessons.lines import Body, Item, Items, number_in, on_line, refused, split
-from app.lessons.marking import Typed
+from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
+from app.lessons.marking import TypedNumber
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -51,7 +51,7 @@ COUNTED = QT_TRANSLATE_NOOP("Refusal", "{0} of {1} numbers are right; the others
 
 
 @dataclass(frozen=True, kw_only=True)
-class Matrix(Marked):
+class MatrixQuestion(MarkedQuestion):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
 
     A typed answer is one text: its cells are separated by ``|``, its rows by ``;``.
@@ -68,7 +68,7 @@ class Matrix(Marked):
     first: tuple[int, ...] = ()
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items) -> Matrix:
+    def of(cls, body: Body, text: str, items: Items) -> MatrixQuestion:
         right = items.single("matrix")
         assert right is not None
         rows, columns, formulas = _cells(right)
@@ -118,7 +118,7 @@ class Matrix(Marked):
             return super().verdict(here, sample, line)
 
     def _remark(
-        self, numbers: Sequence[Typed], right: Sequence[float], cells: Sequence[bool]
+        self, numbers: Sequence[TypedNumber], right: Sequence[float], cells: Sequence[bool]
     ) -> Refusal:
         """Say how a wrong matrix differs from the right one."""
         for remark, order in self._rearranged():
@@ -182,7 +182,7 @@ class Matrix(Marked):
         unit = f"\n\n{self.unit}" if self.unit else ""
         return self.table([write(value) for value in self.answer(here)]) + unit
 
-    def told(self, answer: str, *, others: bool = True) -> str:
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}\n\n{answer}" if answer else self.text
 
     def table(self, cells: Sequence[str]) -> str:
@@ -192,7 +192,7 @@ class Matrix(Marked):
         return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 
-def _counts_as(typed: Typed, value: float) -> bool:
+def _counts_as(typed: TypedNumber, value: float) -> bool:
     """Whether a typed number is a value, or is rounded to too few digits."""
     return marking.equals(typed, value) or marking.is_rounded(typed, value)
 
@@ -218,7 +218,7 @@ def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:
     return found
 
 
-def _cells(item: Item) -> tuple[int, int, tuple[Formula, ...]]:
+def _cells(item: LineItem) -> tuple[int, int, tuple[Formula, ...]]:
     """Read the rows and columns of a matrix, and its formulas row after row."""
     rows = [split(row) for row in item.text.split(";")]
     count, width = len(rows), len(rows[0])

@@ -17,8 +17,8 @@ from app.lessons import marking
 from app.lessons.blocks.beside import beside, is_set
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.blocks.working import has_way, in_markdown, working
-from app.lessons.lines import Body, Item, Items, on_line, refused
-from app.lessons.marking import UNITS, Typed
+from app.lessons.lines import Body, Items, LineItem, on_line, refused
+from app.lessons.marking import UNITS, TypedNumber
 from app.lessons.quantities import Condition, NotThere, Quantities
 from app.lessons.state import State, state_in
 from app.model.formula import Formula, parse
@@ -125,7 +125,7 @@ class Reply:
         """Refuse a number in the text that differs from its formula's value."""
 
 
-def said_below(item: Item) -> dict[str, Any]:
+def said_below(item: LineItem) -> dict[str, Any]:
     """Read the sentence and the state indented below a choice or a wrong value."""
     below = Items(item.below)
     return {"says": below.text("says"), "state": state_in(below.single("state"))}
@@ -280,7 +280,7 @@ class Question(Asked):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Marked(Question):
+class MarkedQuestion(Question):
     """A question whose answer is marked each time; `right` are the formulas of its value."""
 
     right: tuple[Formula, ...]
@@ -299,7 +299,10 @@ class Marked(Question):
         return Question.fields(body, text, items) | more
 
     def mistaken(
-        self, here: Here, numbers: Sequence[Typed], is_value: Callable[[Typed, float], bool]
+        self,
+        here: Here,
+        numbers: Sequence[TypedNumber],
+        is_value: Callable[[TypedNumber, float], bool],
     ) -> Verdict | None:
         """Return the reply to the wrong idea whose values are typed, if there is one."""
         for wrong in self.replies:

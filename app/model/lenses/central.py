@@ -101,7 +101,7 @@ class Central(EyeLens):
 
     # -- as another lens
 
-    def ridden(self, window: Window, factor: float) -> Lens:
+    def dollied(self, window: Window, factor: float) -> Lens:
         left, right, bottom, top = (side / factor for side in window)
         keep: Keep = getattr(self, "keep", "y")
         return self.with_window((left, right, bottom, top), self.near, self.far, keep)
@@ -128,7 +128,9 @@ class Central(EyeLens):
         raise NotImplementedError
 
     @classmethod
-    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+    def solutions_for(
+        cls, cells: Rationals, near: float, far: float, in_hand: Lens
+    ) -> Iterator[Lens]:
         if in_hand.kind == cls.kind:
             yield in_hand.but(near=near, far=far)
         yield cls.solved(cells, near, far)

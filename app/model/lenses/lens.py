@@ -31,7 +31,7 @@ from app.model.limits import (
     real,
 )
 from app.model.refusal import Refusal, format_value
-from app.model.tables import TO_PYRAMID, Step, Table
+from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +54,7 @@ class LensTable:
         By lecture, the formulas that this lecture writes in another form.
     """
 
-    steps: tuple[Step, ...]
+    steps: tuple[PipelineStep, ...]
     clip_from_view: Table
     view_from_clip: Table | None = None
     otherwise: Mapping[str, LensTable] = field(default_factory=dict)
@@ -235,7 +235,7 @@ class Lens(Geometry):
         near, far = self.checked_planes(near, far)
         return self.but(near=near, far=far)
 
-    def ridden(self, window: Window, factor: float) -> Lens:
+    def dollied(self, window: Window, factor: float) -> Lens:
         """Return the lens that shows the target equally large from `factor` times the distance."""
         return self
 
@@ -252,7 +252,9 @@ class Lens(Geometry):
         raise NotImplementedError
 
     @classmethod
-    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+    def solutions_for(
+        cls, cells: Rationals, near: float, far: float, in_hand: Lens
+    ) -> Iterator[Lens]:
         """Yield lenses of this kind that may have a matrix, those with the present fields first.
 
         Parameters

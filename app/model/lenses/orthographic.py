@@ -10,7 +10,7 @@ from app.model.lenses.lens import LensTable
 from app.model.lenses.parallel import Parallel
 from app.model.lenses.windowed import Windowed
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.model.tables import DEPTH_RANGE, NO_M_PP, Step, matrix
+from app.model.tables import DEPTH_RANGE, NO_M_PP, PipelineStep, matrix
 
 TRANSLATION = """
     1  0  0  -(r + l)/2
@@ -68,10 +68,10 @@ def box_table(factors: Mapping[str, str], clip_from_view: str, view_from_clip: s
     to_box = tuple((name, matrix(text)) for name, text in factors.items())
     return LensTable(
         (
-            Step("canonical_parallel_from_view", to_box),
-            Step("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
+            PipelineStep("canonical_parallel_from_view", to_box),
+            PipelineStep("canonical_parallel_from_canonical_perspective", note=NO_M_PP),
             DEPTH_RANGE,
-            Step("clip_from_depth_range", (("scale", matrix(W_IS_ONE)),)),
+            PipelineStep("clip_from_depth_range", (("scale", matrix(W_IS_ONE)),)),
         ),
         matrix(clip_from_view, **DEPTH),
         matrix(view_from_clip, **DEPTH),

@@ -85,7 +85,9 @@ class Parallel(EyeLens):
         return cast(Lens, replace(lens, **moved))
 
     @classmethod
-    def having(cls, cells: Rationals, near: float, far: float, in_hand: Lens) -> Iterator[Lens]:
+    def solutions_for(
+        cls, cells: Rationals, near: float, far: float, in_hand: Lens
+    ) -> Iterator[Lens]:
         leaning, cots = cls._leaning(cells, in_hand)
         if in_hand.kind == cls.kind:
             yield in_hand.but(near=near, far=far, **leaning)

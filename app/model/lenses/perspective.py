@@ -20,7 +20,7 @@ from app.model.lenses.lens import Control, LensTable, plane_letters
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, Step, matrix
+from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
 
 # --------------------------------------------------------------------------- the table
 
@@ -111,10 +111,10 @@ def pyramid_tables(
         to_box = (("M_pp", matrix(m_pp)),)
         return LensTable(
             (
-                Step(TO_PYRAMID, to_pyramid, note),
-                Step("canonical_parallel_from_canonical_perspective", to_box, note),
+                PipelineStep(TO_PYRAMID, to_pyramid, note),
+                PipelineStep("canonical_parallel_from_canonical_perspective", to_box, note),
                 DEPTH_RANGE,
-                Step("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),
+                PipelineStep("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),
             ),
             matrix(clip_from_view, **depth),
             matrix(view_from_clip, **depth),
@@ -210,7 +210,7 @@ class Perspective(Central):
     def section(self, aspect: Fraction) -> Fraction:
         return 4 * Fraction(float(aspect)) / Fraction(self.cot_half_fov_y) ** 2
 
-    def ridden(self, window: Window, factor: float) -> Perspective:
+    def dollied(self, window: Window, factor: float) -> Perspective:
         fov_y_deg = math.degrees(2.0 * math.atan2(1.0, factor * self.cot_half_fov_y))
         return replace(self, fov_y_deg=fov_y_deg)
 

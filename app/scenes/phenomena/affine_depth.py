@@ -17,14 +17,14 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Grip, Line, Mark, Marks, Text, named, segment
+from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, point
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
-WORDS = Words("affine-depth")
+WORDS = PhenomenonWords("affine-depth")
 
 _STEPS = np.linspace(0.0, 1.0, 65)
 _EDGE_STEPS = np.linspace(0.0, 1.0, 9)
@@ -139,7 +139,7 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     ends = np.array([point(settings, "start"), point(settings, "end")])
     world = Marks.of(
-        Line(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
+        Polyline(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
     )
     grips = Grip("start", ends[0]), Grip("end", ends[1])
     mesh = subject.mesh
@@ -151,11 +151,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     own = part.rows == 0
     # Over the picture, where x' and y' are straight either way.
     pixels = image_from_ndc(projection, part.ndc[own])
-    image = Marks(tuple(Line(pair, "accent", 2.0) for pair in pixels))
+    image = Marks(tuple(Polyline(pair, "accent", 2.0) for pair in pixels))
     note = WORDS.of_parallel(projection)
     if note is not None:
-        lines = [Line(pair, "muted") for pair in part.ndc[~own]]
-        lines += [Line(pair, "accent", 2.0) for pair in part.ndc[own]]
+        lines = [Polyline(pair, "muted") for pair in part.ndc[~own]]
+        lines += [Polyline(pair, "accent", 2.0) for pair in part.ndc[own]]
         readings, ndc = _readings((0.0, 0.0), 0.0, note, mesh), Marks.of(*lines)
         return Illustration(readings, world, ndc, image, warning=note, grips=grips)
     found = deviation(projection, part)
@@ -163,7 +163,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
     bows: list[Mark] = [
-        Line(each, "leader", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
+        Polyline(each, "leader", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
     ]
     at = None
     if not own.any():
@@ -200,9 +200,9 @@ def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
         text = [Text("deviation", on_bow, away_from=on_chord, text=f"{figure(percent, 4)} %")]
     return Marks.of(
         *text,
-        Line(straight, "accent", 2.0),
-        Line(curve[[0, -1]], "muted"),
-        Line(curve, "u", 2.0),
+        Polyline(straight, "accent", 2.0),
+        Polyline(curve[[0, -1]], "muted"),
+        Polyline(curve, "u", 2.0),
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
         Text("Az+B", curve[quarter], "u", away_from=beside, text="A z + B"),

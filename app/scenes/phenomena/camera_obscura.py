@@ -15,15 +15,15 @@ import numpy as np
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Copy, Dot, Line, Mark, Marks, Text, named, plate, segment
+from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
 
-WORDS = Words("camera-obscura")
+WORDS = PhenomenonWords("camera-obscura")
 
 _BESIDE = 0.1  # of the subject's height, from its left side to the arrow
 
@@ -62,7 +62,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     film, front = section(projection, -d), section(projection, d)
     wall = film + d * -camera.frame[2]  # the front of the box, with the hole in its middle
     world: list[Mark] = [plate(film, "v", 1.5, 0.2, (), "film"), plate(wall, "ink", 1.0, 0.16)]
-    world += [Line(side, "ink", 1.0) for side in np.stack([wall, film], axis=1)]
+    world += [Polyline(side, "ink", 1.0) for side in np.stack([wall, film], axis=1)]
     world += [Text("film", film[1], "v", text=WORDS["film"])]
     world += [Text("front", front[3], "near", text=WORDS["front"])]
     world += [Dot(hole, "ink", 1.2), Text("hole", hole, text=WORDS["hole"])]
@@ -76,7 +76,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         on_film = world_from_view(projection, np.column_stack([-d * x, -d * y, [d, d]]))
         on_front = world_from_view(projection, np.column_stack([d * x, d * y, [-d, -d]]))
         world += [segment(*ends, "accent", 1.0) for ends in zip(arrow, on_film, strict=True)]
-        world += [Line(each, "accent", 3.0) for each in (arrow, on_film, on_front)]
+        world += [Polyline(each, "accent", 3.0) for each in (arrow, on_film, on_front)]
         world += [Dot(on_front[1], "accent", 1.3), named("h", arrow[1]), named("h'", on_film[1])]
         axis = world_from_view(projection, np.array([(0.0, 0.0, d), (0.0, 0.0, -z)]))
         for name, end, colour in zip("dz", axis, ("v", "muted"), strict=True):

@@ -26,14 +26,14 @@ from app.model.projection import Array, Camera, Perspective, Projection, Trace, 
 from app.precision.cheap import Hardware, cheap_formats, stored
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Marks, Rendering, Text, Texture, Vertices
+from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined, letter_f
 
-WORDS = Words("cheap-arithmetic")
+WORDS = PhenomenonWords("cheap-arithmetic")
 
 PRESETS = {
     "console": Hardware("16 bits", "fixed 16.16", "whole px", "table, 1 Newton step"),
@@ -122,7 +122,7 @@ def origin_of(settings: Settings) -> Vector:
     return (-number(settings, "origin") if settings["preset"] == "far" else 0.0, 0.0, 0.0)
 
 
-class Drawn(NamedTuple):
+class VertexErrors(NamedTuple):
     """The errors of vertices as a kind of hardware draws them; NaN where it finds no number.
 
     `px` (n, 2) are across and down, `bound_px` (n, 2) is never below them.
@@ -138,11 +138,11 @@ def drawn(
     hardware: Hardware,
     formats: Sequence[str],
     origin: Vector = (0.0, 0.0, 0.0),
-) -> list[Drawn]:
+) -> list[VertexErrors]:
     """The errors of the scene's vertices, traced exactly, with each of these formats for them."""
     points, _, box = _own()
     pictures = cheap_formats(projection, points, hardware, formats, origin, box)
-    return [Drawn(found.image - trace.image, found.bounds[:, :2]) for found in pictures]
+    return [VertexErrors(found.image - trace.image, found.bounds[:, :2]) for found in pictures]
 
 
 def moved(projection: Projection, trace: Trace, px: Array) -> Array:
@@ -186,7 +186,7 @@ def _largest(vectors: Array) -> float | None:
 
 
 def _readings(
-    result: Drawn, here: NDArray[np.bool_], hardware: Hardware, factor: float | None
+    result: VertexErrors, here: NDArray[np.bool_], hardware: Hardware, factor: float | None
 ) -> tuple[Reading, ...]:
     """The readout, of the vertices that are in the picture."""
     predicted, measured = _largest(result.bound_px[here]), _largest(result.px[here])
@@ -227,7 +227,7 @@ def _marked(arrows: Array, factor: float, name: str) -> Marks:
     longest = arrows[np.linalg.norm(arrows[:, 1] - arrows[:, 0], axis=1).argmax(), 1]
     by = f"{factor:,.0f} ×" if factor >= 1.0 else f"{factor:g} ×"
     return Marks.of(
-        *(Line(arrow, "accent", 1.5, (), name) for arrow in arrows),
+        *(Polyline(arrow, "accent", 1.5, (), name) for arrow in arrows),
         Text(name, longest, "accent", text=by.replace(",", " ")),
     )
 
@@ -276,7 +276,10 @@ def _kept(hardware: Hardware, origin: Vector, size: float) -> tuple[Array, Marks
 
 
 def _diagram(
-    results: Sequence[Drawn], here: NDArray[np.bool_], hardware: Hardware, formats: Sequence[str]
+    results: Sequence[VertexErrors],
+    here: NDArray[np.bool_],
+    hardware: Hardware,
+    formats: Sequence[str],
 ) -> tuple[Diagram, ...]:
     """The largest error with each format of the vertices, over its bytes; all else unchanged."""
     spots, bounds = [], []

@@ -23,14 +23,14 @@ from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Proje
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Face, Line, Mark, Marks, Text, named, outline, plate
+from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
-WORDS = Words("clipping")
+WORDS = PhenomenonWords("clipping")
 
 TRIANGLE = np.array([(2.25, 3.0, 5.75), (4.0, 11.0, -7.0), (-8.0, 2.0, -0.5)])
 """World corners A, B, C of the polygon that is cut: each of the six planes adds one corner."""
@@ -216,7 +216,7 @@ def _somewhere(*parts: Marks) -> Marks:
         *(
             mark
             for mark in chain(*Marks.of(*parts).kinds)
-            if np.isfinite(mark.points if isinstance(mark, Line | Face) else mark.point).all()
+            if np.isfinite(mark.points if isinstance(mark, Polyline | Face) else mark.point).all()
         )
     )
 
@@ -229,7 +229,7 @@ def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[in
         off = [cut.off for cut in steps(clip, projection.depth)]
         pieces += [_shares(clip, piece) @ CARDS[i][:3] for piece in off if len(piece)]
     return Marks.of(
-        *(Line(outline(piece), "muted", 1.0) for piece in pieces),
+        *(Polyline(outline(piece), "muted", 1.0) for piece in pieces),
         *(Face(piece, "background", _PALE) for piece in pieces),
     )
 

@@ -23,15 +23,15 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Copy, Line, Marks, Rendering, Text, outline
+from app.scenes.phenomena.marks import Copy, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.phenomena.settings import Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
-WORDS = Words("depth-buffer")
+WORDS = PhenomenonWords("depth-buffer")
 
 FINEST = 2.0**-17
 """Relative to the distance: anything finer drowns in the graphics card's own float32."""
@@ -165,7 +165,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Text("surface-1", _CORNERS[3], "near", text=WORDS["first"]),
             Text("surface-2", moved[2], "n", text=WORDS["second"]),
         )
-        marks = Marks.of(Line(outline(moved), _BEHIND, 1.5), *names)
+        marks = Marks.of(Polyline(outline(moved), _BEHIND, 1.5), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):

@@ -27,9 +27,9 @@ from app.scenes.phenomena.marks import (
     Dot,
     Face,
     Grip,
-    Line,
     Mark,
     Marks,
+    Polyline,
     Text,
     named,
     outline,
@@ -39,10 +39,10 @@ from app.scenes.phenomena.marks import (
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, point
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
-WORDS = Words("eye-plane")
+WORDS = PhenomenonWords("eye-plane")
 
 _THROUGH_EYE = 1e-14  # sine of the angle between the ends' rays below which they are one ray
 _RADIUS = 0.93  # of the arc of the naive divide, inside the circle of radius 1
@@ -55,7 +55,7 @@ _CROSSING = (3, 4)  # lecture 004's cases
 _AT_FRAME, _ARROW = 1e-6, 0.06  # of the picture's longer side
 
 
-class Pictures(NamedTuple):
+class EyePlanePictures(NamedTuple):
     """Three drawings of the same m segments, in pixels, cut to the frame.
 
     Attributes
@@ -83,7 +83,7 @@ class Pictures(NamedTuple):
     left_out_px: Array
 
 
-def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
+def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictures:
     """Draw segments in the three ways; `view` (m, 2, 3) and `clip` (m, 2, 4) are their ends."""
     eye_cut = cut_at_eye(view[:, 0], view[:, 1])
     matrix = projection.clip_from_view
@@ -112,7 +112,7 @@ def pictures(projection: Projection, view: Array, clip: Array) -> Pictures:
     lengths = np.nan_to_num(np.hypot(span[..., 0], span[..., 1]))
     in_front = (clip[..., 3] > 0.0).all(axis=1)
     naive, cut, right = drawn
-    return Pictures(
+    return EyePlanePictures(
         naive,
         cut,
         right,
@@ -272,7 +272,7 @@ def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
 
 
 def _readings(
-    projection: Projection, drawn: Pictures, view: Array, mesh: OwnMesh | None
+    projection: Projection, drawn: EyePlanePictures, view: Array, mesh: OwnMesh | None
 ) -> tuple[Reading, ...]:
     behind = [end for end in (1, 0) if view[end, 2] > 0.0]
     ends = mirrored_end(projection, view[behind[0]]) if behind else None
@@ -330,11 +330,13 @@ def _world_marks(
     return Marks.of(*marks)
 
 
-def _image_in_world(projection: Projection, view: Array, drawn: Pictures, way: str) -> Marks:
+def _image_in_world(
+    projection: Projection, view: Array, drawn: EyePlanePictures, way: str
+) -> Marks:
     """The image of AB on a plane before the eye, and the projectors of A and B to it."""
     eye, away = np.array(projection.camera.eye), _IMAGE_AT * projection.camera.distance
     plane = section(projection, away)
-    marks: list[Mark] = [Line(outline(plane), "near", 1.0), Face(plane, "near", 0.1)]
+    marks: list[Mark] = [Polyline(outline(plane), "near", 1.0), Face(plane, "near", 0.1)]
     for name, end in zip(("A'", "B'"), view, strict=True):
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             image = end * (away / -end[2])
@@ -352,14 +354,14 @@ def _image_in_world(projection: Projection, view: Array, drawn: Pictures, way: s
 
 def _laid(
     projection: Projection, plane: Array, pixels: Array, colour: str, wanted: bool
-) -> list[Line]:
+) -> list[Polyline]:
     """A line of the picture on a plane of the world, whose corners are those of the picture."""
     if not wanted or not np.isfinite(pixels).all():
         return []
     across, down = (pixels / projection.image_size).T[..., None]
     left_bottom, right_bottom, _, left_top = plane
     ends = left_top + across * (right_bottom - left_bottom) + down * (left_bottom - left_top)
-    return [Line(ends, colour, 2.5)]
+    return [Polyline(ends, colour, 2.5)]
 
 
 def _ndc_marks(projection: Projection, clip: Array) -> Marks:
@@ -379,13 +381,13 @@ def _ndc_marks(projection: Projection, clip: Array) -> Marks:
     return _ab(ndc, "accent", 2.0)
 
 
-def _image_marks(drawn: Pictures) -> Marks:
+def _image_marks(drawn: EyePlanePictures) -> Marks:
     """The naive and the right image of the segment, over the picture."""
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
         marks += [
-            Line(wrong, "u", 1.0),
+            Polyline(wrong, "u", 1.0),
             Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]),
         ]
     if np.isfinite(right).all():
@@ -407,10 +409,10 @@ def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
 
 def _ab(ends: Array, colour: str, width: float) -> Marks:
     """AB, with its name in the middle."""
-    return Marks.of(Line(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
+    return Marks.of(Polyline(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
 
 
-def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
+def _edges_alone(drawn: EyePlanePictures, way: str, size: tuple[int, int]) -> Marks:
     """All edges drawn in one of the three ways, on an empty picture.
 
     An edge that crosses the eye plane is thick. The divide draws it wrongly. After the lecture's
@@ -427,7 +429,7 @@ def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
         if case in _CROSSING:
             thick.append(_crossing_edge(ends, colour, way, size))
         else:
-            marks.append(Line(ends, "ink", 0.75))
+            marks.append(Polyline(ends, "ink", 0.75))
     marks += thick
     if np.isfinite(lines[0]).all():
         marks.append(Text("AB", lines[0].mean(axis=0), colour))
@@ -437,7 +439,7 @@ def _edges_alone(drawn: Pictures, way: str, size: tuple[int, int]) -> Marks:
 
 def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) -> Marks:
     """An edge that crosses the eye plane, and at the frame what its way of drawing makes of it."""
-    marks: list[Mark] = [Line(ends, colour, 2.5)]
+    marks: list[Mark] = [Polyline(ends, colour, 2.5)]
     for end, other in ((ends[0], ends[1]), (ends[1], ends[0])):
         at_frame = (np.minimum(abs(end), abs(end - size)) <= _AT_FRAME * max(size)).any()
         if not at_frame or way == "naive":

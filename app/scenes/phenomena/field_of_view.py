@@ -27,14 +27,14 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Marks, Text
+from app.scenes.phenomena.marks import Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
-WORDS = Words("field-of-view")
+WORDS = PhenomenonWords("field-of-view")
 
 
 _WIDE_MM, _TELE_MM = 29.0, 105.0
@@ -74,7 +74,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
     )
 
 
-class View(NamedTuple):
+class DollyView(NamedTuple):
     """Distance from the subject in world units, and vertical field of view in degrees."""
 
     distance: float
@@ -85,7 +85,7 @@ def _fov_y_deg(half_height: float, distance: float) -> float:
     return math.degrees(2.0 * math.atan2(half_height, distance))
 
 
-def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
+def preset_view(name: str, aspect: float, enlarged: bool = True) -> DollyView:
     """The view of a preset: "wide", "tele", "eye", "monitor" or "phone".
 
     `aspect` is the image's width over its height. The focal lengths are those of the full-frame
@@ -96,12 +96,14 @@ def preset_view(name: str, aspect: float, enlarged: bool = True) -> View:
     wide_deg = fov_y_from_focal_length_35mm(_WIDE_MM, aspect)
     half_height = _WIDE_DISTANCE / Perspective(wide_deg).cot_half_fov_y  # at the subject
     if name == "wide":
-        return View(_WIDE_DISTANCE, wide_deg)
+        return DollyView(_WIDE_DISTANCE, wide_deg)
     if name == "tele":
         own = fov_y_from_focal_length_35mm(_TELE_MM, aspect)
-        return View(_TELE_DISTANCE, _fov_y_deg(half_height, _TELE_DISTANCE) if enlarged else own)
+        return DollyView(
+            _TELE_DISTANCE, _fov_y_deg(half_height, _TELE_DISTANCE) if enlarged else own
+        )
     fov_y_deg = fov_x_from_fov_y(_SEEN_DEG[name], 1.0 / aspect)
-    return View(half_height * Perspective(fov_y_deg).cot_half_fov_y, fov_y_deg)
+    return DollyView(half_height * Perspective(fov_y_deg).cot_half_fov_y, fov_y_deg)
 
 
 def dollied(projection: Projection, factor: float) -> Projection:
@@ -112,7 +114,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
     camera, lens = projection.camera, projection.lens
     distance = factor * camera.distance
     moved = replace(projection, camera=_at(camera, distance))
-    return replace(moved, lens=lens.ridden(projection.window, factor))
+    return replace(moved, lens=lens.dollied(projection.window, factor))
 
 
 def _at(camera: Camera, distance: float) -> Camera:
@@ -186,10 +188,10 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
     )
     size, why = _size_px(projection, bar, subject)
-    lines: list[Line] = []
+    lines: list[Polyline] = []
     texts: list[Text] = []
     if size is not None:
-        lines += [Line(each, "accent", 1.5) for each in (bar, ticks[:2], ticks[2:])]
+        lines += [Polyline(each, "accent", 1.5) for each in (bar, ticks[:2], ticks[2:])]
         texts.append(Text("px", bar[1], "accent", text=f"{size:.0f} px"))
     at_squares = []
     if ratio is not None:
@@ -198,7 +200,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         squares = (w_near, "nearest", "near", 2), (w_far, "farthest", "far", 1)
         for depth, name, colour, corner in squares:
             square = _square(camera, 0.45 * height, depth)
-            lines.append(Line(square, colour, 1.5, (), name))
+            lines.append(Polyline(square, colour, 1.5, (), name))
             at_squares.append(Text(name, square[corner], colour, text=WORDS[name]))
     texts += at_squares
     ends = np.array([camera.eye, camera.target])
@@ -215,7 +217,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             *_angles(projection),
         ),
         world=Marks.of(
-            Line(ends, "accent", name="d"),
+            Polyline(ends, "accent", name="d"),
             *lines,
             Text("d", ends.mean(axis=0), "accent", text=f"d = {distance:.4g}"),
             *at_squares,

@@ -28,20 +28,11 @@ from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import (
-    Aperture,
-    Dot,
-    Mark,
-    Marks,
-    Rendering,
-    Text,
-    plate,
-    segment,
-)
+from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -54,7 +45,7 @@ from app.scenes.shapes import (
     written_number,
 )
 
-WORDS = Words("focus")
+WORDS = PhenomenonWords("focus")
 
 _MM = 1e-3  # in world units, which are metres
 

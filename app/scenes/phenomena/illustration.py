@@ -27,7 +27,7 @@ from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
-from app.scenes.phenomena.words import Comparison, Words
+from app.scenes.phenomena.words import Comparison, PhenomenonWords
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -193,7 +193,7 @@ class Phenomenon:
         front where theirs is, and its right side a sixth of their width farther out.
     """
 
-    words: Words
+    words: PhenomenonWords
     lectures: tuple[str, ...]
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]

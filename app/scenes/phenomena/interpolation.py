@@ -27,14 +27,14 @@ import numpy as np
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Mark, Marks, Rendering, Texture, named
+from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
-WORDS = Words("interpolation")
+WORDS = PhenomenonWords("interpolation")
 
 TEXELS = 256
 """Of the board's texture, each side."""
@@ -145,7 +145,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     middles = projection.trace(in_world)
-    world: list[Mark] = [Line(ends, "ink", 1.5)]
+    world: list[Mark] = [Polyline(ends, "ink", 1.5)]
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
     names = ("half-in-world", "target"), ("half-on-screen", "accent")

@@ -27,7 +27,7 @@ _MOST_DASHES = 24
 
 
 @dataclass(frozen=True, eq=False)
-class Line:
+class Polyline:
     """A polyline (k, 2 or 3); `about` names what it is highlighted with, as in `Reading`."""
 
     points: Array
@@ -90,7 +90,7 @@ class Text:
 class Marks:
     """All marks of one pane."""
 
-    lines: tuple[Line, ...] = ()
+    lines: tuple[Polyline, ...] = ()
     faces: tuple[Face, ...] = ()
     dots: tuple[Dot, ...] = ()
     texts: tuple[Text, ...] = ()
@@ -98,7 +98,7 @@ class Marks:
     @classmethod
     def of(cls, *marks: Mark) -> Marks:
         """Sort marks by kind; within a kind they keep their order."""
-        found: dict[type, list[Any]] = {Line: [], Face: [], Dot: [], Text: []}
+        found: dict[type, list[Any]] = {Polyline: [], Face: [], Dot: [], Text: []}
         for mark in marks:
             if isinstance(mark, Marks):
                 for kind, more in zip(found, mark.kinds, strict=True):
@@ -112,13 +112,13 @@ class Marks:
         return self.lines, self.faces, self.dots, self.texts
 
 
-Mark: TypeAlias = Marks | Line | Face | Dot | Text
+Mark: TypeAlias = Marks | Polyline | Face | Dot | Text
 
 
 def segment(
     start: ArrayLike, end: ArrayLike, colour: str, width: float, about: tuple[str, ...] = ()
-) -> Line:
-    return Line(np.array([start, end]), colour, width, about)
+) -> Polyline:
+    return Polyline(np.array([start, end]), colour, width, about)
 
 
 def named(
@@ -128,7 +128,7 @@ def named(
     return Marks.of(Dot(point, colour, size, name), Text(name, point, colour, text=text))
 
 
-def dash_dot(start: Array, end: Array, period: float, colour: str, width: float) -> list[Line]:
+def dash_dot(start: Array, end: Array, period: float, colour: str, width: float) -> list[Polyline]:
     """A line of an axis: a dash and a dot in each period, from the start on."""
     length = float(np.linalg.norm(end - start))
     count = min(math.ceil(length / period), _MOST_DASHES) if 0.0 < length < math.inf else 0
@@ -136,17 +136,21 @@ def dash_dot(start: Array, end: Array, period: float, colour: str, width: float)
     for i in range(count):
         for low, high in ((i, i + 0.6), (i + 0.76, i + 0.84)):
             shares = np.minimum(np.array([low, high]) / count, 1.0)[:, None]
-            lines.append(Line(start + shares * (end - start), colour, width))
+            lines.append(Polyline(start + shares * (end - start), colour, width))
     return lines
 
 
-def right_angle(corner: Array, one: Array, other: Array, side: float, colour: str = "ink") -> Line:
+def right_angle(
+    corner: Array, one: Array, other: Array, side: float, colour: str = "ink"
+) -> Polyline:
     """The mark of a right angle at a corner, between the directions to two points."""
     toward, across = (
         side * (point - corner) / max(float(np.linalg.norm(point - corner)), 1e-300)
         for point in (one, other)
     )
-    return Line(np.array([corner + toward, corner + toward + across, corner + across]), colour, 0.5)
+    return Polyline(
+        np.array([corner + toward, corner + toward + across, corner + across]), colour, 0.5
+    )
 
 
 def outline(corners: Array) -> Array:
@@ -163,7 +167,7 @@ def plate(
     name: str = "",
 ) -> Marks:
     """A flat convex polygon (k, 2 or 3): its face, and its outline in the same colour."""
-    edge = Line(outline(corners), colour, width, about, name)
+    edge = Polyline(outline(corners), colour, width, about, name)
     return Marks.of(edge, Face(corners, colour, opacity, name))
 
 
@@ -303,7 +307,7 @@ class Aperture:
 
 
 @dataclass(frozen=True, eq=False)
-class Level:
+class DetailLevel:
     """One level of detail of the scene's objects.
 
     `objects` (m, 3) holds, for each of the m faces, the world place of its object. Where that place
@@ -327,5 +331,5 @@ class Rendering:
     buffer: DepthBuffer | None = None
     texture: Texture | None = None
     fog: Fog | None = None
-    levels: tuple[Level, ...] = ()
+    levels: tuple[DetailLevel, ...] = ()
     aperture: Aperture | None = None

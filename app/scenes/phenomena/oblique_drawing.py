@@ -23,11 +23,11 @@ from app.model.projection import (
     receding_of,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Dot, Line, Mark, Marks, Text, segment
+from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     SIDE_RGB,
     Coloured,
@@ -38,7 +38,7 @@ from app.scenes.shapes import (
     joined,
 )
 
-WORDS = Words("oblique-drawing")
+WORDS = PhenomenonWords("oblique-drawing")
 
 
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
@@ -66,7 +66,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
     return (cube, np.array(rgb)), joined(grid, edges_of(cube))
 
 
-class Drawn(NamedTuple):
+class DrawnEdge(NamedTuple):
     """An edge along n as drawn, measured on the image beside equal edges along u and v.
 
     Attributes
@@ -84,7 +84,7 @@ class Drawn(NamedTuple):
     angle_deg: float
 
 
-def measured(ends_px: Array) -> Drawn | None:
+def measured(ends_px: Array) -> DrawnEdge | None:
     """Measure drawn edges: pixels (4, 2) of a corner and of their ends along -u, v and -n.
 
     None if a pixel is missing, or an edge along u or v has no length.
@@ -96,7 +96,7 @@ def measured(ends_px: Array) -> Drawn | None:
     x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
     if not math.isfinite(math.hypot(x, y) + up / across):
         return None
-    return Drawn(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
+    return DrawnEdge(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
 
 
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
@@ -160,7 +160,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     by_formula = receding_of(lens)
     if by_formula[0] > 0.0 and lens.shear[0] < 0.0:
         segments[1] += ends[3] - corner  # the outer one of these edges has room beside it
-    edges = [Line(ends, colour, 2.0) for ends, colour in zip(segments, _COLOURS, strict=True)]
+    edges = [Polyline(ends, colour, 2.0) for ends, colour in zip(segments, _COLOURS, strict=True)]
     corners = box_corners(subject.lower, subject.upper)
     named = np.array(
         [segments[0, 1], *segments[1:].mean(axis=1)]
@@ -201,7 +201,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
 
 def _readings(
     projection: Projection,
-    drawn: Drawn | None,
+    drawn: DrawnEdge | None,
     by_formula: tuple[float, float],
     note: Phrase | None,
 ) -> tuple[Reading, ...]:

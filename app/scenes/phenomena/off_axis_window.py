@@ -16,14 +16,14 @@ import numpy as np
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Mark, Marks, Text, plate, segment
+from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
-WORDS = Words("off-axis-window")
+WORDS = PhenomenonWords("off-axis-window")
 
 
 _NAMES, _COLOURS = ("left", "right"), ("u", "n")
@@ -169,7 +169,7 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
         marks += [segment(*ends, colour, 1.0) for ends in zip(starts, corners, strict=True)]
         marks.append(Text(name, (corners[2] + corners[3]) / 2.0, colour, text=WORDS[name]))
     if (right := screens.get("right")) is not None:
-        marks.append(Line(section(right, right.camera.distance)[[0, 3]], "accent", 2.0))
+        marks.append(Polyline(section(right, right.camera.distance)[[0, 3]], "accent", 2.0))
     return Marks.of(*marks)
 
 
@@ -199,7 +199,7 @@ def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
             corners = [(first, low), (last, low), (last, high), (first, high)]
         elif name == "window":
             corners.append(corners[0])
-        marks.append(Line(np.array(corners, dtype=float), colour, 2.0))
+        marks.append(Polyline(np.array(corners, dtype=float), colour, 2.0))
         at = np.array([x + 0.03 * width, 0.06 * height])
         marks.append(Text(name, at, colour, text=WORDS[name]))
         x = end

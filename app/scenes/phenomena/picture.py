@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments
 from app.model.projection import PLANES, Array, Projection, Trace, Vector
-from app.scenes.phenomena.marks import Line, Text
+from app.scenes.phenomena.marks import Polyline, Text
 
 SIDES = ("left", "right", "bottom", "top")
 """The planes that cut a line which may be at any depth, such as the horizon."""
@@ -98,11 +98,11 @@ def cut_in_picture(
 
 def seen_lines(
     projection: Projection, segments_clip: Array, colours: Iterable[str], width: float = 1.0
-) -> tuple[Line, ...]:
+) -> tuple[Polyline, ...]:
     """Clip-space segments (k, 2, 4) as lines of the image, cut to the view volume."""
     pieces = cut_in_picture(projection, segments_clip[:, 0], segments_clip[:, 1])
     return tuple(
-        Line(piece, colour, width)
+        Polyline(piece, colour, width)
         for piece, colour in zip(pieces, colours, strict=True)
         if piece is not None
     )

@@ -29,9 +29,9 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
     Grip,
-    Line,
     Mark,
     Marks,
+    Polyline,
     Text,
     named,
     plate,
@@ -40,10 +40,10 @@ from app.scenes.phenomena.marks import (
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Setting, Settings, number, point
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
 
-WORDS = Words("planar-shadow")
+WORDS = PhenomenonWords("planar-shadow")
 
 ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -220,7 +220,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
-    def ray(place: Array, end: Array, *drawn: Any) -> Line:
+    def ray(place: Array, end: Array, *drawn: Any) -> Polyline:
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 

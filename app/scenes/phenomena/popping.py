@@ -24,14 +24,14 @@ from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Pr
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Fog, Level, Line, Marks, Rendering, Text, outline
+from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Found, Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
-WORDS = Words("far-plane-popping")
+WORDS = PhenomenonWords("far-plane-popping")
 
 SPEED = 12.0  # world units a second, when the position is played
 SPACING = 6.0
@@ -221,7 +221,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     if settings["detail"]:
         until = (number(settings, "detail_1"), number(settings, "detail_2"))
     levels = tuple(
-        Level(faces, objects, end)
+        DetailLevel(faces, objects, end)
         for (faces, objects), end in zip(_levels(), (*until, math.inf), strict=True)
     )
     note = WORDS.phrase("far-at-infinity") if far == math.inf else None
@@ -260,9 +260,9 @@ def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
                                       tree + HEIGHT * up]))  # fmt: skip
     trace = projection.trace(outline_world)
     pieces = cut_in_picture(projection, trace.clip[:-1], trace.clip[1:], SIDES)
-    lines = [Line(piece, "accent", 1.5) for piece in pieces if piece is not None]
+    lines = [Polyline(piece, "accent", 1.5) for piece in pieces if piece is not None]
     text = Text("next-tree", outline_world[2], "accent", text=WORDS["next-tree"])
-    world = Marks.of(Line(outline_world, "accent", 2.0), text)
+    world = Marks.of(Polyline(outline_world, "accent", 2.0), text)
     top = trace.image[2]
     in_frame = (
         np.isfinite(top).all() and (top >= 0.0).all() and (top <= projection.image_size).all()

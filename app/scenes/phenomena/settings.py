@@ -49,7 +49,7 @@ class Setting:
     only_with : (str, value), optional
         The name of another setting, and the only value of it with which this one has an effect.
     label, tip : str
-        Translatable; like `choices`, they come from the content file (`Words.worded`).
+        Translatable; like `choices`, they come from the content file (`PhenomenonWords.worded`).
     choices : tuple of (str, str)
         The values of a choice and their translatable labels.
     """

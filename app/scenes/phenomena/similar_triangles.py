@@ -22,9 +22,9 @@ from app.scenes.phenomena.marks import (
     Face,
     Grip,
     Length,
-    Line,
     Mark,
     Marks,
+    Polyline,
     dash_dot,
     named,
     plate,
@@ -34,10 +34,10 @@ from app.scenes.phenomena.marks import (
 from app.scenes.phenomena.picture import section, seen, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Setting, Settings, number, point
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
 
-WORDS = Words("similar-triangles")
+WORDS = PhenomenonWords("similar-triangles")
 
 NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
     "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
@@ -130,7 +130,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             right_angle(axis, eye, place, side),
             right_angle(foot, eye, hit, side),
             segment(axis, place, "accent", 2.5, _OF_POINT),
-            Line(_through(eye, place, hit, distance, w), "ink", 1.0),
+            Polyline(_through(eye, place, hit, distance, w), "ink", 1.0),
             segment(foot, hit, "accent", 2.5, _OF_IMAGE),
             Dot(eye, "eye", 1.5),
             named("P", place, size=1.6),

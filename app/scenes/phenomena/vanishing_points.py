@@ -18,7 +18,7 @@ import numpy as np
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Line, Mark, Marks, Text, named, segment
+from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import (
     SIDES,
     box_edges,
@@ -28,7 +28,7 @@ from app.scenes.phenomena.picture import (
 )
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
-from app.scenes.phenomena.words import Words
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,
@@ -40,7 +40,7 @@ from app.scenes.shapes import (
     joined,
 )
 
-WORDS = Words("vanishing-points")
+WORDS = PhenomenonWords("vanishing-points")
 
 _AXES, _COLOURS = ("x", "y", "z"), ("u", "v", "n")
 _VIEWS = {"1": (0.0, 0.0), "2": (40.0, 0.0), "3": (44.0, 30.0)}  # azimuth, elevation, degrees
@@ -308,10 +308,12 @@ def _image_marks(
         projection, np.array([*starts, start_clip]), np.array([*ends, there.clip]), SIDES
     )
     drawn = zip(pieces, colours, strict=True)
-    marks: list[Mark] = [Line(piece, colour, 1.0) for piece, colour in drawn if piece is not None]
+    marks: list[Mark] = [
+        Polyline(piece, colour, 1.0) for piece, colour in drawn if piece is not None
+    ]
     # From C to P, as long as their part of the projective line is in front of the eye.
     if run is not None:
-        marks.append(Line(run, "accent", 2.0))
+        marks.append(Polyline(run, "accent", 2.0))
     size = projection.image_size
     names = [f"V_{axis}" for axis in _AXES], [point.pixel for point in points], _COLOURS
     for name, pixel, colour in [*zip(*names, strict=True), ("P", there.pixel, "accent")]:
@@ -320,7 +322,7 @@ def _image_marks(
     held = line_in_rectangle(horizon(projection), (0.0, 0.0), size)
     if held is not None:
         place = held[0] + 0.25 * (held[1] - held[0])
-        marks += [Line(held, "ink", 1.0), Text("horizon", place, text=WORDS["horizon"])]
+        marks += [Polyline(held, "ink", 1.0), Text("horizon", place, text=WORDS["horizon"])]
     return Marks.of(*marks)
 
 

@@ -56,7 +56,7 @@ class Comparison:
     pictures: tuple[tuple[str, tuple[str, ...]], ...]
 
 
-class _Section(NamedTuple):
+class _WordsSection(NamedTuple):
     """What stands below one heading: lines of text, and the items of a list."""
 
     text: list[str]
@@ -67,7 +67,7 @@ class _Section(NamedTuple):
         return dict(item.split(": ", 1) for item in self.items)
 
 
-class Words:
+class PhenomenonWords:
     """The words of one phenomenon.
 
     Parameters
@@ -82,12 +82,12 @@ class Words:
         self.name, self._given = name, text
 
     @cached_property
-    def _sections(self) -> dict[str, _Section]:
+    def _sections(self) -> dict[str, _WordsSection]:
         text = self._given or (CONTENT / f"{self.name}.md").read_text(encoding="utf-8")
-        found: dict[str, _Section] = {}
+        found: dict[str, _WordsSection] = {}
         for line in filter(None, text.splitlines()):
             if line.startswith("#"):
-                section = found.setdefault(line.lstrip("# "), _Section([], []))
+                section = found.setdefault(line.lstrip("# "), _WordsSection([], []))
             elif line.startswith("- "):
                 section.items.append(line[2:])
             else:

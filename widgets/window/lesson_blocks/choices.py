@@ -16,7 +16,7 @@ from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button, hand_in
 
 
-class _Choice(QWidget):
+class _ChoiceButton(QWidget):
     """A radio button whose text may hold formulas."""
 
     def __init__(self, text: str) -> None:
@@ -66,13 +66,13 @@ _ARROWS: dict[int, int] = {
 }
 
 
-class Chooses(BlockView):
+class ChoiceView(BlockView):
     """The choices of a question: a prediction is made once; an answer may be repeated."""
 
     def __init__(self, here: AtStep, question: Choices) -> None:
         super().__init__(here, question)
         self.question = question
-        self._choices = [_Choice(choice.text) for choice in question.replies]
+        self._choices = [_ChoiceButton(choice.text) for choice in question.replies]
         self._group = QButtonGroup(self)
         for number, choice in enumerate(self._choices):
             self._group.addButton(choice.button, number)

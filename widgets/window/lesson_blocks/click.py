@@ -11,14 +11,14 @@ from app.lessons.blocks.click import Click
 from app.lessons.blocks.question import Value, Verdict
 from app.lessons.course import AtStep
 from widgets.parts.layouts import FREE
-from widgets.window.lesson_blocks.marked import Attempts
+from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
 NOWHERE = "-"
 """Recorded for a place that has no coordinates."""
 
 
-class Points(Attempts):
+class ClickView(MarkedAnswerView):
     """A place in a picture; `Pointing` shows the crosshair there, and says where it is."""
 
     wanted = Signal()

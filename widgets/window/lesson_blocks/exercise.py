@@ -14,13 +14,13 @@ from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
 from app.lessons.course import AtStep
 from app.model.refusal import Refusal
 from widgets.parts.layouts import FREE
-from widgets.parts.plain import Label, set_tip
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
 ViewOf = Callable[[AtStep, Asked], BlockView]
 
 
-class Practises(BlockView):
+class ExerciseView(BlockView):
     """An exercise; the answer of the student is kept with the seed that drew its numbers."""
 
     def __init__(self, here: AtStep, exercise: Exercise, view_of: ViewOf) -> None:
@@ -43,10 +43,10 @@ class Practises(BlockView):
             self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
         )
         self._another.hide()
-        title = Label(self.tr("Exercise"))
+        title = PlainLabel(self.tr("Exercise"))
         title.setObjectName("paneTitle")
         self._row = on_holder(
-            Label(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
+            PlainLabel(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
         )
         self._insert(on_holder(title, FREE, self._row, gap=5))
 

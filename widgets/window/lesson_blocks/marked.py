@@ -9,7 +9,7 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
-from app.lessons.blocks.question import Marked, Verdict
+from app.lessons.blocks.question import MarkedQuestion, Verdict
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
@@ -18,12 +18,12 @@ from widgets.parts.messages import sentence
 from widgets.window.lesson_blocks.view import TOLD, BlockView, hand_in
 
 
-class Attempts(BlockView):
+class MarkedAnswerView(BlockView):
     """A question whose answers are submitted with `_submit`."""
 
     _check: QPushButton
 
-    def __init__(self, here: AtStep, question: Marked) -> None:
+    def __init__(self, here: AtStep, question: MarkedQuestion) -> None:
         super().__init__(here, question)
         self.question = question
 

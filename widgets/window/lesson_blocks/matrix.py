@@ -9,15 +9,15 @@ from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QP
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
 
 from app.lessons import marking
-from app.lessons.blocks.matrix import Matrix
+from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
 from app.model.matrix_text import LONGEST, read_matrix
 from app.model.refusal import Refusal, format_value
 from widgets.parts.layouts import FREE
 from widgets.parts.messages import sentence
-from widgets.parts.plain import Label, set_tip
-from widgets.window.lesson_blocks.marked import Attempts
+from widgets.parts.plain import PlainLabel, set_tip
+from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import Sign, button, on_holder
 
 CELL_EM = 6.0
@@ -25,7 +25,7 @@ CELL_EM = 6.0
 _BRACKET_PX = 6
 
 
-class _Cell(QLineEdit):
+class _MatrixCellEdit(QLineEdit):
     """A cell with a sign below it is marked; the sign goes when the cell is edited."""
 
     def __init__(self, row: int, column: int) -> None:
@@ -69,19 +69,21 @@ class _Brackets(QWidget):
         painter.end()
 
 
-class Fills(Attempts):
+class MatrixAnswerView(MarkedAnswerView):
     """A matrix or a vector; arrow keys and Tab go from cell to cell, Enter checks them all."""
 
-    question: Matrix
+    question: MatrixQuestion
 
-    def __init__(self, here: AtStep, question: Matrix) -> None:
+    def __init__(self, here: AtStep, question: MatrixQuestion) -> None:
         super().__init__(here, question)
         holder = _Brackets()
         grid = QGridLayout(holder)
         grid.setContentsMargins(_BRACKET_PX + 2, 4, _BRACKET_PX + 2, 4)
         grid.setSpacing(3)
         self.cells = [
-            _Cell(row, column) for row in range(question.rows) for column in range(question.columns)
+            _MatrixCellEdit(row, column)
+            for row in range(question.rows)
+            for column in range(question.columns)
         ]
         for cell in self.cells:
             tip = self.tr("A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell (Enter)")
@@ -92,7 +94,7 @@ class Fills(Attempts):
             middle = Qt.AlignmentFlag.AlignHCenter
             grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, middle)
         self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
-        unit = [Label(question.unit)] if question.unit else []
+        unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder(holder, *unit, FREE, gap=5))
         self._insert(on_holder(self._check, FREE, gap=5))
 
@@ -102,7 +104,7 @@ class Fills(Attempts):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if (
-            isinstance(watched, _Cell)
+            isinstance(watched, _MatrixCellEdit)
             and isinstance(event, QKeyEvent)
             and event.type() == QEvent.Type.KeyPress
         ):
@@ -125,7 +127,7 @@ class Fills(Attempts):
             cell.unmark()
         return True
 
-    def _go(self, cell: _Cell, key: Qt.Key) -> bool:
+    def _go(self, cell: _MatrixCellEdit, key: Qt.Key) -> bool:
         """Go to a neighbour by an arrow key; within a text, left and right move the cursor."""
         row, column, at = cell.row, cell.column, cell.cursorPosition()
         if key == Qt.Key.Key_Up:
@@ -142,7 +144,7 @@ class Fills(Attempts):
             self._enter(self.cells[row * self.question.columns + column])
         return True
 
-    def _enter(self, cell: _Cell) -> None:
+    def _enter(self, cell: _MatrixCellEdit) -> None:
         cell.setFocus(Qt.FocusReason.OtherFocusReason)
         cell.selectAll()
 
@@ -162,7 +164,7 @@ class Fills(Attempts):
         ]
         self._submit("; ".join(rows))
 
-    def _refuse_cell(self, cell: _Cell, error: Refusal) -> None:
+    def _refuse_cell(self, cell: _MatrixCellEdit, error: Refusal) -> None:
         self._enter(cell)
         said = Refusal.in_document(
             error.bound, *error.limits, field=cell.place, value=error.value or ...

@@ -9,12 +9,12 @@ from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
 from app.lessons.text import said_of
 from widgets.parts.layouts import FREE
-from widgets.parts.plain import Label, set_tip
-from widgets.window.lesson_blocks.marked import Attempts
+from widgets.parts.plain import PlainLabel, set_tip
+from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import button, on_holder
 
 
-class Types(Attempts):
+class NumberAnswerView(MarkedAnswerView):
     """A question with a typed number."""
 
     def __init__(self, here: AtStep, question: Answer) -> None:
@@ -30,7 +30,7 @@ class Types(Attempts):
         self.field.setMaximumWidth(11 * self.fontMetrics().height())
         self.field.returnPressed.connect(self.check)
         self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
-        unit = [Label(question.unit)] if question.unit else []
+        unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
 
     @property

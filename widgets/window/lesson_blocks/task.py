@@ -25,7 +25,7 @@ _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """By which a condition names a field of the view, where its name is another one."""
 
 
-class Tries(BlockView):
+class TaskView(BlockView):
     """A task that may be solved in any way; it is ticked when it is done."""
 
     def __init__(self, here: AtStep, task: Task) -> None:
