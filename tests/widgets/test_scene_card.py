@@ -17,6 +17,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QComboBox,
+    QLineEdit,
     QSlider,
     QToolTip,
     QWidget,
@@ -25,6 +26,7 @@ from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.document.store import Store
+from app.lessons.course import CONTENT
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -912,3 +914,19 @@ def test_another_scene_is_shown_from_the_top_without_the_search(window: MainWind
     bar.setValue(20)
     enter(controls.rows["near"].field, "0.5")
     assert bar.value() == 20, "a value does not scroll the dock"
+
+
+def test_a_number_that_is_being_typed_does_not_outlive_its_scene(
+    window: MainWindow, qtbot: QtBot
+) -> None:
+    show_scene(window, "focus")
+    window.activateWindow()
+    qtbot.waitUntil(window.isActiveWindow)
+    field = window.controls.card.rows["focus"].findChild(QLineEdit)
+    assert isinstance(field, QLineEdit)
+    field.setFocus()
+    QTest.keyClicks(field, "33")
+    window.lesson_card.open(CONTENT / "l06-off-axis-frustum.md")
+    assert window.store.document.scene == "off-axis-window"
+    assert "shift" in window.controls.card.rows
+    assert window.store.document == window.shown.document

@@ -292,6 +292,8 @@ class SceneCard(QWidget, RowHolder):
     def _make_rows(self, settings: Iterable[Setting]) -> None:
         self.players.clear()
         self.take_back()
+        for row in self.rows.values():
+            row.blockSignals(True)  # a number typed for the previous scene is not one of this one
         _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
