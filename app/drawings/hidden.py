@@ -28,8 +28,8 @@ _LEAST_PX = 0.25  # of a part of a line between two borders of faces; less is no
 _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
-_MOST_SPLITS = 200  # more than as many as there are faces
-_MOST_CROSSINGS, _MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
+MOST_SPLITS = 200  # more than as many as there are faces
+MOST_CROSSINGS, MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
 TANGLED = QT_TRANSLATE_NOOP(
@@ -161,7 +161,7 @@ def _union(one: Cell, edge: int, other: Cell, begin: tuple[float, float]) -> Cel
     return joined if len(kept) > 2 and _measure(joined) else None
 
 
-def _common(one: Cell, other: Cell) -> Points:
+def common(one: Cell, other: Cell) -> Points:
     """What two convex faces have in common on the screen."""
     part, around = one.flat, other.flat
     for i, begin in enumerate(around):
@@ -258,7 +258,7 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
     cross, they become tangled. `watch` is called now and then, and may raise an exception.
     """
     faces = _joined([face for face in faces if _measure(face)])
-    most_faces = 2 * len(faces) + _MOST_SPLITS
+    most_faces = 2 * len(faces) + MOST_SPLITS
     relations = list[_Relation]()
     fresh = np.ones(len(faces), dtype=np.bool_)
     for left in reversed(range(_ROUNDS)):
@@ -271,7 +271,7 @@ def in_order(faces: Iterable[Cell], watch: Callable[[], None] = lambda: None) ->
                 first, last = (i, j) if is_opaque else (j, i)
                 crossing.setdefault(first, []).append(last)
                 count += 1
-                if count > _MOST_CROSSINGS + most_faces:
+                if count > MOST_CROSSINGS + most_faces:
                     raise Refusal.in_document(TANGLED, field="scene")
         if count > most_faces:
             tangled = {*crossing}.union(*crossing.values())
@@ -301,7 +301,7 @@ def _related(faces: Sequence[Cell], fresh: Any, watch: Callable[[], None]) -> It
     """Yield how the faces lie to each other that have something in common, and one is `fresh`."""
     for i, j in _pairs(faces, fresh) if len(faces) else ():
         watch()
-        part = _common(faces[i], faces[j])
+        part = common(faces[i], faces[j])
         if part:
             yield (i, j, *_apart(faces[i], faces[j], part))
 
@@ -391,12 +391,12 @@ def visible(
             max(one.place, other.place)
             for one, other in combinations(late, 2)
             if (one.place < other.place) != (place[id(one)] < place[id(other)])
-            and _common(one, other)
+            and common(one, other)
         ]
         late = [face for face in late if wrong and face.place >= min(wrong)]
     # What is large hides most: the less is left, the less is cut by those that follow.
     before = Hiding(sorted(opaque, key=lambda each: -_area(each.flat)))
-    ends, work = list[tuple[Cell, list[Points]]](), iter(range(_MOST_CUTS))
+    ends, work = list[tuple[Cell, list[Points]]](), iter(range(MOST_CUTS))
     for face in [*tangled, *sorted(late, key=lambda each: each.place)]:
         watch()
         ends.append((face, _without(face, before.before(face.points), work)))
@@ -413,7 +413,7 @@ def _without(face: Cell, others: Iterable[Cell], work: Iterator[int]) -> list[Po
     """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
     rings = [face.flat]
     for other in others:
-        part = _common(face, other) if rings else []
+        part = common(face, other) if rings else []
         if not part:
             continue
         least, most = _apart(face, other, part)
