@@ -29,7 +29,7 @@ _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
 MOST_SPLITS = 200  # more than as many as there are faces
-MOST_CROSSINGS, MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
+MOST_CROSSINGS, MOST_CUTS = 50_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
 TANGLED = QT_TRANSLATE_NOOP(
