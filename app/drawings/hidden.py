@@ -28,8 +28,8 @@ _LEAST_PX = 0.25  # of a part of a line between two borders of faces; less is no
 _MOST_PARTS = 400  # of a translucent face
 _MOST_RINGS = 100  # that are broken
 _ROUNDS = 12  # in which faces that pass through others are split
-_MOST_SPLITS = 200  # more than as many as there are faces
-_MOST_CROSSINGS, _MOST_CUTS = 20_000, 1_500_000  # of faces, and of parts of tangled ones
+MOST_SPLITS = 200  # more than as many as there are faces
+MOST_CROSSINGS, MOST_CUTS = 50_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
 TANGLED = QT_TRANSLATE_NOOP(
@@ -163,7 +163,7 @@ def _union(
     return joined if len(kept) > 2 and _measure(joined) else None
 
 
-def _common(one: ScreenCell, other: ScreenCell) -> Points:
+def common(one: ScreenCell, other: ScreenCell) -> Points:
     """What two convex faces have in common on the screen."""
     part, around = one.flat, other.flat
     for i, begin in enumerate(around):
@@ -262,7 +262,7 @@ def in_order(
     cross, they become tangled. `watch` is called now and then, and may raise an exception.
     """
     faces = _joined([face for face in faces if _measure(face)])
-    most_faces = 2 * len(faces) + _MOST_SPLITS
+    most_faces = 2 * len(faces) + MOST_SPLITS
     relations = list[_Relation]()
     fresh = np.ones(len(faces), dtype=np.bool_)
     for left in reversed(range(_ROUNDS)):
@@ -275,7 +275,7 @@ def in_order(
                 first, last = (i, j) if is_opaque else (j, i)
                 crossing.setdefault(first, []).append(last)
                 count += 1
-                if count > _MOST_CROSSINGS + most_faces:
+                if count > MOST_CROSSINGS + most_faces:
                     raise Refusal.in_document(TANGLED, field="scene")
         if count > most_faces:
             tangled = {*crossing}.union(*crossing.values())
@@ -307,7 +307,7 @@ def _related(
     """Yield how the faces lie to each other that have something in common, and one is `fresh`."""
     for i, j in _pairs(faces, fresh) if len(faces) else ():
         watch()
-        part = _common(faces[i], faces[j])
+        part = common(faces[i], faces[j])
         if part:
             yield (i, j, *_apart(faces[i], faces[j], part))
 
@@ -399,12 +399,12 @@ def visible(
             max(one.place, other.place)
             for one, other in combinations(late, 2)
             if (one.place < other.place) != (place[id(one)] < place[id(other)])
-            and _common(one, other)
+            and common(one, other)
         ]
         late = [face for face in late if wrong and face.place >= min(wrong)]
     # What is large hides most: the less is left, the less is cut by those that follow.
     before = Occlusion(sorted(opaque, key=lambda each: -_area(each.flat)))
-    ends, work = list[tuple[ScreenCell, list[Points]]](), iter(range(_MOST_CUTS))
+    ends, work = list[tuple[ScreenCell, list[Points]]](), iter(range(MOST_CUTS))
     for face in [*tangled, *sorted(late, key=lambda each: each.place)]:
         watch()
         ends.append((face, _without(face, before.before(face.points), work)))
@@ -421,7 +421,7 @@ def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]
     """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
     rings = [face.flat]
     for other in others:
-        part = _common(face, other) if rings else []
+        part = common(face, other) if rings else []
         if not part:
             continue
         least, most = _apart(face, other, part)

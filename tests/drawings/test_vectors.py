@@ -418,7 +418,7 @@ def test_everywhere_the_nearest_face_is_seen(
     seed: int, most_splits: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Also where faces pass through each other, split or not, and where they lie in a ring."""
-    monkeypatch.setattr(hidden, "_MOST_SPLITS", most_splits)
+    monkeypatch.setattr(hidden, "MOST_SPLITS", most_splits)
     chance = random.Random(seed)
     planes, actors = [], []
     for number in range(7):
@@ -453,9 +453,14 @@ def soup(count: int) -> list[hidden.ScreenCell]:
 
 
 def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPatch) -> None:
-    compared = []
-    common = hidden._common
-    monkeypatch.setattr(hidden, "_common", lambda *faces: compared.append(faces) or common(*faces))
+    compared = list[tuple[hidden.Cell, hidden.Cell]]()
+    common = hidden.common
+
+    def counted(one: hidden.Cell, other: hidden.Cell) -> hidden.Points:
+        compared.append((one, other))
+        return common(one, other)
+
+    monkeypatch.setattr(hidden, "common", counted)
     count = 80
     faces = hidden.in_order(soup(count))
     assert len(faces) <= count
@@ -464,7 +469,7 @@ def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPa
     assert len(compared) < 2 * count**2, "each pair once for the order and twice for what is seen"
 
 
-@pytest.mark.parametrize("limit", ["_MOST_CROSSINGS", "_MOST_CUTS"])
+@pytest.mark.parametrize("limit", ["MOST_CROSSINGS", "MOST_CUTS"])
 def test_too_many_crossings_are_refused(limit: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(hidden, limit, 10)
     with pytest.raises(Refusal, match="cross each other in too many places"):
