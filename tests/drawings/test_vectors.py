@@ -453,10 +453,10 @@ def soup(count: int) -> list[hidden.ScreenCell]:
 
 
 def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPatch) -> None:
-    compared = list[tuple[hidden.Cell, hidden.Cell]]()
+    compared = list[tuple[hidden.ScreenCell, hidden.ScreenCell]]()
     common = hidden.common
 
-    def counted(one: hidden.Cell, other: hidden.Cell) -> hidden.Points:
+    def counted(one: hidden.ScreenCell, other: hidden.ScreenCell) -> hidden.Points:
         compared.append((one, other))
         return common(one, other)
 
