@@ -261,7 +261,7 @@ def test_picking_is_prepared_in_a_thread_when_the_scene_is_opened(
             made.append(threading.current_thread().name)
             super().__init__(*arguments)
 
-    monkeypatch.setattr(probes, "Surface", Counted)
+    monkeypatch.setattr(probes, "PickSurface", Counted)
     window = make_window()
     click(window.panes["world"].canvas, place_in(window, "world", CORNER))
     click(window.panes["image"].canvas, place_in(window, "image", CORNER))

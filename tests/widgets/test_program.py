@@ -630,7 +630,7 @@ from PySide6.QtCore import qWarning
 from vtkmodules.vtkIOGeometry import vtkSTLReader
 def after():
     from PySide6.QtWidgets import QApplication
-    reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+    reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "ErrorReport"]
     print([report.isVisible() for report in reports])
     window.present.end()
     print([report.isVisible() for report in reports])
@@ -672,7 +672,7 @@ for drawing in (ImageDrawing, StageDrawing, WorldDrawing):
 def test_drawings_that_fail_when_first_shown_are_told_of() -> None:
     """Three of them at once: PySide6 forgot such exceptions, and broke when it painted."""
     act = """
-reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "Report"]
+reports = [w for w in QApplication.topLevelWidgets() if type(w).__name__ == "ErrorReport"]
 print(len(reports), reports[0].findChild(QLabel).text())
 window.grab()
 reports[0].close()
