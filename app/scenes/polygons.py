@@ -175,10 +175,3 @@ def _rings(flat: Floats) -> list[Ints]:
         position[place] = len(way)
         way.append(number)
     return [np.array(ring) for ring in (*rings, way) if len(ring) > 2]
-
-
-def _doubled(triangles: Floats) -> Floats:
-    """Return twice the signed areas of triangles (k, 3, 2)."""
-    (x, y), (other_x, other_y) = ((triangles[:, i] - triangles[:, 0]).T for i in (1, 2))
-    doubled: Floats = x * other_y - y * other_x
-    return doubled
