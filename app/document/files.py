@@ -66,7 +66,7 @@ NEITHER = QT_TRANSLATE_NOOP(
     " camera file (.json, .yml, .xml, cameras.txt, images.txt)",
 )
 VIEWS = QT_TRANSLATE_NOOP(
-    "Refusal", "has {0} views: write #1 to #{0}, or # and a name, after the file: {1}"
+    "Refusal", "must be followed by # and the number, up to {0}, or the name of a view: {1}"
 )
 NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")

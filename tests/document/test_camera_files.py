@@ -242,11 +242,11 @@ def test_a_view_is_chosen_by_name_or_number() -> None:
         assert seen(f"t.json#{view}").intrinsics.fx == pytest.approx(902, rel=1e-14)
     names = "./train/r_0, ./train/r_1, ./train/r_2"
     assert refusal("t.json") == (
-        f"t.json has 3 views: write #1 to #3, or # and a name, after the file: {names}."
+        f"t.json must be followed by # and the number, up to 3, or the name of a view: {names}."
     )
     for view in ("4", "0", "r", "r_2.png", "\u0663"):
         assert refusal(f"t.json#{view}") == (
-            f"t.json has 3 views: write #1 to #3, or # and a name, after the file: {names}."
+            f"t.json must be followed by # and the number, up to 3, or the name of a view: {names}."
         )
     asked = list[list[str]]()
     found = seen("t.json", choose=lambda names: asked.append(names) or names[1])  # type: ignore[func-returns-value]
@@ -445,7 +445,7 @@ def test_the_case_of_a_colmap_camera_alone() -> None:
         ("cameras.txt", "1 PINHOLE 800 600 750 nan 400 300", "", "line 1 = '800 600 750 nan 400"),
         ("images.txt#1", "1 PINHOLE 8 6 7 7 4 3\n1", IMAGES,
          "images.txt: cameras.txt, line 2 = '': is no perspective camera, and is not read."),
-        ("images.txt", "", IMAGES, "images.txt has 2 views"),
+        ("images.txt", "", IMAGES, "images.txt must be followed by"),
         ("images.txt#1", "", IMAGES, "images.txt: line 5 has a CAMERA_ID that is not"),
         ("images.txt#1", CAMERAS, "1 0 0 0 0 1 2 3 1 a.png",
          "quaternion = [0, 0, 0, 0]: must not be the zero vector."),
