@@ -29,10 +29,10 @@ from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Here
+from app.lessons.blocks.block import TOLD, Asked, Here
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.task import Task
+from app.lessons.blocks.task import DONE, Task
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, read
@@ -62,8 +62,8 @@ from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.click import ClickView
 from widgets.window.lesson_blocks.exercise import ExerciseView
-from widgets.window.lesson_blocks.task import DONE, TaskView
-from widgets.window.lesson_blocks.view import TOLD, BlockView
+from widgets.window.lesson_blocks.task import TaskView
+from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross

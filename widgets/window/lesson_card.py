@@ -33,8 +33,8 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import View
-from app.lessons.blocks.block import ReadBlock, of_kind
-from app.lessons.blocks.exercise import Exercise
+from app.lessons.blocks.block import ReadBlock
+from app.lessons.blocks.task import DONE
 from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, Lesson, Step, head_of
 from app.lessons.practice import Sheet, marked
@@ -51,7 +51,7 @@ from widgets.parts.roles import give_role
 from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
 from widgets.window.lesson_blocks.exercise import ExerciseView
-from widgets.window.lesson_blocks.task import DONE, TaskView
+from widgets.window.lesson_blocks.task import TaskView
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.self_test_marks import SelfTestMarks
@@ -719,8 +719,7 @@ class LessonCard(QFrame):
 
 def _practises(lesson: Lesson, step: Step) -> bool:
     """Whether a step has an exercise, in a lesson that has other steps, too."""
-    practice = [bool(of_kind(each.blocks, Exercise)) for each in lesson.steps]
-    return practice[lesson.steps.index(step)] and not all(practice)
+    return step.varies and not all(each.varies for each in lesson.steps)
 
 
 def _settle_layout() -> None:

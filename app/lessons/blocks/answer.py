@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -108,8 +108,11 @@ class Answer(MarkedQuestion):
         return wrong or Verdict(False, too_short=too_short, remark=remark)
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
+        return self.printed([write(self.answer(here))])
+
+    def printed(self, numbers: Sequence[str]) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
-        return f"{write(self.answer(here))}{unit}"
+        return super().printed(numbers) + unit
 
     def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text

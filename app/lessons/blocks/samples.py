@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from app.lessons.blocks.block import Block, Here, Trial
+from app.lessons.blocks.block import Block, Here, StepContent, Trial
 from app.lessons.lines import Body, refused
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -31,6 +31,12 @@ class Samples(Block):
 
     kind = "test"
     samples: tuple[Sample, ...]
+
+    def add_to(self, content: StepContent) -> None:
+        content.samples += self.samples
+
+    def only_for(self, asked: Collection[str]) -> Samples:
+        return replace(self, samples=tuple(each for each in self.samples if each.block in asked))
 
     @classmethod
     def read(cls, body: Body) -> Samples:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
+from app.lessons.blocks.block import TOLD
 from app.lessons.blocks.choices import Choices
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
@@ -13,7 +14,7 @@ from app.lessons.text import said_of
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button, hand_in
+from widgets.window.lesson_blocks.view import BlockView, Sign, button, hand_in
 
 
 class _ChoiceButton(QWidget):
@@ -184,7 +185,7 @@ class ChoiceView(BlockView):
         question, right = self.question, self.question.right
         self._hush()
         try:
-            verdict = question.chosen(self.here, number)
+            verdict = question.mark(self.here, str(number + 1))
             show = question.show and self.here.shown_by(question.show)
         except Refusal as error:
             self._refuse(error)

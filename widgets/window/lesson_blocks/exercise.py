@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from app.document.document import Document
 from app.document.view import View
-from app.lessons.blocks.block import Asked
-from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
+from app.lessons.blocks.block import Asked, Variant
+from app.lessons.blocks.exercise import LARGEST_SEED, Exercise
 from app.lessons.course import AtStep
 from app.model.refusal import Refusal
 from widgets.parts.layouts import FREE
@@ -26,6 +26,7 @@ class ExerciseView(BlockView):
     def __init__(self, here: AtStep, exercise: Exercise, view_of: ViewOf) -> None:
         super().__init__(here, exercise)
         self._words.hide()  # each variant has its own
+        self.hints = []  # they are its variant's
         self.exercise, self._view_of = exercise, view_of
         self.variant: Variant | None = None
         self.asked: BlockView | None = None

@@ -9,13 +9,14 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
+from app.lessons.blocks.block import TOLD
 from app.lessons.blocks.question import MarkedQuestion, Verdict
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
-from widgets.window.lesson_blocks.view import TOLD, BlockView, hand_in
+from widgets.window.lesson_blocks.view import BlockView, hand_in
 
 
 class MarkedAnswerView(BlockView):

@@ -9,20 +9,16 @@ from PySide6.QtCore import QTimer
 
 from app.document.document import Document
 from app.document.view import View
-from app.lessons.blocks.task import Task
+from app.lessons.blocks.block import TOLD
+from app.lessons.blocks.task import DONE, Task
 from app.lessons.course import AtStep
 from app.lessons.record import RIGHT, SHOWN
 from app.lessons.writing import changes
 from app.model.refusal import Refusal
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
+from widgets.window.lesson_blocks.view import BlockView, Sign, button
 
 REST_MS = 900
 """How long nothing has changed when a wrong idea is named."""
-DONE = "done"
-"""Stored as the answer of a finished task."""
-
-_IN_CONDITIONS = {"panes": "turned", "probes": "_"}
-"""By which a condition names a field of the view, where its name is another one."""
 
 
 class TaskView(BlockView):
@@ -46,13 +42,7 @@ class TaskView(BlockView):
     @property
     def _given(self) -> str:
         """Return what was changed, as in a sample; of the view only what the task is about."""
-        asked = " ".join(condition.text for _, condition in self.task.until)
-
-        def matters(change: str) -> bool:
-            section, _, name = change.partition("=")[0].partition(".")
-            return section != "view" or _IN_CONDITIONS.get(name, name) in asked
-
-        return " ".join(filter(matters, changes(self.here.document, self._now)))
+        return " ".join(filter(self.task.is_about, changes(self.here.document, self._now)))
 
     def hand_in(self) -> None:
         """Keep the window's current state as the answer of a test."""
@@ -93,7 +83,7 @@ class TaskView(BlockView):
             self._offer_state(self.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
 
     def _offer_answer(self, act: Callable[[], object]) -> None:
-        if self.task.why or self.task.right is not None:
+        if self.task.can_be_told:
             super()._offer_answer(act)
 
     def look(self, document: Document, view: View) -> None:
@@ -114,7 +104,7 @@ class TaskView(BlockView):
             self._settle(DONE)
         elif document != self.here.document:  # tried
             self._offer_answer(self.give_away)
-            if self.task.wrong:
+            if self.task.replies:
                 self._resting.start()
 
     def rest(self) -> None:
@@ -122,7 +112,7 @@ class TaskView(BlockView):
         if not self.is_open:
             return
         try:
-            wrong = self.task.mistaken(self.here, self._now, self._now.view)
+            wrong = self.task.mistaken_in(self.here, self._now, self._now.view)
             verdict = wrong.verdict(self.here) if wrong is not None else None
         except Refusal as error:
             self._refuse(error)

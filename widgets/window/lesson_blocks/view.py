@@ -33,8 +33,6 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
-TOLD = "told"
-"""Stored as the answer if the program has shown it."""
 SIGN_EM = 1.15
 """Size of a sign, relative to the text height beside it."""
 
