@@ -134,11 +134,11 @@ def test_a_test_is_taken_by_keyboard_alone(
     assert not menus.hint.isEnabled() and not menus.anew.isEnabled()
     given = {}
     for place in range(3):
-        (view,) = card.blocks
+        (view,) = card.page.blocks
         assert "Angles go from bottom to top." in texts(card), "what the step says before it"
-        assert window.store.document == view.variant.here.document
-        assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
-        name, here, question = view.block.name, view.variant.here, view.variant.question
+        assert window.store.document == view.played.variant.here.document
+        assert not view.played.hints and view.seed.isHidden() is False and not view.seed.isVisible()
+        name, here, question = view.played.block.name, view.played.here, view.played.question
         assert place or view.visibleRegion().boundingRect() == view.rect(), "it makes room"
         if name == "wide":
             assert isinstance(keyboard(), QLineEdit)
@@ -158,15 +158,15 @@ def test_a_test_is_taken_by_keyboard_alone(
             buttons(card)["Hand it in"].click()
             settle()
             assert "Nothing is changed yet." in texts(card)
-            wanted = float(view.variant.numbers["wanted"])
+            wanted = float(view.played.variant.numbers["wanted"])
             enter(window.controls.rows["near"].field, str(wanted))
             come_to_rest(window)
-            assert view.is_open, "nothing says that it is right"
+            assert view.played.is_open, "nothing says that it is right"
             buttons(card)["Hand it in"].setFocus()
             press(KEY.Key_Return)
             given[name] = f"lens.near={wanted:g}"
         settle()
-        assert not view.is_open and "Your answer is kept until the end." in texts(card)
+        assert not view.played.is_open and "Your answer is kept until the end." in texts(card)
         assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
         assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
         assert "Right" not in texts(card) and "idea" not in texts(card)
@@ -177,8 +177,8 @@ def test_a_test_is_taken_by_keyboard_alone(
             (go_on,) = window.messages.choices
             go_on.click()
             come_to_rest(window)
-            (view,) = card.blocks
-            assert not view.is_open and "Your answer is kept" in texts(card)
+            (view,) = card.page.blocks
+            assert not view.played.is_open and "Your answer is kept" in texts(card)
             assert window.lessons.place == 0
         assert keyboard() is card.next
         press(KEY.Key_Return)
@@ -231,8 +231,8 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     assert of_start_card(window) == ["&Review: 1 exercise, about 2 minutes"]
     menu.review.trigger()
     come_to_rest(window)
-    (view,) = window.lesson_card.blocks
-    assert view.block.name == "choose" and view.variant_seed == 2 and view.seed.isVisible()
+    (view,) = window.lesson_card.page.blocks
+    assert view.played.block.name == "choose" and view.played.seed == 2 and view.seed.isVisible()
     press(KEY.Key_Down)
     press(KEY.Key_Return)
     assert "Right." in texts(window.lesson_card)
@@ -322,7 +322,7 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_
         if "exercise 2" in keyboard().accessibleName():
             break
     press(KEY.Key_Space)
-    assert window.lessons.step is not None and window.lessons.step.name == "practise"
+    assert window.lessons.player is not None and window.lessons.player.step.name == "practise"
     assert not any(
         isinstance(w, Overview) and w.isVisible() for w in QApplication.topLevelWidgets()
     )

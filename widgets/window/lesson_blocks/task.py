@@ -2,18 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-
 from PySide6.QtCore import QTimer
 
 from app.document.document import Document
-from app.document.view import View
 from app.lessons.blocks.block import TOLD
-from app.lessons.blocks.task import DONE, Task
-from app.lessons.course import AtStep
-from app.lessons.record import RIGHT, SHOWN
-from app.lessons.writing import changes
+from app.lessons.blocks.task import Task
+from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import BlockView, Sign, button
 
@@ -24,74 +18,46 @@ REST_MS = 900
 class TaskView(BlockView):
     """A task that may be solved in any way; it is ticked when it is done."""
 
-    def __init__(self, here: AtStep, task: Task) -> None:
+    def __init__(self, played: PlayedBlock, task: Task) -> None:
         sign = Sign("", "")
-        super().__init__(here, task, sign)
-        self.task, self._sign, self._now = task, sign, here.document
-        self._told: set[int] = set()
-        """The lines of the wrong ideas that were named: each is named once."""
+        super().__init__(played, task, sign)
+        self.task, self._sign = task, sign
         self._resting = QTimer(self, singleShot=True, interval=REST_MS)
         self._resting.timeout.connect(self.rest)
         sign.show_icon("", self.tr("To do"))
-
-    def begin_test(self) -> None:
-        super().begin_test()
-        tip = self.tr("The window as it is now is my answer")
-        self._insert(button(self.tr("Hand it &in"), tip, self.hand_in))
-
-    @property
-    def _given(self) -> str:
-        """Return what was changed, as in a sample; of the view only what the task is about."""
-        return " ".join(filter(self.task.is_about, changes(self.here.document, self._now)))
+        if played.is_test:
+            tip = self.tr("The window as it is now is my answer")
+            self._insert(button(self.tr("Hand it &in"), tip, self.hand_in))
 
     def hand_in(self) -> None:
         """Keep the window's current state as the answer of a test."""
-        given = self._given
+        given = self.played.changes
         if given:
-            self._hand_in(given)
+            self.played.hand_in(given)
+            self._handed_in()
         else:
             self._warn(self.tr("Nothing is changed yet."))
             self._announce(self.tr("Nothing is changed yet."))
 
-    def restore(self, answer: str) -> None:
-        self.answer = answer
-        if answer == TOLD:
+    def restore(self) -> None:
+        if self.played.answer == TOLD:
             self._tell()
         else:
             self._tick()
 
-    def give_hint(self) -> None:
-        super().give_hint()
-        self._offer_answer(self.give_away)
-
-    def give_away(self) -> None:
-        """Show how the task is done."""
-        self._hush()
-        self._tell()
-        self._announce(self._told_why)
-        self.tried.emit("", SHOWN)
-        self._settle(TOLD)
-
-    @property
-    def _told_why(self) -> str:
-        return self.task.why or self.tr("You can see a state that fulfils the task.")
-
-    def _tell(self) -> None:
-        self._say("help", "", self._told_why)
+    def _tell(self) -> list[str]:
+        why = self.task.why or self.tr("You can see a state that fulfils the task.")
+        self._say("help", "", why)
         if self.task.right is not None:
             tip = self.tr("Show a state that makes it visible (Alt+W)")
-            self._offer_state(self.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
+            state = self.played.here.shown_by(self.task.right)
+            self._offer_state(state, self.tr("Sho&w it"), tip)
+        return [why]
 
-    def _offer_answer(self, act: Callable[[], object]) -> None:
-        if self.task.can_be_told:
-            super()._offer_answer(act)
-
-    def look(self, document: Document, view: View) -> None:
-        self._now = replace(document, view=view)
-        if not self.is_open or self.is_test:
-            return
+    def look(self, now: Document) -> None:
+        played = self.played
         try:
-            is_done = self.task.is_done(self.here, document, view)
+            is_done = played.look(now)
         except Refusal as error:
             self._refuse(error)
             return
@@ -99,28 +65,22 @@ class TaskView(BlockView):
             self._resting.stop()
             self._hush()
             self._tick()
-            self.tried.emit(self._given, RIGHT)
             self._announce(self.tr("Done."), self.task.done, self.task.why)
-            self._settle(DONE)
-        elif document != self.here.document:  # tried
-            self._offer_answer(self.give_away)
+            self._settled()
+        elif played.is_open and played.is_changed and not played.is_test:
+            self._offer_answer()
             if self.task.replies:
                 self._resting.start()
 
     def rest(self) -> None:
         """Name the wrong idea behind what was done, once the hand rests."""
-        if not self.is_open:
-            return
         try:
-            wrong = self.task.mistaken_in(self.here, self._now, self._now.view)
-            verdict = wrong.verdict(self.here) if wrong is not None else None
+            verdict = self.played.name_idea()
         except Refusal as error:
             self._refuse(error)
             return
-        if wrong is not None and verdict is not None and wrong.line not in self._told:
-            self._told.add(wrong.line)
+        if verdict is not None:
             self._hush()
-            self.tried.emit(self._given, verdict.word)
             self._refute(verdict)
 
     def _tick(self) -> None:
