@@ -279,7 +279,8 @@ class Phenomenon:
         """
         at_hand = self.at_hand(projection, settings)
         # A setting that is not changed here keeps its value if its implied value cannot be chosen.
-        before = self._possible(at_hand, settings) | {name: at_hand.get(name) for name in values}
+        changed = {name: at_hand.get(name) for name in values}
+        before = {**self._possible(at_hand, settings), **changed}
         after = self.checked({**before, **values})
         if after == before:
             return projection, settings
