@@ -696,7 +696,7 @@ def test_a_preview_can_be_cancelled(
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
     size = window.store.document.projection.image_size
     titles = {name: pane.name for name, pane in window.panes.items()}
-    dialog = ExportDialog(titles, size, window, window.pictures._preview)
+    dialog = ExportDialog(titles, size, window, window.pictures.preview)
     combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
     for name in ("SVG", "dashed"):  # lines behind faces take long
         combos[name].setCurrentIndex(1)
@@ -710,11 +710,11 @@ def test_a_preview_can_be_cancelled(
     timer = QTimer()
     timer.timeout.connect(cancel)
     timer.start(0)
-    dialog._show_preview()
+    dialog.show_preview()
     timer.stop()
     preview = named(dialog, QLabel, "Preview")
     assert shown == ["Drawing the preview"] and preview.pixmap().isNull()
-    dialog._show_preview()
+    dialog.show_preview()
     assert not preview.pixmap().isNull()
 
 

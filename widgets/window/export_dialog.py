@@ -136,7 +136,7 @@ class ExportDialog(QDialog):
         em = self.fontMetrics().height()
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
-        self._timer.timeout.connect(self._show_preview)
+        self._timer.timeout.connect(self.show_preview)
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -301,7 +301,7 @@ class ExportDialog(QDialog):
         super().showEvent(event)
         self._timer.start()
 
-    def _show_preview(self) -> None:
+    def show_preview(self) -> None:
         if self._draw is None or self._find_problem():
             return
         room = self._preview.size() * self.devicePixelRatioF()

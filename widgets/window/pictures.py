@@ -82,7 +82,7 @@ class Pictures(QObject):
 
         size = self._seen().projection.image_size
         kept = self._settings.export
-        dialog = ExportDialog(self._titles, size, self._window, self._preview, kept)
+        dialog = ExportDialog(self._titles, size, self._window, self.preview, kept)
         accepted = dialog.exec()
         dialog.deleteLater()
         if not accepted:
@@ -122,7 +122,7 @@ class Pictures(QObject):
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
-    def _preview(self, choice: ExportChoice, room: QSize, tell: Tell) -> QPixmap:
+    def preview(self, choice: ExportChoice, room: QSize, tell: Tell) -> QPixmap:
         """Draw a choice with as few pixels as a preview has."""
         from PySide6.QtSvg import QSvgRenderer
 
