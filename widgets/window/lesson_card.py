@@ -60,8 +60,8 @@ TOUR = CONTENT / "tour.md"
 
 def heads(*, talks: bool) -> tuple[Head, ...]:
     """List the lessons that come with the program, or the talks; without the tour."""
-    found = (head_of(path) for path in contained() if path != TOUR)
-    return tuple(head for head in found if head.is_talk == talks)
+    all_heads = (head_of(path) for path in contained() if path != TOUR)
+    return tuple(head for head in all_heads if head.is_talk == talks)
 
 
 class LessonCard(QFrame):
@@ -324,10 +324,11 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._player is not None and self._player.sheet is None:
-            self._say(
-                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
-            )
+        if self._player is None or self._player.sheet is not None:
+            return
+        mistakes = self._lessons.mistakes()
+        if mistakes is not None:
+            self._say(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     # -- the end
 
@@ -389,8 +390,8 @@ class LessonCard(QFrame):
             partial(self.result_wanted.emit, marks),
         )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
-        shown = SelfTestMarks(marks)
-        self._show_end(shown.title, save, close, below=[shown])
+        summary = SelfTestMarks(marks)
+        self._show_end(summary.title, save, close, below=[summary])
 
     def _show_end(
         self, said: QWidget, *buttons: QPushButton, below: Sequence[QWidget] = ()

@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -29,10 +30,11 @@ from app.lessons.lesson import Lesson, read
 from app.lessons.player import Player
 from app.lessons.state import State
 from app.model.projection import Camera
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.progress import apart
 from widgets.window.files import Files
 
 if TYPE_CHECKING:
@@ -91,7 +93,7 @@ class Lessons(QObject):
         self._start = self._end = store.document
         self._part = 1.0
         self._stages = (0.0, 0.0)
-        self._moving = False
+        self._moving = self._checks = False
         self._watcher = QFileSystemWatcher(self)
         self._settled = QTimer(self, singleShot=True, interval=SETTLED_MS)
         self._settled.timeout.connect(self.read_again)
@@ -362,6 +364,9 @@ class Lessons(QObject):
         player = self.player
         if player is None:
             return
+        if self._checks:  # the window goes on meanwhile
+            self._settled.start()
+            return
         before, path = player.course, player.lesson.path
         if str(path) not in self._watcher.files():  # editors replace the file
             self._watcher.addPath(str(path))
@@ -374,8 +379,10 @@ class Lessons(QObject):
             place = course.lesson.place_of(name or player.step.name, min(player.place, last))
             shown = course.shown(place)
         except Refusal as error:
-            is_talk = before.lesson.is_talk
-            self.complained.emit(named(error, path) if is_talk else self.mistakes())
+            if before.lesson.is_talk:
+                self.complained.emit(named(error, path))
+            else:
+                self._complain()
             return
         self._messages.done()
         same = player.posed is None and shown == before.shown(player.place)
@@ -390,13 +397,25 @@ class Lessons(QObject):
     def _complain(self) -> None:
         """Say what is wrong in a lesson; a speaker learns it when the class would see it."""
         is_talk = self.lesson is not None and self.lesson.is_talk
-        self.complained.emit("" if is_talk else self.mistakes())
+        mistakes = "" if is_talk else self.mistakes()
+        if mistakes is not None:
+            self.complained.emit(mistakes)
 
-    def mistakes(self) -> str:
-        """Check the open file as `lesson check` does, without its pictures; say what is wrong."""
+    def mistakes(self) -> str | None:
+        """Check the open file as `lesson check` does, without its pictures; say what is wrong.
+
+        Returns None if the user cancels it.
+        """
         assert self.lesson is not None
-        report = CheckReport()
-        report.read(self.lesson.path)
+        report, path = CheckReport(), self.lesson.path
+        self._checks = True
+        try:
+            with self._files.progress(self.tr("Checking {0}").format(path.name)) as tell:
+                apart(partial(report.read, path), tell)
+        except Cancelled:
+            return None
+        finally:
+            self._checks = False
         texts = [sentence(error) for error in report.wrong[:MOST_MISTAKES]]
         if len(report.wrong) > MOST_MISTAKES:
             texts.append(self.tr("… and {0} more").format(len(report.wrong) - MOST_MISTAKES))

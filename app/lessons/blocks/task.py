@@ -76,12 +76,12 @@ class Task(Asked):
 
     @property
     def handles(self) -> frozenset[str]:
-        found = set()
+        handles = set()
         for name in (name for _, condition in self.until for name in condition.letters):
             head, _, rest = name.removeprefix("was_").partition("_")
             setting = rest.rpartition("_")[0] or rest
-            found.add(setting if head == "settings" else _MOVED_BY.get(head, ""))
-        return frozenset(found - {""})
+            handles.add(setting if head == "settings" else _MOVED_BY.get(head, ""))
+        return frozenset(handles - {""})
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
         known = here.quantities(now, view)
