@@ -113,7 +113,7 @@ class Grid(NamedTuple):
     step: float
 
     @classmethod
-    def over(cls, box: ArrayLike, bits: int) -> Grid:
+    def of_box(cls, box: ArrayLike, bits: int) -> Grid:
         """The grid over a box, (2, 3): lower and upper corner."""
         lower, upper = np.asarray(box, dtype=np.float64)
         side = float((upper - lower).max())

@@ -80,7 +80,7 @@ class Blurring:
         self._shown, self._size, self._count = shown, size, 0
         self.actor.SetVisibility(False)
 
-    def again(self) -> None:
+    def restart(self) -> None:
         """Average the same picture again, because the faces or lines of the scene have changed."""
         self._count = 0
         self.actor.SetVisibility(False)

@@ -690,7 +690,7 @@ class WorldDrawing(Drawing):
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
         self.picture.show(self._projection, at, frustum, self.own, self._local_from_object)
-        self.camera.come_before(pane, depths, near)
+        self.camera.move_forward(pane, depths, near)
         if self._probes.probes:
             self._place_probes()
         self._place_labels(afresh=afresh)

@@ -189,7 +189,7 @@ def named_test(name: str) -> tuple[list[str], int] | None:
     return None if match is None else (match[1].split(), int(match[2]))
 
 
-def drawn(names: Collection[str], number: int) -> list[SheetItem]:
+def draw_test(names: Collection[str], number: int) -> list[SheetItem]:
     """Draw the exercises of a test: `MOST` of some topics, about as many of each, mixed.
 
     The same topics and number give the same test to everyone.
@@ -204,14 +204,14 @@ def drawn(names: Collection[str], number: int) -> list[SheetItem]:
     while any(pools) and len(sheet) < MOST:
         for pool in filter(None, pools):
             seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
-            item = _suited(pool.pop(), seeds)
+            item = _first_suitable(pool.pop(), seeds)
             if item is not None and len(sheet) < MOST:
                 sheet.append(item)
     chance.shuffle(sheet)
     return sheet
 
 
-def _suited(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
+def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
         item = SheetItem(placed, seed)
@@ -266,7 +266,7 @@ def to_review(
         if sum(map(len, items.values())) < MOST:
             # After the largest one comes 1 again.
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
-            item = _suited(placed, islice((n for n in numbers if n not in seen), _DRAWS))
+            item = _first_suitable(placed, islice((n for n in numbers if n not in seen), _DRAWS))
             items.setdefault(placed.course.name, []).extend([] if item is None else [item])
     mixed: list[SheetItem] = []
     while any(items.values()):

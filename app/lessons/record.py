@@ -4,7 +4,7 @@
 
     an answer -> Record.add: one line of JSON at the end of a file
     Record.read -> standings: each exercise as it was last solved, and when it is due again
-                -> met: the wrong ideas behind the answers
+                -> ideas_met: the wrong ideas behind the answers
 
 The record says what happened. Where a student stands in a lesson, and what is shown there, is
 `Progress`, which "Begin again" deletes; the record stays.
@@ -217,7 +217,7 @@ def _attempt(line: bytes) -> Attempt | None:
 # --------------------------------------------------------------------------- what follows
 
 
-def mended(
+def corrected(
     attempts: Iterable[Attempt], hints_of: Callable[[tuple[str, str]], int]
 ) -> list[Attempt]:
     """Return the attempts without the hints that older programs counted in tests: all of them.
@@ -332,13 +332,13 @@ def minutes_each(attempts: Iterable[Attempt]) -> float:
 
 
 class Met(NamedTuple):
-    """A wrong idea: how often it was met, and how its last question was solved since."""
+    """A wrong idea: how often it was ideas_met, and how its last question was solved since."""
 
     times: int
     outcome: str
 
 
-def met(
+def ideas_met(
     attempts: Iterable[Attempt], known: Mapping[tuple[str, str], Standing]
 ) -> dict[tuple[str, str], Met]:
     """Return the wrong ideas behind a student's answers, by lesson and name of the idea."""

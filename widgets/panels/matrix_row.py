@@ -175,7 +175,7 @@ class MatrixRow(QWidget):
         if starts:
             self._bar.setValue(starts[0] if starts[0] > now else now + page)
 
-    def bring(self, box: MatrixBox) -> None:
+    def scroll_to(self, box: MatrixBox) -> None:
         """Scroll so that a box is fully visible and none is cut off at the left."""
         margin = self.boxes[0].x()
         least = box.geometry().right() + 1 - self._bar.pageStep()

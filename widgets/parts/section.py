@@ -198,7 +198,7 @@ class Rows(QWidget):
             below = itertools.takewhile(lambda row: row not in self._titles, rows)
             title.setVisible(any(not row.isHidden() for row in below))
 
-    def bring_home(self) -> None:
+    def return_borrowed(self) -> None:
         """Return every borrowed row to its place."""
         for place, widget in enumerate(self._order):
             if widget.parent() is not self.body:

@@ -105,7 +105,7 @@ class Arrangement(QObject):
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._slots.show_slide(view.slide)
-        self._controls.ask(view.controls)
+        self._controls.show_controls(view.controls)
         fixed = self._scene_fixed if view.fixed is None else view.fixed
         self._world.show(fixed, view.layers)
         self._world.name(view.names)

@@ -90,7 +90,7 @@ class Parallel(EyeLens):
     ) -> Iterator[Lens]:
         leaning, cots = cls._leaning(cells, in_hand)
         if in_hand.kind == cls.kind:
-            yield in_hand.but(near=near, far=far, **leaning)
+            yield in_hand.replaced(near=near, far=far, **leaning)
         sides: list[float] = []
         for i, (row, cot) in enumerate(zip(cells[:2], cots, strict=True)):
             sides += ends(row[i], row[i] * cot * Fraction(near) - row[3], Fraction(1))

@@ -127,7 +127,7 @@ def _nothing(_projection: Projection, _settings: Settings) -> ImpliedSettings:
     return {}
 
 
-def _any(_settings: Settings) -> None:
+def _accept_all(_settings: Settings) -> None:
     """Every combination of settings can be shown."""
 
 
@@ -204,7 +204,7 @@ class Phenomenon:
     numbers: int = 3
     follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = _keep
     implied: Callable[[Projection, Settings], ImpliedSettings] = _nothing
-    check: Callable[[Settings], None] = _any
+    check: Callable[[Settings], None] = _accept_all
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
