@@ -332,7 +332,7 @@ def minutes_each(attempts: Iterable[Attempt]) -> float:
 
 
 class Met(NamedTuple):
-    """A wrong idea: how often it was ideas_met, and how its last question was solved since."""
+    """A wrong idea: how often it was met, and how its last question was solved since."""
 
     times: int
     outcome: str

@@ -751,7 +751,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     come_to_rest(window)
     variant = view.variant
     assert window.store.document == variant.here.document, "it has begun by itself"
-    assert keyboard() is view.first is view.given.field and task.variant is None
+    assert keyboard() is view.first is view.asked.field and task.variant is None
     assert not card.again.isEnabled(), "this is what the step shows"
     assert variant.question.text in texts(view) and variant.seed == 1
     assert card.hint.isEnabled(), "the hints of its question are the card's"
@@ -783,12 +783,12 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_I, ALT)
     assert "Show the answer" in buttons(view), "after a hint"
     press(KEY.Key_A, ALT)
-    assert spoken_text(view.given.question.solution(view.variant.here)) in texts(view)
+    assert spoken_text(view.asked.question.solution(view.variant.here)) in texts(view)
     assert view.answer == f"77 {REVEALED}" and "Show the answer" not in buttons(view)
     view.seed.setText("1")
     view.begin()
-    view.given.field.setText(f"{right:.4g}")
-    view.given.check()
+    view.asked.field.setText(f"{right:.4g}")
+    view.asked.check()
 
     task.begin()
     come_to_rest(window)
@@ -801,10 +801,10 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     come_to_rest(window)
     idea = "n is where I look"
     assert idea not in texts(task)
-    task.given.rest()
+    task.asked.rest()
     come_to_rest(window)
     assert idea in texts(task) and "Show it" in buttons(task)
-    task.given.rest()
+    task.asked.rest()
     enter(window.controls.rows["near"].field, str(float(task.variant.numbers["near_wanted"])))
     come_to_rest(window)
     assert task.answer == f"1 {DONE}"
@@ -1057,8 +1057,8 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     assert is_hidden() and panels.open_panel is None
     scene.explanation_wanted.emit()
     assert panels.open_panel is None, "by no way"
-    view.given.field.setText(f"{view.variant.question.answer(view.variant.here):.4g}")
-    view.given.check()
+    view.asked.field.setText(f"{view.variant.question.answer(view.variant.here):.4g}")
+    view.asked.check()
     come_to_rest(window)
     assert not view.is_open and not is_hidden()
     assert "5d over 9 equals" in texts(view), "the way to the answer, which nothing else explains"
@@ -1391,7 +1391,7 @@ def test_every_response_is_seen_whole_and_announced(
             of = f"{place} at {size}"
             assert view.variant is not None, of
             answer(view, right=False)
-            if not isinstance(view.given, TaskView):
+            if not isinstance(view.asked, TaskView):
                 assert "not it" in response(f"wrong {of}") or "idea" in texts(view)
             press(KEY.Key_I, ALT)
             assert "Hint" in response(f"hint {of}")
@@ -1405,8 +1405,8 @@ def test_every_response_is_seen_whole_and_announced(
             answer(view, right=True)
             said_last = response(f"right {of}")
             assert view.answer.startswith("2 "), of
-            if not isinstance(view.given, TaskView):  # the way, besides its reason
-                way = spoken_text(view.given.question.solution(view.variant.here))
+            if not isinstance(view.asked, TaskView):  # the way, besides its reason
+                way = spoken_text(view.asked.question.solution(view.variant.here))
                 assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()
