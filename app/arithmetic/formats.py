@@ -34,7 +34,7 @@ _NATIVE = {"float64": np.float64, "float32": np.float32, "float16": np.float16}
 
 @dataclass(frozen=True)
 class Format:
-    """Numbers with a limited number of digits, of a limited size.
+    """Numbers of limited size with a limited number of digits.
 
     Attributes
     ----------

@@ -44,7 +44,7 @@ class Quotients:
         return cls(whole << shifts, 1 << -least)
 
     def _on_common_base(self, other: Any) -> tuple[Any, Any, Any]:
-        """Return both numerators over one denominator, and this."""
+        """Return both numerators over a common denominator, and that denominator."""
         above, below = _parts(other)
         if below is self.below:
             return self.above, above, below

@@ -284,7 +284,7 @@ def _is_new(target: str, *sources: str | None) -> bool:
 
 
 def _about(figure: str) -> str:
-    """Return what a figure says of itself; nothing if it says nothing."""
+    """Return the description that a figure's file holds; empty without one."""
     try:
         content = content_of(figure, LARGEST_PICTURE)
         if figure.lower().endswith(".png"):

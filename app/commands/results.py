@@ -22,7 +22,7 @@ from app.strangers import printable
 MOST_LISTED = 40
 """Most answers without an idea that are listed."""
 LONGEST_RESPONSE = 70
-"""Most characters of what a lesson says to an idea of its own."""
+"""Most characters of a lesson's response to an idea of its own."""
 COLUMNS = (
     "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
     "right", "note",

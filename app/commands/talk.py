@@ -46,7 +46,7 @@ def talk(arguments: Sequence[str]) -> int:
 
 
 def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
-    """Return everything that is wrong with a talk, and the warnings and lines that sum it up."""
+    """Return the faults of a talk, and its warnings and summary."""
     report, composed, left = CheckReport(), Composed(), ""
     try:
         course = report.take(read(path))

@@ -96,7 +96,7 @@ def meaning(trade: Trade) -> Meaning:
 
 
 def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:
-    """Say what a choice buys and what it pays, compared with the usual one; empty if it cannot."""
+    """State what a choice gains and costs against the usual one; empty if that is unknown."""
     usual = next((c for c in trade.choices if c.name == USUAL[trade.name]), choice)
     if usual.name == choice.name or not (usual.cost and choice.cost) or choice.error is None:
         return ""

@@ -217,7 +217,7 @@ class Scene:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The ids of the things that its pictures name, unless the document says others."""
+        """The ids of the things named in its pictures, unless the document names others."""
         return NAMES if self.phenomenon is None else self.phenomenon.names
 
     @property

@@ -1,7 +1,7 @@
 """Clipping: inside, outside, crossing; and a polygon cut by one plane after the other.
 
-Whatever lies inside all six planes of the view volume is drawn, and whatever lies beyond one of
-them is not. Only what crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman:
+An object inside all six planes of the view volume is drawn, and an object beyond one of them is
+not. Only an object that crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman:
 each plane takes the polygon that the plane before has left, keeps the part on its own side, and
 adds a new corner where an edge crosses. `app.model.clipping` cuts in clip space; the pieces in the
 world follow from the polygon's own corners, without an inverse matrix.

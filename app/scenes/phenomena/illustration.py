@@ -128,7 +128,7 @@ def _nothing(_projection: Projection, _settings: Settings) -> ImpliedSettings:
 
 
 def _accept_all(_settings: Settings) -> None:
-    """Every combination of settings can be shown."""
+    """Accept every combination of settings."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -251,7 +251,7 @@ class Phenomenon:
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> ImpliedSettings:
-        """All settings as camera and lens have them, perhaps beyond the bounds of a setting.
+        """Return all settings as camera and lens imply them, perhaps out of a setting's bounds.
 
         For a free matrix the settings stay as they were chosen.
         """

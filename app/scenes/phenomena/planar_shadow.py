@@ -194,7 +194,7 @@ def _middle_and_distances(place: Array | None) -> tuple[float, ...] | None:
 
 
 def _reach(subject: Subject) -> tuple[Array, float]:
-    """The object's middle, and how far from it the plane and the sun are drawn."""
+    """The object's middle, and the distances from it at which plane and sun are drawn."""
     low, high = np.array(subject.lower), np.array(subject.upper)
     return (low + high) / 2.0, 1.5 * subject.size
 
