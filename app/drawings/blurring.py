@@ -73,7 +73,7 @@ class Blurring:
     def begin(
         self, projection: Projection, aperture: Aperture | None, size: tuple[int, int]
     ) -> None:
-        """Average another picture from now on, so many pixels wide and high; None for none."""
+        """Average another picture of this width and height from now on; None for none."""
         shown = None if aperture is None else (projection, aperture)
         if shown == self._shown and size == self._size:
             return

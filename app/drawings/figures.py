@@ -182,7 +182,7 @@ def _drawn(
 
 
 class _Watch:
-    """Tells the progress in a pane, whose end nobody knows, every twentieth second."""
+    """Reports the progress in a pane, whose duration is unknown, every twentieth of a second."""
 
     def __init__(self, progress: Callable[[float], bool] | None, panes: int) -> None:
         self._progress, self._panes = progress, panes

@@ -429,7 +429,7 @@ def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
     em: float,
 ) -> Floats:  # fmt: skip
-    """What it costs to be nearer to the mark of another label, or to have a leader across it."""
+    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
     foreign = of[:, None] != np.arange(len(marks))
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks

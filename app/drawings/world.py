@@ -47,10 +47,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = (
-    3.0,
-    1.1,
-)  # of the extent: the largest frustum that is framed whole; else this much of it
+_WHOLE, _NEARBY = 3.0, 1.1  # extents: the largest frustum framed whole; larger ones are cut to 1.1
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on

@@ -21,7 +21,7 @@ from app.scenes.scene import Scene
 
 
 class WorldAxes:
-    """Axes that are made when they are first shown; scene-local.
+    """The axes of object and world, made when they are first shown; scene-local.
 
     Parameters
     ----------

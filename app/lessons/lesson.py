@@ -52,7 +52,7 @@ LARGEST = 2 * 2**20
 MOST_STEPS = 500
 """Most steps of a talk."""
 _MOST_READ = 20_000
-"""Lines of a block that are read again to find all its faults; in a longer one only the first."""
+"""Most lines of a block whose faults are all found; of a longer block only the first is."""
 
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"

@@ -1,4 +1,4 @@
-"""The record: every answer of a student on this machine, and what follows from it.
+"""The record: every answer of a student on this machine, and the statistics over them.
 
 ::
 
@@ -89,7 +89,7 @@ class Attempt(NamedTuple):
 
     @property
     def key(self) -> tuple[str, str]:
-        """Return what names the question."""
+        """Return the question's lesson and ``step/block``."""
         return self.lesson, self.exercise
 
 
@@ -269,7 +269,7 @@ class Standing(NamedTuple):
 
 @dataclass
 class _QuestionHistory:
-    """A student's way with one question so far."""
+    """The history of a student's answers to one question."""
 
     outcome: str = ""
     due: date | None = None

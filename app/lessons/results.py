@@ -1,7 +1,7 @@
 """Result files: answers of a student for the teacher, who marks them again from what was typed.
 
-A file comes from a student, so nothing in it is believed but what was typed: its size is limited,
-lessons are found by their bare names only, and every mark is computed anew.
+A file comes from a student, so only the typed answers are trusted: its size is limited, lessons
+are found by their bare names only, and every mark is computed anew.
 """
 
 from __future__ import annotations

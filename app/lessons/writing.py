@@ -61,7 +61,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
 
 
 def changes(before: Document, after: Document) -> list[str]:
-    """Return what turned one document into another, as in a sample of a task."""
+    """Return the assignments that turn one document into another, as in a sample of a task."""
     given, texts = _texts(before), _texts(after)
     lines = [f"scene={after.scene}"] if after.scene != before.scene else []
     lines += [

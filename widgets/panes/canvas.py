@@ -475,7 +475,7 @@ class Hand(QObject):
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:
-        """Bring the camera nearer by `factor`."""
+        """Move the camera nearer by `factor`."""
         camera = self.camera
         if camera.GetParallelProjection():
             camera.SetParallelScale(camera.GetParallelScale() / factor)

@@ -482,7 +482,7 @@ class Compare(QObject):
         return [round(place.left() + part * place.width()) for part in self.dividers]
 
     def _cells(self) -> list[QRect]:
-        """Places beside each other, or also above each other if that makes images larger."""
+        """Return the places in one row, or in several rows if that makes the images larger."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
         em = max(em, LABEL_SHARE * self._screen_px)
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]

@@ -60,21 +60,21 @@ def progress(window: QWidget, text: str) -> Iterator[ReportProgress]:
         yield tell
 
 
-def apart(work: Callable[[ReportProgress], _Done], tell: ReportProgress) -> _Done:
-    """Do work without Qt and VTK in a thread, and raise `Cancelled` when `tell` wants no more."""
+def apart(work: Callable[[ReportProgress], _Done], report: ReportProgress) -> _Done:
+    """Do work without Qt and VTK in a thread, and raise `Cancelled` when `report` wants no more."""
     fraction, goes_on = 0.0, True
 
-    def told(done: float) -> bool:
+    def record(done: float) -> bool:
         nonlocal fraction
         fraction = done
         return goes_on
 
     thread = ThreadPoolExecutor(1, "apart")
-    future = thread.submit(work, told)
+    future = thread.submit(work, record)
     thread.shutdown(wait=False)
     while not future.done():
         wait([future], _POLL_S)
-        if not tell(fraction):
+        if not report(fraction):
             goes_on = False
             raise Cancelled
     return future.result()

@@ -113,7 +113,7 @@ class Panels(QWidget):
         return None if self.isHidden() else self._panel(self._stack.currentIndex())
 
     def keep(self, shown: ShownData) -> None:
-        """Keep the snapshot that `tell` passes to the open panel."""
+        """Keep the snapshot that `notify` passes to the open panel."""
         self._shown = shown
 
     def notify(self, panel: Panel | None = None) -> None:

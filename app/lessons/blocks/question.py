@@ -324,7 +324,7 @@ class MarkedQuestion(Question):
 
 
 def hidden_in(text: str, line: int) -> set[str]:
-    """Read the names of what a question hides."""
+    """Read the names of the things that a question hides."""
     names = {name.strip() for name in text.split(",")}
     for name in names.difference(HIDDEN):
         raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)

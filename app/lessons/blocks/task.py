@@ -24,12 +24,12 @@ _MOVED_BY = {
     "near": "near", "far": "far", "eye": "eye", "distance": "eye", "target": "target",
     "left": "corner", "right": "corner", "bottom": "corner", "top": "corner",
 }  # fmt: skip
-"""Which handle of the world moves what a name stands for."""
+"""The handle of the world that changes the quantity of a name."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Wrong(Reply):
-    """What a student does who has a wrong idea: the condition holds then, and the task is open."""
+    """A wrong idea of a task: while its condition holds, the task is not done."""
 
     condition: Condition
 
