@@ -105,7 +105,6 @@ class Ratio:
 
 
 def number(value: Fraction | int) -> Ratio:
-    """A number as a ratio."""
     return Ratio(_polynomial({(): Fraction(value)}))
 
 

@@ -156,7 +156,6 @@ class Marker:
         self._posed: dict[tuple[str, str, int], tuple[Asked, Here] | None] = {}
 
     def marked(self, attempt: Attempt) -> RemarkedAnswer:
-        """Mark an answer again."""
         key = attempt.lesson, attempt.exercise, attempt.seed
         if key not in self._posed:
             course = self._course(attempt.lesson)

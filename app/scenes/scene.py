@@ -292,7 +292,6 @@ class Scene:
 
     @property
     def faces(self) -> int:
-        """The number of faces."""
         surface = self.__dict__["surface"]
         return 0 if surface is None else int(surface.n_cells)
 

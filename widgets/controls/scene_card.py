@@ -210,7 +210,6 @@ class SceneCard(QWidget, RowHolder):
 
     @property
     def has_controls(self) -> bool:
-        """Whether the card has rows."""
         return self._rows.count() > 0
 
     def take(self, shown: ShownData, changed: Changed) -> None:
@@ -250,7 +249,6 @@ class SceneCard(QWidget, RowHolder):
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
-        """End the gesture."""
         self._readable.end_gesture()
 
     def show_count(self, illustration: Illustration, share: float) -> None:
@@ -283,7 +281,6 @@ class SceneCard(QWidget, RowHolder):
         return Refusal(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
-        """Pause all players."""
         for player in self.players.values():
             player.pause()
 

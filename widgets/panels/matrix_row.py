@@ -139,7 +139,6 @@ class MatrixRow(QWidget):
         in_row(*parts, on=self, margins=(0, 0, 0, 0), gap=0)
 
     def fill(self, boxes: list[MatrixBox]) -> None:
-        """Show other boxes."""
         self.close_gap()
         for box in self.boxes:
             for view in box.views:

@@ -510,7 +510,6 @@ class MeasurePanel(DiagramPanel):
         self.refused.emit(text)
 
     def _withdraw_refusal(self, *_: object) -> None:
-        """Withdraw the last refusal."""
         if self._refusal:
             said, self._refusal = self._refusal, ""
             self.refusal_withdrawn.emit(said)

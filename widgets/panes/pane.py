@@ -322,7 +322,6 @@ class Pane(QFrame):
 
     @property
     def projection(self) -> Projection:
-        """The projection of `shown`."""
         assert self.shown is not None
         return self.shown.projection
 
@@ -369,7 +368,6 @@ class Pane(QFrame):
 
     @property
     def probes(self) -> Sequence[Probe]:
-        """The marked probes."""
         marked: Sequence[Probe] = self._requested["probes"]
         return marked
 

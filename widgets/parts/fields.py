@@ -138,7 +138,6 @@ class Row(TintedWidget, QWidget, Gestures):
             buddy.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def value(self) -> Any:
-        """Return the value shown."""
         return self._value
 
     def setValue(self, value: Any) -> None:

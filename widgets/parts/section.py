@@ -137,7 +137,6 @@ class Rows(QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether the rows are shown."""
         return True
 
     def show_some(self, matches: set[QWidget] | None) -> None:
@@ -180,7 +179,6 @@ class Rows(QWidget):
         self.add(binding.row)
 
     def add(self, widget: QWidget) -> None:
-        """Add a widget below the others."""
         self._order.append(widget)
         self._rows.addWidget(widget)
 

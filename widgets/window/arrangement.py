@@ -68,7 +68,6 @@ class Arrangement(QObject):
 
     @property
     def view(self) -> View:
-        """The current arrangement."""
         opened = (name for name, panel in self._panels.items() if panel is self._drawer.open_panel)
         elsewhere = {n: c for n, c in self._given.panes.items() if n not in self._panes}
         return replace(

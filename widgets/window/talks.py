@@ -121,7 +121,6 @@ class Talks(QObject):
 
     @property
     def is_on(self) -> bool:
-        """Whether a talk is presented."""
         lesson = self._lessons.lesson
         return self._present.is_on and lesson is not None and lesson.is_talk
 

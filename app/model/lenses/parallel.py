@@ -77,7 +77,6 @@ class Parallel(EyeLens):
     def with_window_at(
         cls, distance: float, window: Window, near: float, far: float, keep: Keep
     ) -> Lens:
-        """Return the lens with this window at a distance."""
         lens = cast(Any, cls)(*window, near, far, keep)
         left, right, bottom, top = window
         x, y = (cot * (distance - near) for cot in lens.shear)

@@ -70,7 +70,6 @@ class Setting:
 
     @property
     def path(self) -> str:
-        """Its path in the document."""
         return f"settings.{self.name}"
 
     def checked(self, value: Any) -> Value:

@@ -205,7 +205,6 @@ class BlockView(QFrame):
         self.settled.emit(answer)
 
     def _remove_response(self) -> None:
-        """Remove the previous response."""
         for widget in self._responses:
             self._feedback.removeWidget(widget)
             widget.hide()
