@@ -641,6 +641,35 @@ def test_an_export_can_be_cancelled(
     assert shown and not path.exists() and window.messages.text == ""
 
 
+def test_a_preview_can_be_cancelled(
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, shown = make_window(shown=False), list[str]()
+    monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
+    size = window.store.document.projection.image_size
+    titles = {name: pane.name for name, pane in window.panes.items()}
+    dialog = ExportDialog(titles, size, window, window.pictures.preview)
+    combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
+    for name in ("SVG", "dashed"):  # lines behind faces take long
+        combos[name].setCurrentIndex(1)
+
+    def cancel() -> None:
+        top = QApplication.activeModalWidget()
+        if isinstance(top, QProgressDialog):
+            shown.append(top.labelText())
+            top.cancel()
+
+    timer = QTimer()
+    timer.timeout.connect(cancel)
+    timer.start(0)
+    dialog.show_preview()
+    timer.stop()
+    preview = named(dialog, QLabel, "Preview")
+    assert shown == ["Drawing the preview"] and preview.pixmap().isNull()
+    dialog.show_preview()
+    assert not preview.pixmap().isNull()
+
+
 def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
