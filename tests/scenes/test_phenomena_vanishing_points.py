@@ -220,30 +220,6 @@ def test_all_horizontal_directions_vanish_on_the_horizon() -> None:
     assert horizon(replace(PHENOMENON.start, camera=down)) is None
 
 
-@pytest.mark.parametrize(
-    ("line", "ends"),
-    [
-        ((0.0, 1.0, 2.0), [(0, 2), (10, 2)]),
-        ((1.0, 0.0, 3.0), [(3, 0), (3, 5)]),
-        ((1.0, -1.0, 0.0), [(0, 0), (5, 5)]),
-        ((1.0, 1.0, 12.0), [(7, 5), (10, 2)]),
-        ((1.0, -1.0, 20.0), None),
-        ((0.0, 1.0, 7.0), None),
-        ((0.0, 1.0, -1.0), None),
-        ((3.0, 1.0, 6.0), [(1 / 3, 5), (2, 0)]),
-    ],
-)
-def test_a_line_in_a_rectangle(
-    line: tuple[float, float, float], ends: list[tuple[float, float]] | None
-) -> None:
-    held = line_in_rectangle(line, (0.0, 0.0), (10.0, 5.0))
-    if ends is None:
-        assert held is None
-    else:
-        assert held is not None
-        assert np.allclose(sorted(held.tolist()), sorted(ends), atol=1e-12)
-
-
 def test_guide_lines_go_through_their_vanishing_point() -> None:
     opposite = Camera.from_orbit((0.0, 1.3, 0.0), Orbit(-140.0, -20.0, 6.0))
     for seen in (
