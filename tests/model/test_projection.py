@@ -177,18 +177,6 @@ def test_shape_of_a_trace_is_the_shape_of_its_points() -> None:
 # --------------------------------------------------------------------------- hand-computed points
 
 
-def test_fields_of_view_and_focal_lengths_computed_by_hand() -> None:
-    assert fov_x_from_fov_y(90.0, 1.0) == pytest.approx(90.0, abs=1e-13)
-    # tan 30 = 1/sqrt 3, three times that is sqrt 3 = tan 60
-    assert fov_x_from_fov_y(60.0, 3.0) == pytest.approx(120.0, abs=1e-12)
-    # A 36 x 24 picture taken with 12 mm: half the height over the focal length is tan 45.
-    assert focal_length_35mm(90.0, 1.5) == pytest.approx(12.0, rel=1e-15)
-    assert fov_y_from_focal_length_35mm(12.0, 1.5) == pytest.approx(90.0, rel=1e-15)
-    # A square picture with the same diagonal, sqrt(36^2 + 24^2) = 43.27 mm, has sides of
-    # 43.27/sqrt 2 = 30.59 mm; at 90 degrees its focal length is half of that.
-    assert focal_length_35mm(90.0, 1.0) == pytest.approx(math.sqrt(936.0) / 2, rel=1e-15)
-
-
 # --------------------------------------------------------------------------- laws
 
 
