@@ -137,7 +137,7 @@ class Pictures(QObject):
             raise Refusal.saying(NO_PREVIEW, drawn)
         options = self._options(document, choice) | {"transparent": False, "progress": tell}
         if choice.hidden != "none":
-            size, found = shapes(scene, document.projection, hidden=choice.hidden, **options)
+            size, outlines = shapes(scene, document.projection, hidden=choice.hidden, **options)
             picture = QImage(room, QImage.Format.Format_RGB32)
             picture = picture.scaled(
                 QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
@@ -145,7 +145,7 @@ class Pictures(QObject):
             picture.fill(Qt.GlobalColor.white)
             painter = QPainter(picture)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            QSvgRenderer(QByteArray(svg(found, size, scene.title))).render(painter)
+            QSvgRenderer(QByteArray(svg(outlines, size, scene.title))).render(painter)
             painter.end()
             return QPixmap.fromImage(picture)
         width, height = Size(*choice.size).px
