@@ -18,7 +18,7 @@ from typing import Any
 
 from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View
-from app.lessons.blocks.block import TOLD, Asked, Here, ReadBlock, Variant
+from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, Variant
 from app.lessons.blocks.question import Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.course import AtStep, Course, ShownStep, scene_of
@@ -57,7 +57,7 @@ class PlayedBlock:
     Attributes
     ----------
     answer : str
-        As in a sample, or `TOLD` or `DONE`; empty while it is open.
+        As in a sample, or `REVEALED` or `DONE`; empty while it is open.
     variant : Variant, optional
         The question with its numbers; None before an exercise begins.
     now : Document
@@ -171,10 +171,10 @@ class PlayedBlock:
         self.hints_read += bool(hint)
         return hint
 
-    def give_away(self) -> None:
+    def reveal_answer(self) -> None:
         """Settle the question with the right answer."""
         self._record("", SHOWN)
-        self._settle(TOLD)
+        self._settle(REVEALED)
 
     def look(self, now: Document) -> bool:
         """Take the window's current state; return whether it has just solved a task."""
@@ -206,7 +206,9 @@ class PlayedBlock:
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
-        self._player.note(self._key, f"{self.seed} {answer}" if self.block.varies else answer)
+        self._player.keep_answer(
+            self._key, f"{self.seed} {answer}" if self.block.varies else answer
+        )
 
     def _record(self, typed: str, word: str) -> None:
         idea = "" if word in (RIGHT, WRONG, SHOWN) else word
@@ -347,7 +349,7 @@ class Player:
         """Whether a step has an exercise, in a lesson that has other steps, too."""
         return step.varies and not all(each.varies for each in self.lesson.steps)
 
-    def note(self, key: str, answer: str) -> None:
+    def keep_answer(self, key: str, answer: str) -> None:
         """Keep an answer by its ``step/block``."""
         self.progress = replace(self.progress, answers={**self.progress.answers, key: answer})
         self.save()
@@ -355,7 +357,7 @@ class Player:
     def leave_step(self) -> None:
         """Mark a step that asks nothing as done."""
         if not self.step.asked:
-            self.note(f"{self.step.name}/", DONE)
+            self.keep_answer(f"{self.step.name}/", DONE)
 
     def finish(self) -> None:
         """End the lesson; it will begin at its first step."""

@@ -138,7 +138,7 @@ def topics() -> Mapping[str, Course]:
 
 
 def practised(names: Iterable[str]) -> dict[str, Course]:
-    """Return the lessons of all topics, and those of one's own with these names that are there."""
+    """Return the lessons of all topics, and the user's own lessons of these names that exist."""
     courses = dict(topics())
     own = {course.name for course in courses.values()}
     for name in sorted(set(names) - own):
@@ -157,7 +157,7 @@ def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], PlacedExe
 
 
 def hints_of(key: tuple[str, str]) -> int:
-    """Return how many hints an exercise of the program has; 0 of a lesson of one's own."""
+    """Return how many hints an exercise of the program has; 0 for a user's own lesson."""
     courses = (course for course in topics().values() if course.name == key[0])
     exercises = (each for course in courses for each in exercises_of(course) if each.key == key)
     return next((len(each.exercise.hints) for each in exercises), 0)
@@ -188,7 +188,7 @@ def named_test(name: str) -> tuple[list[str], int] | None:
     return None if match is None else (match[1].split(), int(match[2]))
 
 
-def drawn(names: Collection[str], number: int) -> list[SheetItem]:
+def draw_test(names: Collection[str], number: int) -> list[SheetItem]:
     """Draw the exercises of a test: `MOST` of some topics, about as many of each, mixed.
 
     The same topics and number give the same test to everyone.
@@ -203,14 +203,14 @@ def drawn(names: Collection[str], number: int) -> list[SheetItem]:
     while any(pools) and len(sheet) < MOST:
         for pool in filter(None, pools):
             seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
-            item = _suited(pool.pop(), seeds)
+            item = _first_suitable(pool.pop(), seeds)
             if item is not None and len(sheet) < MOST:
                 sheet.append(item)
     chance.shuffle(sheet)
     return sheet
 
 
-def _suited(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
+def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
         item = SheetItem(placed, seed)
@@ -241,7 +241,7 @@ class Waiting(NamedTuple):
 
 
 def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
-    """Return what is to be practised again of the exercises that still exist."""
+    """Return the exercises that still exist and are due for practice."""
     today = today or date.today()
     known = standings(attempts)
     there = existing(key for key, each in known.items() if each.due)
@@ -265,7 +265,7 @@ def to_review(
         if sum(map(len, items.values())) < MOST:
             # After the largest one comes 1 again.
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
-            item = _suited(placed, islice((n for n in numbers if n not in seen), _DRAWS))
+            item = _first_suitable(placed, islice((n for n in numbers if n not in seen), _DRAWS))
             items.setdefault(placed.course.name, []).extend([] if item is None else [item])
     mixed: list[SheetItem] = []
     while any(items.values()):

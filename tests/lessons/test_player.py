@@ -12,7 +12,7 @@ import pytest
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import AS_EVER
-from app.lessons.blocks.block import TOLD
+from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.task import DONE
 from app.lessons.course import CONTENT, Course, contained
 from app.lessons.lesson import parse_lesson, read
@@ -195,14 +195,14 @@ def test_an_answer_is_marked_recorded_and_kept_once_it_is_right() -> None:
     assert wide.submit("120").idea == "angle-linear" and wide.is_open
     assert wide.give_hint() and not wide.give_hint() and wide.hints_read == 2
     assert wide.submit("98,2°").right and not wide.is_open
-    half.give_away()
+    half.reveal_answer()
     assert not which.submit("2").right and which.is_open and which.submit("1").right
     assert logged(player) == [
         ("77", "wrong", "", 0), ("120", "wrong", "angle-linear", 1), ("98,2°", "right", "", 2),
         ("", "shown", "", 0), ("2", "wrong", "", 0), ("1", "right", "", 0),
     ], "what costs no try is no answer"  # fmt: skip
     assert player.progress.answers == {
-        "numbers/wide": "98,2°", "numbers/half": TOLD, "numbers/which": "1"
+        "numbers/wide": "98,2°", "numbers/half": REVEALED, "numbers/which": "1"
     }  # fmt: skip
 
 
@@ -234,15 +234,15 @@ def test_a_hint_is_that_of_the_question_with_the_cursor_or_of_a_task() -> None:
 
 
 def test_kept_answers_come_back_unless_the_lesson_has_changed() -> None:
-    kept = {"numbers/wide": "98,2", "numbers/half": TOLD, "numbers/which": "2"}
+    kept = {"numbers/wide": "98,2", "numbers/half": REVEALED, "numbers/which": "2"}
     wide, half, which = player_at(2, answers=kept).blocks
-    assert (wide.answer, half.answer, which.answer) == ("98,2", TOLD, "2")
+    assert (wide.answer, half.answer, which.answer) == ("98,2", REVEALED, "2")
     for text in (LESSON.replace("value: 2*atan", "value: 3*atan"), LESSON.replace("°", "px")):
         assert player_at(2, text, kept).blocks[0].is_open is (text.find("3*atan") > 0)
     assert player_at(2, answers={"numbers/which": "7"}).blocks[2].is_open
     (block,) = player_at(0, answers={"angle/wide": "1"}).blocks
     assert not block.holds
-    for damaged in (TOLD, "", "x", "0", "3"):
+    for damaged in (REVEALED, "", "x", "0", "3"):
         assert player_at(0, answers={"angle/wide": damaged}).held is not None
 
 
@@ -269,8 +269,8 @@ def test_the_wrong_idea_of_a_task_is_named_once() -> None:
         verdict = near.name_idea()
         assert (verdict is not None and verdict.idea == "look-n") is (value == 11)
     assert logged(player) == [("lens.near=11", "wrong", "look-n", 0)], "the view does not matter"
-    near.give_away()
-    assert near.name_idea() is None and near.answer == TOLD
+    near.reveal_answer()
+    assert near.name_idea() is None and near.answer == REVEALED
 
 
 def test_a_state_that_the_lesson_shows_is_not_the_students_work() -> None:
@@ -312,11 +312,11 @@ def test_an_exercise_is_answered_with_the_numbers_of_a_seed() -> None:
     assert wide.submit(right).right and not wide.hides
     wide.draw(2)
     assert wide.is_open and wide.hides and wide.hints_read == 0 and right_of(wide) != right
-    wide.give_away()
+    wide.reveal_answer()
     task.draw(3)
     (wanted,) = task.variant.numbers.values()  # type: ignore[union-attr]
     assert task.look(changed(task, f"lens.near={float(wanted)}"))
-    assert player.progress.answers == {"widths/wide": f"2 {TOLD}", "widths/set": f"3 {DONE}"}
+    assert player.progress.answers == {"widths/wide": f"2 {REVEALED}", "widths/set": f"3 {DONE}"}
     assert logged(player)[:2] == [(right, "right", "", 1), ("", "shown", "", 0)]
 
 
@@ -329,7 +329,7 @@ def right_of(block: PlayedBlock) -> str:
 @pytest.mark.parametrize("kept", ["7 told", "x told", "7", ""])
 def test_an_exercise_comes_back_with_its_numbers(kept: str) -> None:
     wide, _ = player_at(0, EXERCISES, {"widths/wide": kept}).blocks
-    assert (wide.seed, wide.answer) == ((7, TOLD) if kept == "7 told" else (wide.seed, ""))
+    assert (wide.seed, wide.answer) == ((7, REVEALED) if kept == "7 told" else (wide.seed, ""))
 
 
 def sheet_of(*, is_test: bool) -> Sheet:

@@ -31,14 +31,14 @@ from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import TOLD, Asked, Here
+from app.lessons.blocks.block import REVEALED, Asked, Here
 from app.lessons.blocks.question import Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.checking import CheckReport
 from app.lessons.course import contained, idea_named
 from app.lessons.lesson import read
 from app.lessons.lines import Body
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
 from tests.support.keys import clashes
@@ -56,7 +56,7 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.parts.lesson_text import LessonText
-from widgets.parts.progress import Tell
+from widgets.parts.progress import ReportProgress
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.click import ClickView
@@ -366,7 +366,7 @@ def test_the_keys_of_several_questions_are_those_of_the_one_with_the_cursor(
     press(KEY.Key_I, ALT)
     assert "One by three." in texts(other) and "One by two." not in texts(card)
     near.give_hint()
-    near.give_away()
+    near.reveal_answer()
     settle()
     assert "a state that fulfils the task" in texts(near) and "Show it" in buttons(near)
     bare.field.setFocus()
@@ -648,7 +648,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     come_to_rest(window)
     press(KEY.Key_I, ALT)
     press(KEY.Key_A, ALT)
-    assert said_of(played.question.solution(played.here)) in texts(view) and played.seed == 77
+    assert spoken_text(played.question.solution(played.here)) in texts(view) and played.seed == 77
     assert not clashes(window)
 
     task.begin()
@@ -669,7 +669,7 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     card.open(path)
     come_to_rest(window)
     view, task = card.page.blocks
-    assert view.played.answer == TOLD and view.seed.text() == "77"
+    assert view.played.answer == REVEALED and view.seed.text() == "77"
     assert window.store.document == task.played.here.document, "beside its text"
 
 
@@ -704,7 +704,7 @@ def test_a_check_runs_beside_the_window_and_can_be_cancelled(
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
     threads, said, ended = list[threading.Thread](), list[str](), threading.Event()
 
-    def check(_report: CheckReport, _path: Path, progress: Tell) -> None:
+    def check(_report: CheckReport, _path: Path, progress: ReportProgress) -> None:
         threads.append(threading.current_thread())
         end = time.monotonic() + 10.0
         while progress(0.0) and time.monotonic() < end:  # one long piece: no other fraction
@@ -1130,12 +1130,12 @@ def test_every_response_is_seen_whole_and_announced(
             page = card.findChild(QScrollArea)
             (view,) = card.page.blocks
             assert page is not None and heard, of
-            for widget in view.said:
+            for widget in view.response:
                 corner = widget.mapTo(page.viewport(), QPoint())
                 seen = page.viewport().rect().contains(QRect(corner, widget.size()))
                 assert seen and widget not in said, of
-            said[:] = view.said
-            text = "\n".join(texts(widget) for widget in view.said)
+            said[:] = view.response
+            text = "\n".join(texts(widget) for widget in view.response)
             assert heard[-1].split()[0] in text or heard[-1].split()[1] in text, of
             heard.clear()
             return text
@@ -1174,7 +1174,7 @@ def test_every_response_is_seen_whole_and_announced(
             press(KEY.Key_I, ALT)
             assert "Hint" in response(f"hint {of}")
             press(KEY.Key_A, ALT)
-            assert response(f"shown {of}") and view.played.answer == TOLD
+            assert response(f"shown {of}") and view.played.answer == REVEALED
             card.page.room_wanted.emit(30)
             view.go_on()
             come_to_rest(window)
@@ -1184,7 +1184,7 @@ def test_every_response_is_seen_whole_and_announced(
             said_last = response(f"right {of}")
             assert not view.played.is_open and view.played.seed == 2, of
             if not isinstance(view.asked, TaskView):  # the way, besides its reason
-                way = said_of(view.asked.question.solution(view.played.variant.here))
+                way = spoken_text(view.asked.question.solution(view.played.variant.here))
                 assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()

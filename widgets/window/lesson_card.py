@@ -116,7 +116,7 @@ class LessonCard(QFrame):
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
-        lessons.complained.connect(self._say)
+        lessons.mistakes_changed.connect(self._show_notice)
         self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
         self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
         self.hide()
@@ -270,7 +270,7 @@ class LessonCard(QFrame):
         try:
             self._record.add(attempt)
         except Refusal as error:
-            self._say(sentence(error))
+            self._show_notice(sentence(error))
 
     def keep_now(self) -> None:
         """Save the current step, before another lesson or none is shown."""
@@ -294,7 +294,7 @@ class LessonCard(QFrame):
         player = self._player
         assert player is not None
         if place > player.place and player.held is not None:
-            self._say(self.tr("Make your prediction first: choose one, then Commit."))
+            self._show_notice(self.tr("Make your prediction first: choose one, then Commit."))
             self.page.go_to_prediction()
             self._show_marks()
             return
@@ -328,7 +328,7 @@ class LessonCard(QFrame):
             return
         mistakes = self._lessons.mistakes()
         if mistakes is not None:
-            self._say(mistakes or self.tr("Nothing is wrong in this lesson's file."))
+            self._show_notice(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     # -- the end
 
@@ -414,7 +414,7 @@ class LessonCard(QFrame):
             part.setVisible(on and shown.get(part, True))
             part.setEnabled(on and shown.get(part, True))
 
-    def _say(self, text: str) -> None:
+    def _show_notice(self, text: str) -> None:
         """Show a notice; an empty one hides it."""
         self._notice.setText(text)
         self._notice.setVisible(bool(text))

@@ -51,11 +51,11 @@ class StepPage(QScrollArea):
         self._current: BlockView | None = None
         """The block that has the cursor, or had it last."""
         self._hides: frozenset[str] = frozenset()
-        self._speaker: BlockView | None = None
+        self._responding: BlockView | None = None
         """The block whose response is not shown yet."""
         # Not `QTimer.singleShot`, which comes before Qt shows the widgets that are added meanwhile.
-        self._speaking = QTimer(self, singleShot=True, interval=0)
-        self._speaking.timeout.connect(self._reveal)
+        self._response_timer = QTimer(self, singleShot=True, interval=0)
+        self._response_timer.timeout.connect(self._reveal)
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
 
     def make(self, player: Player) -> None:
@@ -93,7 +93,7 @@ class StepPage(QScrollArea):
             view.settled.connect(partial(self.settled.emit, view))
             view.show_wanted.connect(self._show_aside)
             view.posed.connect(self._pose)
-            view.spoke.connect(partial(self._hear, view))
+            view.responded.connect(partial(self._await_response, view))
             self.blocks.append(view)
             self._column.addWidget(view)
 
@@ -177,16 +177,16 @@ class StepPage(QScrollArea):
 
     # -- responses
 
-    def _hear(self, view: BlockView) -> None:
+    def _await_response(self, view: BlockView) -> None:
         """Remember which block responds; the rest of its response may follow."""
-        self._speaker = view
-        self._speaking.start()
+        self._responding = view
+        self._response_timer.start()
 
     def _reveal(self) -> None:
         """Show a response: with its question if there is room, else all of it, or its beginning."""
         self.share_keys()
-        view, self._speaker = self._speaker, None
-        if view is None or view not in self.blocks or not view.said:
+        view, self._responding = self._responding, None
+        if view is None or view not in self.blocks or not view.response:
             return
         _settle_layout()
         missing = view.height() + 2 * MARGIN_PX - self.viewport().height()
@@ -194,7 +194,7 @@ class StepPage(QScrollArea):
             self.room_wanted.emit(missing)
             _settle_layout()
         self._scroll_to(view)
-        self._scroll_to(*view.said)
+        self._scroll_to(*view.response)
 
     def _scroll_to(self, *widgets: QWidget) -> None:
         """Scroll until widgets from the top one to the bottom one are seen, or as much as fits."""

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from app.lessons.blocks.question import Reply, Verdict
     from app.lessons.blocks.samples import Sample
 
-TOLD = "told"
+REVEALED = "told"
 """Kept as the answer if the program has shown it."""
 
 
@@ -83,12 +83,12 @@ class Trial:
     wrong: dict[str, Refusal] = field(default_factory=dict)
     warnings: list[Refusal] = field(default_factory=list)
 
-    def complain(self, error: Refusal) -> None:
+    def add_fault(self, error: Refusal) -> None:
         """Add a fault, but only once for all steps that continue a faulty one."""
         error.file = str(self.path)
         self.wrong.setdefault(str(error), error)
 
-    def warn(self, error: Refusal) -> None:
+    def add_warning(self, error: Refusal) -> None:
         error.file = str(self.path)
         self.warnings.append(error)
 
@@ -98,7 +98,7 @@ class Trial:
         try:
             yield
         except Refusal as error:
-            self.complain(error)
+            self.add_fault(error)
 
 
 @dataclass
@@ -135,7 +135,7 @@ class Block:
 
     kind: ClassVar[str] = ""
     once: ClassVar[bool] = False
-    asks: ClassVar[bool] = False
+    needs_answer: ClassVar[bool] = False
     line: int
 
     @classmethod
@@ -255,7 +255,7 @@ class Asked(ReadBlock):
         What would show the answer, of `HIDDEN`; it is not seen until there is one.
     """
 
-    asks: ClassVar[bool] = True
+    needs_answer: ClassVar[bool] = True
     holds: ClassVar[bool] = False
     retries: ClassVar[bool] = True
     varies: ClassVar[bool] = False
@@ -266,7 +266,7 @@ class Asked(ReadBlock):
     unit: str = ""
     pane: str = ""
     hints: tuple[str, ...] = ()
-    said: tuple[tuple[int, str], ...] = ()
+    responses: tuple[tuple[int, str], ...] = ()
     hides: frozenset[str] = frozenset()
 
     def add_to(self, content: StepContent) -> None:
@@ -275,7 +275,7 @@ class Asked(ReadBlock):
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.line + 1, self.text  # below the block's first line
-        yield from self.said
+        yield from self.responses
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
@@ -285,7 +285,7 @@ class Asked(ReadBlock):
             "line": body.line,
             "text": text,
             "hints": items.texts("hint"),
-            "said": items.sentences(),
+            "responses": items.sentences(),
         }
 
     def verdict(self, here: Here, sample: str, line: int) -> str:

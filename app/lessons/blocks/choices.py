@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import TOLD, Here
-from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, Verdict, said_below
+from app.lessons.blocks.block import REVEALED, Here
+from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, Verdict, reply_below
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
@@ -52,7 +52,7 @@ class Choice(Reply):
             formulas=formulas,
             idea=idea[1] if idea else "",
             text=text.strip(),
-            **said_below(item),
+            **reply_below(item),
         )
 
     def check_number(self, value: float) -> None:
@@ -107,7 +107,7 @@ class Choices(Question):
         return self.replies[self.right].text
 
     def accepts(self, here: Here, kept: str) -> bool:
-        if kept == TOLD:
+        if kept == REVEALED:
             return self.retries
         return kept in [str(number) for number, _ in enumerate(self.replies, 1)]
 

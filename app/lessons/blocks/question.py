@@ -15,7 +15,7 @@ from app.document.document import Document
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.beside import beside, is_set
-from app.lessons.blocks.block import TOLD, Asked, Here, Trial
+from app.lessons.blocks.block import REVEALED, Asked, Here, Trial
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Items, LineItem, on_line, refused
 from app.lessons.marking import UNITS, TypedNumber
@@ -119,9 +119,9 @@ class Reply:
         """Report an unknown idea without a sentence, and an impossible state."""
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
-            trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+            trial.add_fault(refused(self.line, NO_IDEA, near, value=self.idea))
         if not (self.right or self.idea or self.says):
-            trial.complain(refused(self.line, NO_REPLY))
+            trial.add_fault(refused(self.line, NO_REPLY))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
@@ -130,7 +130,7 @@ class Reply:
         """Refuse a number in the text that differs from its formula's value."""
 
 
-def said_below(item: LineItem) -> dict[str, Any]:
+def reply_below(item: LineItem) -> dict[str, Any]:
     """Read the sentence and the state indented below a choice or a wrong value."""
     below = Items(item.below)
     return {"says": below.text("says"), "state": state_in(below.single("state"))}
@@ -245,7 +245,7 @@ class Question(Asked):
                 else:
                     wrong.append((line, values))
         for clash in self._clashes(here, value, wrong):
-            trial.complain(clash)
+            trial.add_fault(clash)
 
     def _check_number(self, here: Here, line: int, *value: float) -> None:
         """Refuse a number of the model that is not the right value, or that cannot be set."""
@@ -345,7 +345,7 @@ class MarkedQuestion(Question):
 
     def accepts(self, here: Here, kept: str) -> bool:
         try:
-            return kept == TOLD or self.mark(here, kept).right
+            return kept == REVEALED or self.mark(here, kept).right
         except Refusal:
             return False
 
@@ -355,7 +355,7 @@ class MarkedQuestion(Question):
 
     def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
         if Verdict(True).word not in verdicts:
-            trial.warn(refused(self.right_line, NO_RIGHT, self.name))
+            trial.add_warning(refused(self.right_line, NO_RIGHT, self.name))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         try:
@@ -367,7 +367,7 @@ class MarkedQuestion(Question):
 
 
 def hidden_in(text: str, line: int) -> set[str]:
-    """Read the names of what a question hides."""
+    """Read the names of the things that a question hides."""
     names = {name.strip() for name in text.split(",")}
     for name in names.difference(HIDDEN):
         raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)

@@ -6,11 +6,11 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
-from app.lessons.blocks.block import TOLD
+from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.question import Verdict
 from app.lessons.player import PlayedBlock
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
@@ -23,7 +23,7 @@ class _ChoiceButton(QWidget):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.button = QRadioButton()
-        self.button.setAccessibleName(said_of(text))
+        self.button.setAccessibleName(spoken_text(text))
         self.button.installEventFilter(self)
         self._text = LessonText(text)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
@@ -103,8 +103,8 @@ class ChoiceView(BlockView):
 
     def restore(self) -> None:
         answer = self.played.answer
-        if answer == TOLD:
-            self._tell()
+        if answer == REVEALED:
+            self._show_right_answer()
             return
         self._show(answer)
         try:
@@ -136,10 +136,10 @@ class ChoiceView(BlockView):
         number = self._group.checkedId()
         if number < 0:
             text = self.tr("Choose one first: with the arrow keys, or a click.")
-            self._warn(text)
-            self._announce(text)
+            self._show_problem(text)
+            self._speak(text)
             return
-        self._hush()
+        self._remove_response()
         try:
             verdict = self.played.submit(str(number + 1))
             if self.played.is_test:
@@ -151,14 +151,14 @@ class ChoiceView(BlockView):
         if not self.played.is_open:
             self._settled()
 
-    def _tell(self) -> list[str]:
+    def _show_right_answer(self) -> list[str]:
         text = self.question.replies[self.question.right].text
         self._close()
         said = self.tr("The answer is {0}.").format(_quoted(text))
         said = f"{said} {self.question.why}".strip()
         solution = self.question.solution(self.played.here)
-        self._say("help", "", said)
-        self._say("", "", solution)
+        self._add_text("help", "", said)
+        self._add_text("", "", solution)
         return [said, solution]
 
     def _close(self) -> None:
@@ -176,7 +176,7 @@ class ChoiceView(BlockView):
         if verdict.right:
             self._praise(verdict)
             if here.given:  # the numbers of an exercise
-                self._say("", "", question.solution(here))
+                self._add_text("", "", question.solution(here))
             show = show or verdict.state
         elif question.retries:
             self._offer_answer()
@@ -187,7 +187,7 @@ class ChoiceView(BlockView):
                 *(_quoted(question.replies[each].text) for each in (number, right))
             )
             self._refute(verdict, said)
-            self._say("check", "", question.why)
+            self._add_text("check", "", question.why)
         if show is not None and not question.retries:
             self._offer_state(
                 show, self.tr("Show what happens"), self.tr("Show the model's answer once more")

@@ -29,7 +29,7 @@ class ClickView(MarkedAnswerView):
         super().__init__(played, question)
         self._away_px: Callable[[Value], float] | None = None
         self._place: Value = ()
-        self._is_told = False
+        self._is_settled = False
         pictures = {
             "world": self.tr("world"), "ndc": self.tr("NDC cube"), "image": self.tr("image")
         }  # fmt: skip
@@ -60,12 +60,12 @@ class ClickView(MarkedAnswerView):
             right = self.question.answer(self.played.here)
             self._submit(_written(right), _written(self._place))
 
-    def say_other(self) -> None:
+    def show_other_state(self) -> None:
         """Say that the picture shows another state, in which the answer would be another one."""
-        self._warn(self.tr("The picture shows something else now."))
+        self._show_problem(self.tr("The picture shows something else now."))
         name, tip = self.tr("Show it a&gain"), self.tr("Show the state of the question")
         self._offer_state(self.played.here.document, name, tip)
-        self._announce(self.tr("The picture shows something else now."))
+        self._speak(self.tr("The picture shows something else now."))
 
     def _mark(self) -> Verdict:
         assert self._away_px is not None

@@ -60,16 +60,16 @@ class ExerciseView(BlockView):
         return None if self.asked is None else self.asked.aims
 
     @property
-    def said(self) -> list[QWidget]:
+    def response(self) -> list[QWidget]:
         if self.asked is None:
-            return super().said
-        return self.asked.said or [self.asked]
+            return super().response
+        return self.asked.response or [self.asked]
 
     def restore(self) -> None:
         if self.asked is None:
             return
         if self.played.is_test:
-            self.asked.show_kept()
+            self.asked.show_kept_answer()
         else:
             self.asked.restore()
 
@@ -77,11 +77,11 @@ class ExerciseView(BlockView):
         """Show the state of the numbers; draw them first if they are not drawn yet."""
         if self.played.is_test:  # its step is in this state, with the panels closed
             if self.played.is_open:
-                self.spoke.emit()
+                self.responded.emit()
         elif self.asked is not None or self._draw():
             self.posed.emit(self.played.here.document)
             if self.played.is_open and self.first is not None:
-                self.spoke.emit()
+                self.responded.emit()
 
     def begin(self) -> None:
         """Draw the numbers of the seed, and show their state."""
@@ -89,7 +89,7 @@ class ExerciseView(BlockView):
             self.posed.emit(self.played.here.document)
             if self.first is not None:
                 self.first.setFocus()
-            self.spoke.emit()
+            self.responded.emit()
 
     def go_on(self) -> None:
         """Draw the numbers of the next seed."""
@@ -98,7 +98,7 @@ class ExerciseView(BlockView):
 
     def _draw(self) -> bool:
         """Draw the numbers of the seed; say why if there are none."""
-        self._hush()
+        self._remove_response()
         try:
             self.played.draw(max(1, int(self.seed.text() or "1")))
         except Refusal as error:
@@ -111,7 +111,7 @@ class ExerciseView(BlockView):
         asked = self._view_of(self.played, self.played.question)
         asked.settled.connect(self.settled)
         asked.show_wanted.connect(self.show_wanted)
-        asked.spoke.connect(self.spoke)
+        asked.responded.connect(self.responded)
         asked.set_within()
         if self.asked is not None:
             self._column.removeWidget(self.asked)

@@ -9,7 +9,7 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
-from app.lessons.blocks.block import TOLD
+from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.question import MarkedQuestion, Verdict
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
@@ -40,20 +40,20 @@ class MarkedAnswerView(BlockView):
 
     def restore(self) -> None:
         answer = self.played.answer
-        if answer == TOLD:
-            self._tell()
+        if answer == REVEALED:
+            self._show_right_answer()
         else:
             self._show(answer)
             self._praise_and_close(self.question.mark(self.played.here, answer))
 
     def _submit(self, typed: str, given: str = "") -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
-        self._hush()
+        self._remove_response()
         try:
             verdict = self.played.submit(typed, self._mark(), given)
         except Refusal as error:
             self._refuse(error)
-            self._announce(sentence(error))
+            self._speak(sentence(error))
             return
         if self.played.is_test:
             self._handed_in()
@@ -68,8 +68,8 @@ class MarkedAnswerView(BlockView):
         """Say what is wrong."""
         if verdict.too_short:
             text = self.tr("So far so good, but three significant digits are needed.")
-            self._say("help", self.tr("Too few digits"), text)
-            self._announce(text)
+            self._add_text("help", self.tr("Too few digits"), text)
+            self._speak(text)
             return
         self._offer_answer()
         if verdict.idea or verdict.says:
@@ -80,8 +80,8 @@ class MarkedAnswerView(BlockView):
             text += " " + sentence(verdict.remark)
         if self.played.hints:
             text += " " + self.tr("The hint (Alt+I) says how to begin.")
-        self._say("close", self.tr("Wrong"), text)
-        self._announce(text)
+        self._add_text("close", self.tr("Wrong"), text)
+        self._speak(text)
 
     def _praise_and_close(self, verdict: Verdict) -> None:
         here = self.played.here
@@ -89,9 +89,9 @@ class MarkedAnswerView(BlockView):
         self._close()
         self._praise(verdict)
         if not verdict.says or here.given:  # an exercise's reason need not have its numbers
-            self._say("", "", self.question.solution(here))
+            self._add_text("", "", self.question.solution(here))
 
-    def _tell(self) -> list[str]:
+    def _show_right_answer(self) -> list[str]:
         answer = answer_of(self.question, self.played.here)
         text = self.tr("The answer is {0}.").format(answer)
         if "\n" in answer:  # a table stands by itself
@@ -99,6 +99,6 @@ class MarkedAnswerView(BlockView):
         self._close()
         text = f"{text} {self.question.why}".strip()
         solution = self.question.solution(self.played.here)
-        self._say("help", "", text)
-        self._say("", "", solution)
+        self._add_text("help", "", text)
+        self._add_text("", "", solution)
         return [text, solution]

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QTimer
 
 from app.document.document import Document
-from app.lessons.blocks.block import TOLD
+from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.task import Task
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
@@ -36,18 +36,18 @@ class TaskView(BlockView):
             self.played.hand_in(given)
             self._handed_in()
         else:
-            self._warn(self.tr("Nothing is changed yet."))
-            self._announce(self.tr("Nothing is changed yet."))
+            self._show_problem(self.tr("Nothing is changed yet."))
+            self._speak(self.tr("Nothing is changed yet."))
 
     def restore(self) -> None:
-        if self.played.answer == TOLD:
-            self._tell()
+        if self.played.answer == REVEALED:
+            self._show_right_answer()
         else:
             self._tick()
 
-    def _tell(self) -> list[str]:
+    def _show_right_answer(self) -> list[str]:
         why = self.task.why or self.tr("You can see a state that fulfils the task.")
-        self._say("help", "", why)
+        self._add_text("help", "", why)
         if self.task.right is not None:
             tip = self.tr("Show a state that makes it visible (Alt+W)")
             state = self.played.here.shown_by(self.task.right)
@@ -63,9 +63,9 @@ class TaskView(BlockView):
             return
         if is_done:
             self._resting.stop()
-            self._hush()
+            self._remove_response()
             self._tick()
-            self._announce(self.tr("Done."), self.task.done, self.task.why)
+            self._speak(self.tr("Done."), self.task.done, self.task.why)
             self._settled()
         elif played.is_open and played.is_changed and not played.is_test:
             self._offer_answer()
@@ -80,10 +80,10 @@ class TaskView(BlockView):
             self._refuse(error)
             return
         if verdict is not None:
-            self._hush()
+            self._remove_response()
             self._refute(verdict)
 
     def _tick(self) -> None:
         self._sign.show_icon("check", self.tr("Done"))
-        self._say("", "", self.task.done or self.tr("Done."))
-        self._say("", "", self.task.why)
+        self._add_text("", "", self.task.done or self.tr("Done."))
+        self._add_text("", "", self.task.why)

@@ -22,7 +22,7 @@ from app.document.document import Document
 from app.lessons.blocks.block import Asked
 from app.lessons.blocks.question import Verdict
 from app.lessons.player import PlayedBlock
-from app.lessons.text import escaped, said_of
+from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
@@ -74,24 +74,24 @@ class BlockView(QFrame):
     """The user wants to see this `Document`, which explains an answer."""
     posed = Signal(object)
     """The `Document` in which the question is asked, instead of the step's own."""
-    spoke = Signal()
+    responded = Signal()
     """A response to the answer appeared."""
 
     def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
         super().__init__()
         self.setObjectName("asked")
         self.played = played
-        self.setAccessibleName(said_of(question.text))
+        self.setAccessibleName(spoken_text(question.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
         """The newest hint, until another response comes."""
-        self._said = in_column(gap=4)
+        self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
         self._words: QWidget = LessonText(question.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
-        self._column = in_column(self._words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+        self._column = in_column(self._words, self._feedback, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _answer_button(
         self, act: Callable[[], object], name: str = "", tip: str = ""
@@ -106,7 +106,7 @@ class BlockView(QFrame):
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""
-        self._column.insertWidget(self._column.indexOf(self._said), widget)
+        self._column.insertWidget(self._column.indexOf(self._feedback), widget)
 
     def set_within(self) -> None:
         """Show the block as a part of another one, which has the frame."""
@@ -124,13 +124,13 @@ class BlockView(QFrame):
         return None
 
     @property
-    def said(self) -> list[QWidget]:
+    def response(self) -> list[QWidget]:
         """Return the widgets of the newest response, from the top; none if nothing was said."""
         return self._responses if self._hint is None else [self._hint]
 
-    def show_kept(self) -> None:
+    def show_kept_answer(self) -> None:
         """Show an answer that is kept for the end of a test; it can no longer be changed."""
-        self._hush()
+        self._remove_response()
         self._show(self.played.answer)
         for field in self.findChildren(QLineEdit):
             field.setReadOnly(True)
@@ -138,15 +138,15 @@ class BlockView(QFrame):
             each.setEnabled(False)
             each.setVisible(not isinstance(each, QPushButton))
         # No tick: it may be wrong.
-        self._say("save", self.tr("Kept"), self.tr("Your answer is kept until the end."))
+        self._add_text("save", self.tr("Kept"), self.tr("Your answer is kept until the end."))
 
     def _show(self, answer: str) -> None:
         """Show an answer that was given earlier."""
 
     def _handed_in(self) -> None:
         """Show that an answer is kept for the end of a test."""
-        self.show_kept()
-        self._announce(self.tr("Your answer is kept until the end."))
+        self.show_kept_answer()
+        self._speak(self.tr("Your answer is kept until the end."))
         self._settled()
 
     def open_up(self) -> None:
@@ -166,22 +166,22 @@ class BlockView(QFrame):
             text = f"*{head}* {hint}"
             self._hint = _row("help", "", text)
             self._insert(self._hint)
-            self._announce(text)
+            self._speak(text)
         self._offer_answer()
 
-    def give_away(self) -> None:
+    def reveal_answer(self) -> None:
         """Show the right answer, and the way to it."""
-        self._hush()
+        self._remove_response()
         try:
-            said = self._tell()
+            said = self._show_right_answer()
         except Refusal as error:
             self._refuse(error)
             return
-        self._announce(*said)
-        self.played.give_away()
+        self._speak(*said)
+        self.played.reveal_answer()
         self._settled()
 
-    def _tell(self) -> list[str]:
+    def _show_right_answer(self) -> list[str]:
         """Show the right answer, and the way to it; return the texts."""
         raise NotImplementedError
 
@@ -192,30 +192,29 @@ class BlockView(QFrame):
             self._offered.hide()
         self.settled.emit()
 
-    def _hush(self) -> None:
-        """Remove the previous response."""
+    def _remove_response(self) -> None:
         for widget in self._responses:
-            self._said.removeWidget(widget)
+            self._feedback.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
         self._responses.clear()
         self._hint = None
 
-    def _say(self, icon: str, sign: str, text: str) -> None:
+    def _add_text(self, icon: str, sign: str, text: str) -> None:
         if text:
             self._add(_row(icon, sign, text))
 
-    def _warn(self, text: str) -> None:
+    def _show_problem(self, text: str) -> None:
         """Show only that something is missing or wrong."""
-        self._hush()
-        self._say("warning", "", text)
+        self._remove_response()
+        self._add_text("warning", "", text)
 
     def _refuse(self, error: Refusal) -> None:
-        self._warn(escaped(sentence(error)))
+        self._show_problem(escaped(sentence(error)))
 
     def _add(self, widget: QWidget) -> None:
         self._responses.append(widget)
-        self._said.addWidget(widget)
+        self._feedback.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
         self._add(self._indented(button(name, tip, act)))
@@ -228,7 +227,7 @@ class BlockView(QFrame):
         played = self.played
         if self._offered is None and played.is_open and played.question.can_be_told:
             tip = self.tr("Show the right answer, and why it is right (Alt+A)")
-            answer = button(self.tr("Show the &answer"), tip, self.give_away)
+            answer = button(self.tr("Show the &answer"), tip, self.reveal_answer)
             self._offered = self._indented(answer)
             self._column.addWidget(self._offered)
 
@@ -237,8 +236,8 @@ class BlockView(QFrame):
             self._offer(name, tip, partial(self.show_wanted.emit, document))
 
     def _praise(self, verdict: Verdict) -> None:
-        self._say("check", self.tr("Right"), verdict.says or self.tr("Right."))
-        self._announce(self.tr("Right."), verdict.says)
+        self._add_text("check", self.tr("Right"), verdict.says or self.tr("Right."))
+        self._speak(self.tr("Right."), verdict.says)
 
     def _refute(self, verdict: Verdict, head: str = "") -> None:
         """Name the wrong idea, refute it, and offer a state that shows why."""
@@ -246,17 +245,17 @@ class BlockView(QFrame):
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
             head = f"{head} {behind}".strip()
-        self._say("close", self.tr("Wrong"), head or self.tr("That is not it."))
-        self._say("", "", verdict.says)
+        self._add_text("close", self.tr("Wrong"), head or self.tr("That is not it."))
+        self._add_text("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
         tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
         self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
-        self._announce(head, verdict.says)
+        self._speak(head, verdict.says)
 
-    def _announce(self, *texts: str) -> None:
-        self.spoke.emit()
-        said = said_of(" ".join(texts))
+    def _speak(self, *texts: str) -> None:
+        self.responded.emit()
+        said = spoken_text(" ".join(texts))
         QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, said))
 
 
