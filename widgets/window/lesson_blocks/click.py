@@ -46,7 +46,7 @@ class ClickView(MarkedAnswerView):
 
     @property
     def aims(self) -> BlockView | None:
-        return self if self.played.is_open or self._is_told else None
+        return self if self.played.is_open or self._is_settled else None
 
     def take(self, away_px: Callable[[Value], float], place: Value) -> None:
         """Take the place of the crosshair, and a function for its distance from others."""
@@ -72,7 +72,7 @@ class ClickView(MarkedAnswerView):
         return self.question.verdict_at(self.played.here, self._away_px)
 
     def _settled(self) -> None:
-        self._is_told = True
+        self._is_settled = True
         super()._settled()
 
     def _show(self, typed: str) -> None:
