@@ -55,7 +55,7 @@ LATE: dict[str, tuple[str, ...]] = {
     "app.drawings": ("matplotlib",),
     "app.scenes": (*VTK, "mapbox_earcut"),
     "app.lessons": ("markdown_it", "matplotlib"),
-    "app.measure": ("matplotlib", "PIL", "mpmath"),
+    "app.measure": ("mpmath",),
     "widgets.panes": VTK,
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),

@@ -134,7 +134,7 @@ def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset
     )
 
 
-def _resized(font: QFont, factor: float) -> QFont:
+def resized(font: QFont, factor: float) -> QFont:
     other = QFont(font)
     if font.pointSizeF() > 0.0:
         other.setPointSizeF(factor * font.pointSizeF())
@@ -196,7 +196,7 @@ class _TypesetReader:
         return sign
 
     def _fraction(self, font: QFont) -> Typeset:
-        smaller = _resized(font, SMALLER)
+        smaller = resized(font, SMALLER)
         self._taken(OPEN)
         above = _tight(self.line(smaller, OVER))
         self._taken(OVER)
@@ -260,7 +260,7 @@ def _piece(piece: re.Match[str], font: QFont) -> Typeset:
     is_below = piece["below"] is not None
     shift = (LOWER if is_below else HIGHER) * QFontMetricsF(font).height()
     text = piece["below"] if is_below else piece["above"]
-    return _run(text, _resized(font, SMALL)).at(0.0, shift)
+    return _run(text, resized(font, SMALL)).at(0.0, shift)
 
 
 def _tight(part: Typeset) -> Typeset:
