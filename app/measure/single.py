@@ -28,11 +28,11 @@ def has_numbers(results: Measurements) -> bool:
 
 def split(results: Measurements) -> dict[str, Measurements]:
     """Split results by the names of their trades and sweeps."""
-    found = {
+    parts = {
         trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
         for trade in results.trades
     }
-    return found | {
+    return parts | {
         sweep.parameter: replace(results, trades=(), sweeps=(sweep,), complete=sweep.complete)
         for sweep in results.sweeps
     }

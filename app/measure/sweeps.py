@@ -135,7 +135,7 @@ def sweep(
     Cancelled
         By `watch`; with the values done.
     """
-    found: dict[str, list[Answer]] = {}
+    by_choice: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -144,8 +144,8 @@ def sweep(
             complete = False
             break
         for name, answer in (at or errors)(parameter, projection, points_world, value).items():
-            found.setdefault(name, []).append(answer)
-    curves = {name: _curve(answers) for name, answers in found.items()}
+            by_choice.setdefault(name, []).append(answer)
+    curves = {name: _curve(answers) for name, answers in by_choice.items()}
     measured = tuple(values) if complete else tuple(values[:done])
     swept = Sweep(parameter, SWEEPS[parameter].unit, measured, curves, complete)
     if not complete:
@@ -185,17 +185,17 @@ def errors(
     origins = {name: (precision, origin) for name, precision in PRECISIONS.items()}
     if parameter == "distance":
         origins[WORLD] = "float32", (0.0, 0.0, 0.0)
-    found: dict[str, Answer] = {}
+    answers: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
         for name, (precision, start) in origins.items():
             traced = trace(there, world, precision, start)
             largest, note = largest_errors(reference, np.column_stack([traced.image, traced.depth]))
             predicted = predict(there, world, start) or {}
-            found[name] = (largest, predicted.get(precision), note)
-        found["VTK's camera"] = _vtk_camera(there, world, reference)
-    if WORLD in found:  # last, so that the others have the same colours in every chart
-        found[WORLD] = found.pop(WORLD)
-    return found
+            answers[name] = (largest, predicted.get(precision), note)
+        answers["VTK's camera"] = _vtk_camera(there, world, reference)
+    if WORLD in answers:  # last, so that the others have the same colours in every chart
+        answers[WORLD] = answers.pop(WORLD)
+    return answers
 
 
 def in_view(projection: Projection, points_world: Array) -> Array:
