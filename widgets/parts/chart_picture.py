@@ -48,7 +48,7 @@ def picture(
 
     The ending of `file` selects the format: one of `chart.ENDINGS`. The other parameters are as for
     `chart.diagrams`; `other` is drawn over the charts of the same name. For bytes, draw
-    `results.by`.
+    `results.by_cost`.
     """
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
