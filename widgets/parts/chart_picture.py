@@ -19,8 +19,8 @@ from PySide6.QtGui import (
     QPdfWriter,
 )
 
-from app.drawings.label import font_file
 from app.drawings.style import LIGHT
+from app.lecture.typesetting import font_file
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import Measurements, Sweep, Trade

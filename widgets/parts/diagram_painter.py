@@ -19,7 +19,7 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
 from widgets.parts.highlight import faded
 from widgets.parts.messages import figure_text, of_phenomena
-from widgets.parts.typeset import resized, typeset
+from widgets.parts.typeset import resized, words
 
 TICK_PX = 4.0
 _LINE = 0.75  # width relative to a line in a pane, which has no antialiasing
@@ -267,7 +267,7 @@ class DiagramPainter:
         for curve, places, half in named:
             if not curve.label:
                 continue
-            text = typeset(of_phenomena(curve.label), font)
+            text = words(of_phenomena(curve.label), font)
             size, kept = (text.width + 2.0 * GAP_PX, height), self.names.get(curve.label)
             place = beside_curve(self._bounds, places, half, size, taken, covered, kept)
             self.names[curve.label] = place
