@@ -111,6 +111,11 @@ CUT_OFF_ROWS = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.",
 )
+MORE_ROWS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: from line {1} on, it has more rows than its header counts; correct the header, or export "
+    "the file again.",
+)
 DAMAGED = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
 )
@@ -341,6 +346,12 @@ def wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object]) 
         else:
             before, lines = before + len(half), lines[len(half) :]
     return before + 1
+
+
+def joins_left_out(triangles: Ints) -> Ints:
+    """Return the triangles (n, 3) of strips without those that only lead to the next strip."""
+    whole: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return whole
 
 
 def report(progress: Progress | None, fraction: float) -> None:

@@ -27,6 +27,7 @@ from app.scenes.mesh import (
     NO_MEMORY,
     NOT_FINITE_LINE,
     NOT_OF_KIND,
+    UNSUPPORTED,
     Colours,
     Floats,
     Ints,
@@ -41,7 +42,7 @@ from app.scenes.mesh import (
 from app.scenes.ply import read_ply
 from app.scenes.shapes import distinct_rows
 
-_MARK = codecs.BOM_UTF8
+_MARK, _NO_BREAK = codecs.BOM_UTF8, "\xa0".encode()
 BLOCK = 1 << 24
 """Bytes of text in a block; progress is reported after each block."""
 
@@ -164,6 +165,8 @@ def _obj_blocks(file: BinaryIO) -> Iterator[bytes]:
         text, rest = text[:end], text[end:]
         if _MARK in text:  # of a file that was joined to another
             text = text.replace(_MARK, b"")
+        if _NO_BREAK in text:
+            text = text.replace(_NO_BREAK, b" ")
         if b"\r" in text:
             text = text.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
         if b"\\" in text:
@@ -244,18 +247,23 @@ def _read_stl(source: MeshSource) -> Mesh:
     count, present = int.from_bytes(head[80:84], "little"), (source.size - 84) // 50
     if count in (0, 2**32 - 1):
         count = max(present, 0)
+    turned = int.from_bytes(head[80:84], "big")
+    if len(head) >= 84 and turned != count and 84 + 50 * turned == source.size > 84:
+        raise Refusal.saying(UNSUPPORTED, source.path, "big-endian")
     if len(head) >= 84 and count <= present:
         corners = _stl_binary(source, count)
     elif b"\0" in head and len(head) >= 84 and count <= LARGEST[0]:
         raise Refusal.saying(CUT_OFF_TRIANGLES, source.path, present, count)
-    elif re.match(rb"\s*(solid|facet\s)", head, re.IGNORECASE):
+    elif re.match(rb"(?:\s*#[^\n]*\n)*\s*(solid|facet\s)", head, re.IGNORECASE):
         corners = _stl_text(source)
     else:
         raise Refusal.saying(NOT_OF_KIND, source.path, "STL")
     source.report(0.3)
     points, merged = distinct_rows(corners)
     source.report(0.4)
-    return Mesh(points, np.arange(0, len(corners) + 1, 3), merged)
+    mesh = Mesh(points, np.arange(0, len(corners) + 1, 3), merged)
+    mesh.drop_small_faces(source.path)
+    return mesh
 
 
 def _stl_binary(source: MeshSource, count: int) -> Floats:
@@ -322,7 +330,7 @@ def _refuse_stl_line(source: MeshSource) -> None:
 
 def _without_stl_names(text: bytes) -> bytes:
     """Drop the names after “solid” and “endsolid”, which may contain any words."""
-    return re.sub(rb"solid[^\n]*?(?=facet\s+normal|\n|\Z)", b"", text)
+    return re.sub(rb"solid[^\n]*?(?=facet\s+normal\s+(?:[-+.\d]|nan|inf)|\n|\Z)", b"", text)
 
 
 _READERS: dict[str, Callable[[MeshSource], Mesh]] = {

@@ -13,12 +13,14 @@ from app.model.refusal import Refusal
 from app.scenes.mesh import (
     CUT_OFF_ROWS,
     DAMAGED_LINE,
+    MORE_ROWS,
     NOT_OF_KIND,
     UNSUPPORTED,
     Ints,
     Mesh,
     MeshSource,
     full_scale,
+    joins_left_out,
     numbers_in,
     rgb_bytes,
     wrong_line,
@@ -29,7 +31,13 @@ _PLY_TYPES = {
     "int8": "i1", "uint8": "u1", "int16": "i2", "uint16": "u2", "int32": "i4", "uint32": "u4",
     "float": "f4", "double": "f8", "float32": "f4", "float64": "f8",
 }  # fmt: skip
+_CORNERS = "vertex_indices", "vertex_index", "indices", "vertices"
+"""Names of the list of a face's corners, the first two by custom."""
 _PLY_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
+
+
+_BEYOND = ""
+"""Name of the element of all rows that the header does not count."""
 
 
 class _PlyColumn(NamedTuple):
@@ -75,7 +83,7 @@ def read_ply(source: MeshSource) -> Mesh:
             mesh.points = np.stack([columns[axis] for axis in "xyz"], axis=1).astype(np.float64)
             vertex_rgb = rgb
         elif element.name in ("face", "tristrips"):
-            name = next((n for n in ("vertex_indices", "vertex_index") if n in lengths), None)
+            name = next((name for name in _CORNERS if name in lengths), None)
             if name is None:
                 source.fail(f"{element.name}: vertex_indices")
             if element.name == "tristrips":
@@ -97,6 +105,8 @@ def read_ply(source: MeshSource) -> Mesh:
         mesh.corners = np.concatenate([mesh.corners, strips.ravel()])
         mesh.rgb = None
         mesh.rows.pop("faces", None)
+    if _BEYOND in lines_of and (np.diff(mesh.offsets) < 3).any():  # vertices were taken for faces
+        raise Refusal.saying(MORE_ROWS, source.path, int(lines_of[_BEYOND][0]))
     mesh.drop_small_faces(source.path)
     if len(mesh.offsets) == 1:  # a cloud of points
         is_alone = np.ones(len(mesh.points), dtype=bool)
@@ -124,10 +134,7 @@ def _strips(named: Ints, lengths: Ints) -> Ints:
     goes_on[:-2] &= ~is_stop[1:-1] & ~is_stop[2:] & (strip[:-2] == strip[2:])
     i = np.flatnonzero(goes_on)
     odd = (i - first[i]) % 2
-    triangles = np.stack([named[i], named[i + 1 + odd], named[i + 2 - odd]], axis=1)
-    # A repeated corner turns to the next strip.
-    whole: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    return whole
+    return joins_left_out(np.stack([named[i], named[i + 1 + odd], named[i + 2 - odd]], axis=1))
 
 
 _PLY_HEADER = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r?\n|\Z)", re.DOTALL)
@@ -181,7 +188,7 @@ def _ply_text(
     ends = np.searchsorted(word_begins, line_ends)
     filled, rows = np.flatnonzero(np.diff(ends, prepend=0)), sum(e.rows for e in elements)
     is_open = len(filled) == rows and not body.endswith(b"\n")
-    filled = filled[:rows]  # what follows is no part of the mesh
+    beyond, filled = filled[rows:], filled[:rows]  # what follows is no part of the mesh
     body = body[: line_ends[filled[-1]] if filled.size else 0]
     try:
         numbers = numbers_in(body, words=int(ends[filled[-1]]) if filled.size else 0)
@@ -190,7 +197,8 @@ def _ply_text(
         raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
     if len(filled) == 1 < rows:
         return numbers.tobytes(), {}
-    marks, lines_of, first = np.zeros(len(numbers) + 1, dtype=np.int8), {}, 0
+    marks, first = np.zeros(len(numbers) + 1, dtype=np.int8), 0
+    lines_of = {_BEYOND: before + 1 + beyond} if beyond.size else {}
     for element in elements:
         which = filled[first : first + element.rows]
         first += element.rows
@@ -230,11 +238,11 @@ def _ply_elements(header: str) -> tuple[list[_Element], bool]:
                 elements.append(_Element(name, int(rows), []))
             case ["property", "list", count, kind, name]:
                 kinds = [np.dtype(order + _PLY_TYPES[k] if order else "f8") for k in (kind, count)]
-                elements[-1].properties.append(_PlyColumn(name, kinds[0], 1.0, kinds[1]))
+                elements[-1].properties.append(_PlyColumn(name.lower(), kinds[0], 1.0, kinds[1]))
             case ["property", kind, name]:
                 in_file = np.dtype(_PLY_TYPES[kind])
                 read = np.dtype(order + _PLY_TYPES[kind] if order else "f8")
-                elements[-1].properties.append(_PlyColumn(name, read, full_scale(in_file)))
+                elements[-1].properties.append(_PlyColumn(name.lower(), read, full_scale(in_file)))
             case ["property", *_]:
                 raise ValueError
     names = [[e.name for e in elements], *([p.name for p in e.properties] for e in elements)]
