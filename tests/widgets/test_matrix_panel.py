@@ -433,7 +433,7 @@ def test_the_quotient_of_a_typed_fraction_is_reported(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     told: list[str] = []
-    panel.told.connect(told.append)
+    panel.adjusted.connect(told.append)
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
     assert "1/3" in field.toolTip() and field.placeholderText() == "1/3"
     assert "a fraction such as 1/3" in panel.explanation.text()
@@ -514,7 +514,7 @@ def test_a_refused_cell_is_named_and_nothing_changes(
     qtbot.keyClick(field, Qt.Key.Key_Return)
     cell = f"{stage_title(name)}, row 1, column 3"
     assert panel.explanation.text() == f"Not possible. {cell} = {sentence}"
-    assert panel.explanation.styleSheet() and panel.explanation.warns
+    assert panel.explanation.styleSheet() and panel.explanation.is_warning
     assert panel.views[name].field is field  # to be mended
     assert edits == []
     field.selectAll()
@@ -522,7 +522,7 @@ def test_a_refused_cell_is_named_and_nothing_changes(
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert len(edits) == 1 and panel.views[name].texts != before
     qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
-    assert not panel.explanation.warns and not panel.explanation.styleSheet()
+    assert not panel.explanation.is_warning and not panel.explanation.styleSheet()
 
 
 @pytest.mark.undrawn
@@ -1051,6 +1051,19 @@ def test_a_text_that_is_no_matrix_is_refused(panel: MatrixPanel, qtbot: QtBot) -
         paste(panel, "clip_from_view", "1 0 0 0 1 0 0 0 2")
         assert "must be 16 numbers, or a calibrated camera" in panel.explanation.text()
         paste(panel, "clip_from_world", text_of(VIEW))  # cannot be typed in
+
+
+@pytest.mark.parametrize("name", ["view_from_world", "clip_from_view"])
+def test_a_pasted_camera_matrix_sets_camera_and_lens(
+    panel: MatrixPanel, qtbot: QtBot, name: str
+) -> None:
+    with qtbot.waitSignal(panel.edited) as edited:  # K = 900 0 640; 0 900 360; 0 0 1, seen from +z
+        paste(panel, name, "900 0 -640 3200\n0 -900 -360 1800\n0 0 -1 5")
+    seen = edited.args[0]
+    assert seen.camera.eye == pytest.approx((0.0, 0.0, 5.0))
+    assert tuple(seen.intrinsics) == pytest.approx((900.0, 900.0, 640.0, 360.0))
+    paste(panel, name, "1 0 0 0\n0 1 0 0\n0 0 0 0")
+    assert name == "view_from_world" or "the camera is at infinity" in panel.explanation.text()
 
 
 def test_rows_or_columns_are_asked_only_where_both_are_possible(
