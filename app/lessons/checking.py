@@ -13,12 +13,13 @@ from pathlib import Path
 
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
+from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.state import path_of
-from app.lessons.text import MATH, formulas_in, outline
+from app.lessons.text import MATH, formulas_in
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
 from app.scenes.mesh import Progress, report
 

@@ -500,7 +500,7 @@ def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
         give_room(window, QRect(*ORDINARY))
         assert trace(window) == before
     across, small = window.slots.sizes(), window.slots.widget(1).sizes()
-    window.slots.bring("ndc")
+    window.slots.make_large("ndc")
     assert (window.slots.sizes(), window.slots.widget(1).sizes()) == (across, small)
 
 

@@ -223,7 +223,7 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _call_handles(self) -> None:
-        """Show for a moment what an open task of the step may be solved with."""
+        """Show for a moment the handles that solve an open task of the step."""
         tasks = [view.played.block for view in self.page.blocks if view.played.is_open]
         self.handles_called.emit(frozenset().union(*(task.handles for task in tasks)))
         self._calling.start()

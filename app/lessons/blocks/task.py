@@ -24,7 +24,7 @@ DONE = "done"
 """Kept as the answer of a finished task, and the verdict on a sample that fulfils it."""
 _PANES = "view.panes="
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
-"""By which a condition names a field of the view, where its name is another one."""
+"""The names that conditions have for fields of the view with other names."""
 _MOVED_BY = {
     "near": "near", "far": "far", "eye": "eye", "distance": "eye", "target": "target",
     "left": "corner", "right": "corner", "bottom": "corner", "top": "corner",
