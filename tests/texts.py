@@ -12,12 +12,19 @@ import argparse
 import json
 from pathlib import Path
 
+from app.model.content_file import texts_of
+from app.model.parameters import PARAMETERS
 from app.scenes.phenomena import PHENOMENA
 
 
 def content_texts() -> set[str]:
     """The texts that the content files of the phenomena hold."""
     return {text for phenomenon in PHENOMENA.values() for text in phenomenon.words.texts}
+
+
+def parameter_texts() -> set[str]:
+    """The texts of the parameters of camera, lens, image and object."""
+    return {text for parameter in PARAMETERS.values() for text in texts_of(parameter)}
 
 
 def key_texts() -> set[str]:
@@ -32,7 +39,11 @@ def source() -> str:
     """Python that marks them all."""
     lines = (
         f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
-        for context, texts in (("phenomena", content_texts()), ("Help", key_texts()))
+        for context, texts in (
+            ("phenomena", content_texts()),
+            ("Field", parameter_texts()),
+            ("Help", key_texts()),
+        )
         for text in sorted(texts)
     )
     return "".join(lines)

@@ -11,7 +11,6 @@ from PIL import Image, ImageDraw, ImageFont
 
 from app.document.compare import DifferenceWriter, in_words, names_in
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.settings import name_of, pictured
 from app.drawings.label import SceneLabel, font_file
 from app.drawings.off_screen import Pixels
@@ -19,6 +18,7 @@ from app.drawings.one_pane import illustration_of
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
+from app.model.parameters import TITLES
 from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import figure
@@ -56,7 +56,7 @@ def compared_in(
     phenomenon = scene.phenomenon
     settings = () if phenomenon is None else phenomenon.settings
     written = DifferenceWriter(
-        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
+        lambda name: words.get(TITLES.get(name, name), TITLES.get(name, name)),
         lambda text: words.get(text, text),
         figure,
     )

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
@@ -230,7 +230,7 @@ def with_kind(projection: Projection, kind: str) -> Projection:
     if "oblique" in above:
         projection = projection.with_lens("oblique")
         if node.receding is not None:
-            projection = leaning(projection, *oblique_angles(node.receding, RECEDING_DEG))
+            projection = projection.with_angles(*oblique_angles(node.receding, RECEDING_DEG))
     elif "parallel" in above:
         projection = projection.with_lens("orthographic")
     else:
@@ -238,16 +238,3 @@ def with_kind(projection: Projection, kind: str) -> Projection:
     if kind in path(kind_of(projection) or kind):
         return projection
     return with_kind(projection, next(each.name for each in KINDS.values() if each.parent == kind))
-
-
-def leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
-    """Change the angles of an oblique lens, and keep the target's place in the picture."""
-    lens: Any = projection.lens
-    leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
-    away = projection.camera.distance - lens.near
-    x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
-    lens = replace(
-        leaning,
-        left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
-    )  # fmt: skip
-    return replace(projection, lens=lens)

@@ -39,7 +39,8 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import format_value
-from app.picking.picking import PickSurface, Probe, Sight
+from app.picking.picking import PickSurface, Probe
+from app.picking.sight import Sight
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from tests.support.digits import all_digits_shown, plain

@@ -18,6 +18,7 @@ from app.drawings.style import LIGHT, Style, tone
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
 from app.lecture.notation import as_text, letters_in
 from app.lessons.text import outline
+from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
 from widgets.parts.lesson_text import formula_parts
@@ -40,19 +41,14 @@ _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
 _WORD = 0.55
 """Size of a word below a part of a matrix."""
 _APART_EM = 1.5
-_FIELDS = {
-    "lens.fov_x_deg": ("fov_y_deg",),
-    "lens.focal_length_mm": ("fov_y_deg",),
-    **dict.fromkeys(("camera.azimuth_deg", "camera.elevation_deg"), ("eye",)),
-    "camera.distance": ("eye",),
-    "camera.roll_deg": ("up",),
-}
-"""Fields of the document that a control changes, where they are not its own."""
 
 
-def _own(path: str) -> str:
-    """Return the field of a control in the matrices' terms."""
-    return path if path.startswith("settings.") else path.rpartition(".")[2]
+def _changed_by(path: str) -> tuple[str, ...]:
+    """Return the fields that a control changes, in the matrices' terms."""
+    if path.startswith("settings."):
+        return (path,)
+    name = path.rpartition(".")[2]
+    return PARAMETERS[name].fields if name in PARAMETERS else (name,)
 
 
 class _Glyphs(NamedTuple):
@@ -146,9 +142,7 @@ class EquationSlide(QWidget):
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
-        self._controls = frozenset(
-            field for path in view.controls for field in _FIELDS.get(path, (_own(path),))
-        )
+        self._controls = frozenset(field for path in view.controls for field in _changed_by(path))
         self._readable.changed()
 
     def set_style(self, style: Style) -> None:

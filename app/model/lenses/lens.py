@@ -30,6 +30,7 @@ from app.model.limits import (
     finite,
     real,
 )
+from app.model.parameter import Parameter
 from app.model.refusal import Refusal, format_value
 from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
@@ -62,19 +63,6 @@ class LensTable:
     written: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
-class Control(NamedTuple):
-    """The control of a lens's field: its tooltip, marked for translation, and its slider.
-
-    The unit is ``"°"`` or ``"×"``. Numbers beyond the slider can be typed.
-    """
-
-    tip: str
-    low: float
-    high: float
-    step: float
-    unit: str
-
-
 class Seen(NamedTuple):
     """What another lens shows: the window on its near plane, and the distance of the target."""
 
@@ -99,8 +87,8 @@ class Lens(Geometry):
         translation.
     tables : tuple of LensTable
         The table for a finite far plane and, if it may be infinite, that for an infinite one.
-    controls : mapping from str to Control
-        The controls of its fields, except near, far and the sides of a window.
+    parameters : tuple of Parameter
+        Those that only this lens has: its fields except near, far and the sides of a window.
     roundings : (float, float, float, float)
         Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
         them.
@@ -118,7 +106,7 @@ class Lens(Geometry):
     tip: ClassVar[str] = ""
     shape: ClassVar[str] = ""
     tables: ClassVar[tuple[LensTable, ...]]
-    controls: ClassVar[Mapping[str, Control]] = {}
+    parameters: ClassVar[tuple[Parameter, ...]] = ()
     roundings: ClassVar[tuple[float, float, float, float]]
 
     # -- its table, its letters and its planes

@@ -13,13 +13,14 @@ from fractions import Fraction
 
 import numpy as np
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.settings import Found, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
@@ -247,8 +248,8 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
-        Setting("screens", "2"),
+        Parameter("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
+        Parameter("screens", "2"),
     ),
     controls=("lens.left", "lens.right"),
     follow=_follow,

@@ -14,12 +14,14 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from app.model.parameter import Parameter
+from app.model.parameters import ALPHA
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings
+from app.scenes.phenomena.settings import Found, Settings
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -176,7 +178,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
     lens = projection.lens
     if lens.central:
         return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
-    return {"volume": "oblique" if lens.kind == _LENS["oblique"] else "box"}
+    return {"volume": "oblique" if ALPHA in lens.parameters else "box"}
 
 
 PHENOMENON = Phenomenon(
@@ -187,7 +189,7 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(Setting("volume", "pyramid"),),
+    adjustable=(Parameter("volume", "pyramid"),),
     controls=("lens.near", "lens.far"),
     numbers=4,
     follow=_follow,
