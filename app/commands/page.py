@@ -15,7 +15,7 @@ from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lecture.dependence import FIELDS as LETTERS
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
 from app.model.parameters import TITLES

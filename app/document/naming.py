@@ -10,7 +10,7 @@ from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES, WINDOW
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.formula import ARROW
 from app.scenes.phenomena.illustration import Illustration

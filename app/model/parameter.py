@@ -89,7 +89,7 @@ class Parameter:
     also : str
         Other names, by which the finder finds it.
     letter : str
-        In the formulas of the matrices; `app.lecture.notation` has the letter of each lecture.
+        In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture.
     formula : str
         In the formulas of lessons; a vector's components have ``_x``, ``_y`` and ``_z`` behind it.
     place : str

@@ -16,7 +16,7 @@ from app.document.codec import parse, to_tree
 from app.document.document import Document
 from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
 from app.model.parameter import Parameter
 from app.model.projection import DEPTH_RANGES, LENSES, Array, Camera
 from app.model.refusal import Refusal

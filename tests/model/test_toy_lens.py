@@ -26,7 +26,8 @@ from app.document.files import read
 from app.document.view import PANES
 from app.drawings.figures import render
 from app.lecture import typed_matrix
-from app.lecture.notation import LETTERS, letters_in, matrices, written
+from app.lecture.letters import LETTERS, written
+from app.lecture.notation import letters_in, matrices
 from app.model.lenses import LENSES
 from app.model.lenses.answers import Window
 from app.model.lenses.central import Central

@@ -25,8 +25,9 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import frame_letters
-from app.model.formula import ARROW, stacked_fraction
+from app.lecture.letters import frame_letters
+from app.model.formula import ARROW
+from app.model.formula_text import stacked_fraction
 from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
-from app.lecture.notation import Letters, in_letters
+from app.lecture.letters import Letters, in_letters
 from app.model.limits import (
     AT_LEAST,
     AT_MOST,

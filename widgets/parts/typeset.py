@@ -1,6 +1,6 @@
 """Typeset formulas: stacked fractions, matrices in brackets, bold vectors.
 
-A formula is a text. Fractions come from `app.model.formula.stacked_fraction`, matrices from
+A formula is a text. Fractions come from `app.model.formula_text.stacked_fraction`, matrices from
 `matrix`; ``_`` begins a subscript, ``^`` a superscript, and `ARROW` follows the letter or word of a
 vector.
 """
@@ -26,7 +26,8 @@ from PySide6.QtGui import (
     QPen,
 )
 
-from app.model.formula import ARROW, CLOSE, OPEN, OVER
+from app.model.formula import ARROW
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.highlight import MarkedLabel, paint_highlight
 
 SMALLER = 0.8

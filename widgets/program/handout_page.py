@@ -20,7 +20,7 @@ from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
 from app.lessons.course import Course, panes_of, scene_of
 from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
-from app.model.formula import CLOSE, OPEN, OVER
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
 from widgets.program.handout_content import (

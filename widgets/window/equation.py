@@ -15,8 +15,9 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
+from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
-from app.lecture.notation import as_text, letters_in
+from app.lecture.notation import letters_in
 from app.lessons.text import outline
 from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
-from app.lecture.notation import Letters, axis_letters
+from app.lecture.letters import Letters, axis_letters
 from app.model.parameters import TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
