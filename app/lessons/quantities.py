@@ -33,25 +33,17 @@ from app.model.parameters import (
     ASPECT,
     AZIMUTH,
     BETA,
-    BOTTOM,
     DISTANCE,
     ELEVATION,
-    EYE,
     FAR,
     FOCAL_E,
     FOCAL_LENGTH,
     FOV_X,
     FOV_Y,
     HEIGHT,
-    LEFT,
     NEAR,
-    RIGHT,
-    ROTATE,
-    SCALE,
-    TARGET,
-    TOP,
-    TRANSLATE,
-    UP,
+    PARAMETERS,
+    SIDES,
     WIDTH,
 )  # fmt: skip
 from app.model.pipeline import Stage
@@ -471,7 +463,7 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "pi": lambda known: math.pi,
     "infinity": lambda known: math.inf,
     **{each.formula: partial(_of_lens, each) for each in (NEAR, FAR)},
-    **{side.formula: _window(place) for place, side in enumerate((LEFT, RIGHT, BOTTOM, TOP))},
+    **{side.formula: _window(place) for place, side in enumerate(SIDES)},
     FOV_Y.formula: _fov,
     FOV_X.formula: _angle_of_view(0, 1),
     ASPECT.formula: lambda known: float(known.projection.aspect),
@@ -486,7 +478,7 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "turned": lambda known: float("world" in known._view.panes),
 }
 for _place, _axis in enumerate(XYZ):
-    for _vector in (EYE, TARGET, UP, TRANSLATE, ROTATE, SCALE):
+    for _vector in (each for each in PARAMETERS.values() if each.vector):
         _SIMPLE[f"{_vector.formula}_{_axis}"] = partial(_value, _vector.component(_place))
     for _row, _letter in enumerate("uvn"):
         _SIMPLE[f"{_letter}_{_axis}"] = partial(_of_frame, _row, _place)

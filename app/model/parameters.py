@@ -179,6 +179,7 @@ LEFT = _side("left", letter="l", formula="left")
 RIGHT = _side("right", letter="r", formula="right")
 BOTTOM = _side("bottom", letter="b", formula="bottom")
 TOP = _side("top", letter="t", formula="top")
+SIDES = (LEFT, RIGHT, BOTTOM, TOP)
 NEAR = _lens("near", **_LENGTH, letter="n", formula="near", handle="near")
 FAR = _lens("far", **_LENGTH, letter="f", formula="far", handle="far")
 FOCAL_E = _by_fov(

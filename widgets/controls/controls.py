@@ -241,7 +241,7 @@ class Controls(Dock, RowHolder):
         self._lens.fit(self._projection, size, defaults)
         for binding in self._bindings.values():
             if not binding.lenses:
-                binding.row.setDefault(binding.read(defaults))
+                binding.row.setDefault(binding.parameter.value(defaults))
         self.animation.set_scene(size, camera)
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
@@ -426,7 +426,7 @@ class Controls(Dock, RowHolder):
         if not self._in_use(binding):  # a hidden row of another lens
             return
         try:
-            projection = binding.write(before, value)
+            projection = binding.parameter.put(before, value)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
             general = seen.bound == FINITE_NUMBER or seen.limits in ((LARGEST,), (-LARGEST,))
@@ -436,8 +436,8 @@ class Controls(Dock, RowHolder):
             # Later, when the layout has made room, and if the error is still there.
             QTimer.singleShot(0, self, partial(self._reveal, binding.row))
         else:
-            if binding.keep is not None:
-                binding.keep(before, value, projection)
+            if binding.memory is not None:
+                binding.memory.keep(binding.parameter, before, value, projection)
             if projection.lens.kind != before.lens.kind:
                 place = binding.row.mapTo(self.viewport(), QPoint())
                 QTimer.singleShot(0, self, partial(self._hold, binding.row, place))
@@ -457,7 +457,7 @@ class Controls(Dock, RowHolder):
             return None
         probe = math.copysign(LARGEST, value)
         try:
-            binding.write(self._projection, probe)
+            binding.parameter.put(self._projection, probe)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, probe, error)
             if seen.field == binding.field and seen.value == probe:
@@ -468,7 +468,7 @@ class Controls(Dock, RowHolder):
         if not self._in_use(binding):
             return False
         try:
-            binding.write(self._projection, value)
+            binding.parameter.put(self._projection, value)
         except Refusal:
             return False
         return True
@@ -519,7 +519,7 @@ class Controls(Dock, RowHolder):
         for key, binding in self._bindings.items():
             seen = binding.rows.is_open or key in self._lifted or key in self._lent
             if seen and binding.parameter.part in parts and not binding.row.isHidden():
-                binding.row.setValue(binding.read(self._projection))
+                binding.row.setValue(binding.parameter.value(self._projection))
 
 
 def _as_shown(error: Refusal, value: Any) -> Refusal:

@@ -8,20 +8,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject
 
 from app.model.parameter import Parameter
-from app.model.parameters import (
-    BOTTOM,
-    CX,
-    CY,
-    FAR,
-    FX,
-    FY,
-    HALF_HEIGHT,
-    HALF_WIDTH,
-    LEFT,
-    NEAR,
-    RIGHT,
-    TOP,
-)
+from app.model.parameters import CX, CY, FAR, FX, FY, HALF_HEIGHT, HALF_WIDTH, NEAR, SIDES
 from app.model.projection import LENSES, Projection
 from widgets.controls.parameter_rows import Binding
 from widgets.parts.number_rows import NumberRow
@@ -29,7 +16,6 @@ from widgets.parts.scales import Linear, Log, Scale
 
 NEAR_RATIO = 40.0
 """Ratio of the ends of near's slider: a pixel of 240 changes near by at most 2 %."""
-SIDES = (LEFT, RIGHT, BOTTOM, TOP)
 
 
 class LensSliders(QObject):
@@ -67,7 +53,7 @@ class LensSliders(QObject):
             self._fit_planes(alike, size)
         for binding in self._bindings.values():
             if kind in binding.lenses:
-                binding.row.setDefault(binding.read(alike))
+                binding.row.setDefault(binding.parameter.value(alike))
         self.follow(projection)
 
     def _fit_planes(self, start: Projection, size: float) -> None:

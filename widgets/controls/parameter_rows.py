@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import partial
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
-from app.model.parameter import Computed, Parameter, Read, Write
+from app.model.parameter import Computed, Parameter
 from app.model.parameters import KIND, lenses_with, tidy
 from app.model.projection import LENSES, FreeMatrix, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -32,6 +33,48 @@ UNITS = {
 """The units of the model's parameters, and each in words."""
 
 
+class TypedMemory:
+    """Keeps typed numbers that the model does not keep.
+
+    Computed from the model, they would contain rounding errors, and some would be lost: the
+    azimuth of a camera straight above its target, the direction of depth that recedes by 0.
+    """
+
+    def __init__(self, computed: Computed) -> None:
+        self._computed = computed
+        self._typed: tuple[Any, Any] = (None, None)
+        self._latest: tuple[Any, Any] = (None, None)
+
+    def numbers(self, projection: Projection) -> Any:
+        """Return the numbers; typed ones keep all their digits."""
+        now = self._computed.source(projection)
+        for source, numbers in (self._typed, self._latest):
+            if source == now:
+                return numbers
+        computed = self._computed.compute(projection)
+        self._latest = now, type(computed)(*map(tidy, computed))
+        return self._latest[1]
+
+    def through(self, parameter: Parameter) -> Parameter:
+        """Return the parameter of one of the numbers, which is read and changed through this."""
+        return replace(
+            parameter,
+            read=lambda projection: float(getattr(self.numbers(projection), parameter.name)),
+            write=lambda projection, value: self._computed.apply(
+                projection, self._with(parameter, projection, value)
+            ),
+        )
+
+    def keep(
+        self, parameter: Parameter, before: Projection, value: float, after: Projection
+    ) -> None:
+        """Keep a number that was typed, and the others as they were."""
+        self._typed = self._computed.source(after), self._with(parameter, before, value)
+
+    def _with(self, parameter: Parameter, projection: Projection, value: float) -> Any:
+        return self.numbers(projection)._replace(**{parameter.name: value})
+
+
 class Binding(NamedTuple):
     """A row of the dock, and the value of the model that it shows.
 
@@ -44,10 +87,8 @@ class Binding(NamedTuple):
         The part of the dock with the row.
     field : str
         The model's name of the value, of a component that of its vector.
-    read, write : callable
-        Return the value of a projection, and a projection with another value.
-    keep : callable, optional
-        Called after an accepted edit with the projection before, the value, the projection after.
+    memory : TypedMemory, optional
+        Keeps an accepted edit.
     lenses : tuple of str
         The kinds of lens that have this value; empty if it depends on no lens.
     """
@@ -56,64 +97,23 @@ class Binding(NamedTuple):
     rows: Rows
     parameter: Parameter
     field: str
-    read: Read
-    write: Write
-    keep: Callable[[Projection, Any, Projection], None] | None
+    memory: TypedMemory | None
     lenses: tuple[str, ...]
-
-
-class TypedMemory:
-    """Keeps typed numbers that the model does not keep.
-
-    Computed from the model, they would contain rounding errors, and some would be lost: the
-    azimuth of a camera straight above its target, the direction of depth that recedes by 0.
-    """
-
-    def __init__(self, computed: Computed) -> None:
-        self._computed = computed
-        self._kept: list[tuple[Any, Any]] = [(None, None)] * 2
-        """The typed numbers and the computed ones, each behind its part of the projection."""
-
-    def numbers(self, projection: Projection) -> Any:
-        """Return the numbers; typed ones keep all their digits."""
-        now = self._computed.source(projection)
-        for source, numbers in self._kept:
-            if source == now:
-                return numbers
-        computed = self._computed.compute(projection)
-        self._kept[1] = now, type(computed)(*map(tidy, computed))
-        return self._kept[1][1]
-
-    def read(self, name: str, projection: Projection) -> float:
-        return float(getattr(self.numbers(projection), name))
-
-    def write(self, name: str, projection: Projection, value: float) -> Projection:
-        changed = self.numbers(projection)._replace(**{name: value})
-        written: Projection = self._computed.apply(projection, changed)
-        return written
-
-    def keep(self, name: str, before: Projection, value: float, after: Projection) -> None:
-        changed = self.numbers(before)._replace(**{name: value})
-        self._kept[0] = self._computed.source(after), changed
 
 
 def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) -> Iterator[Binding]:
     """Make the row of a parameter of the model, or those of its components."""
     title = parameter_text(parameter, parameter.row or parameter.title or parameter.name)
-    name, lenses = parameter.name, lenses_with(parameter)
-    if not parameter.vector:
-        row, keep = make_row(parameter, title), None
-        read, write = parameter.value, parameter.put
-        if memory is not None:
-            read, write = partial(memory.read, name), partial(memory.write, name)
-            keep = partial(memory.keep, name)
-        yield Binding(row, rows, parameter, name, read, write, keep, lenses)
-        return
-    named = QCoreApplication.translate("Field", "{0} {1}")
-    for axis, letter in enumerate("xyz"):
-        part = parameter.component(axis)
-        row = make_row(part, named.format(title, letter))
-        yield Binding(row, rows, part, name, part.value, part.put, None, lenses)
+    parts = [(title, parameter if memory is None else memory.through(parameter))]
+    if parameter.vector:
+        named = QCoreApplication.translate("Field", "{0} {1}")
+        parts = [
+            (named.format(title, letter), parameter.component(axis))
+            for axis, letter in enumerate("xyz")
+        ]
+    for title, part in parts:
+        row = make_row(part, title)
+        yield Binding(row, rows, part, parameter.name, memory, lenses_with(parameter))
 
 
 def make_row(parameter: Parameter, title: str = "", none: str = "") -> Row:
