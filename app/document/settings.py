@@ -26,7 +26,7 @@ from app.lecture.equation import equation_of
 from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
 from app.model.object_transform import NOT_MOVED
-from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, SIDES
+from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
 from app.scenes.phenomena import PHENOMENA
@@ -51,7 +51,7 @@ NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 Values: TypeAlias = dict[str, Any]
 MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
-_SIDES = tuple(each.path for each in SIDES)
+_SIDES = tuple(each.path for each in WINDOW_SIDES)
 _DECIDING = (
     tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
     (FOV_Y.path,), (*_SIDES, KEEP.path),

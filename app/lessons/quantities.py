@@ -43,8 +43,8 @@ from app.model.parameters import (
     HEIGHT,
     NEAR,
     PARAMETERS,
-    SIDES,
     WIDTH,
+    WINDOW_SIDES,
 )  # fmt: skip
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
@@ -463,7 +463,7 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "pi": lambda known: math.pi,
     "infinity": lambda known: math.inf,
     **{each.formula: partial(_of_lens, each) for each in (NEAR, FAR)},
-    **{side.formula: _window(place) for place, side in enumerate(SIDES)},
+    **{side.formula: _window(place) for place, side in enumerate(WINDOW_SIDES)},
     FOV_Y.formula: _fov,
     FOV_X.formula: _angle_of_view(0, 1),
     ASPECT.formula: lambda known: float(known.projection.aspect),

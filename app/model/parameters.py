@@ -15,6 +15,8 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from app.model.content_file import stated
+from app.model.lenses.lens import FAR as FAR
+from app.model.lenses.lens import NEAR as NEAR
 from app.model.lenses.oblique import ALPHA as ALPHA
 from app.model.lenses.oblique import BETA as BETA
 from app.model.lenses.perspective import FOV_Y as FOV_Y
@@ -179,9 +181,7 @@ LEFT = _side("left", letter="l", formula="left")
 RIGHT = _side("right", letter="r", formula="right")
 BOTTOM = _side("bottom", letter="b", formula="bottom")
 TOP = _side("top", letter="t", formula="top")
-SIDES = (LEFT, RIGHT, BOTTOM, TOP)
-NEAR = _lens("near", **_LENGTH, letter="n", formula="near", handle="near")
-FAR = _lens("far", **_LENGTH, letter="f", formula="far", handle="far")
+WINDOW_SIDES = (LEFT, RIGHT, BOTTOM, TOP)
 FOCAL_E = _by_fov(
     "e", unit="units", span=(1e-2, 1e2), logarithmic=True, formula="focal_e",
     shows=FOV_Y.shows, makes=(*_ACROSS, *_UPWARDS),

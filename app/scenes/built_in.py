@@ -11,6 +11,7 @@ from typing import TypeAlias
 
 import numpy as np
 
+from app.model.parameters import EYE, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.mesh import PAINT_RGB
@@ -33,7 +34,7 @@ from app.scenes.shapes import (
 
 Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
-NAMES = ("eye", "near", "far", "x", "y", "z")
+NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things that the pictures of these scenes, and of the user's meshes, name."""
 SIDE = (20.0, 14.0)
 """From where the world of these scenes is seen: beside the camera, which sets the planes apart."""

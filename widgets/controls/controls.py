@@ -63,7 +63,7 @@ class Controls(Dock, RowHolder):
     ----------
     card : SceneCard
     rows : dict of str to Row
-        Every row of the projection by its key: ``"near"``, ``"fov_y_deg"``, ``"eye_x"``, ...
+        Every row of the projection by the name of its parameter, or of a component: ``"eye_x"``.
     sections : dict of str to Section
         The folding parts: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"object"``,
         ``"animation"``.

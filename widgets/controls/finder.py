@@ -1,7 +1,7 @@
 """Find a control by its name, its letter, its old names, or the words of its tooltip.
 
 Each typed word must begin a word of the control; a single letter must be a whole word. Names come
-before tooltips: "near" means the near plane, not everything that depends on it.
+before tooltips: a plane's name means the plane, not everything that depends on it.
 """
 
 from __future__ import annotations

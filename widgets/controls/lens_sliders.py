@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject
 
 from app.model.parameter import Parameter
-from app.model.parameters import CX, CY, FAR, FX, FY, HALF_HEIGHT, HALF_WIDTH, NEAR, SIDES
+from app.model.parameters import CX, CY, FAR, FX, FY, HALF_HEIGHT, HALF_WIDTH, NEAR, WINDOW_SIDES
 from app.model.projection import LENSES, Projection
 from widgets.controls.parameter_rows import Binding
 from widgets.parts.number_rows import NumberRow
@@ -26,7 +26,7 @@ class LensSliders(QObject):
         self._bindings = bindings
         self._reach = 0.0
         self._scaled_for: dict[str, Scale] = {}
-        for side in SIDES:
+        for side in WINDOW_SIDES:
             self._row(side).gesture_finished.connect(self._fit_window)
 
     def _row(self, parameter: Parameter) -> NumberRow:
@@ -117,12 +117,12 @@ class LensSliders(QObject):
         lens = self._projection.lens
         if not lens.window_stays:
             return
-        extent = max(abs(getattr(lens, side.name)) for side in SIDES)
+        extent = max(abs(getattr(lens, side.name)) for side in WINDOW_SIDES)
         least = 2.0 * self._size if lens.even_extent else 0.0
         if extent <= self._reach and (self._reach <= least or extent >= 0.05 * self._reach):
             return
-        if not all(self._row(side).at_rest for side in SIDES):
+        if not all(self._row(side).at_rest for side in WINDOW_SIDES):
             return
         self._reach = max(2.0 * extent, least)
-        for side in SIDES:
+        for side in WINDOW_SIDES:
             self._row(side).setScale(Linear.about(0.0, self._reach))

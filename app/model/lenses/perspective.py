@@ -17,7 +17,7 @@ from app.arithmetic.rationals import Rationals
 from app.model.content_file import stated
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
-from app.model.lenses.lens import LensTable, plane_letters
+from app.model.lenses.lens import NEAR, LensTable, plane_letters
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter
@@ -270,7 +270,7 @@ def fov_y_from_window(top: float, near: float) -> float:
 
     Raises a `Refusal` if a number is not finite or not above 0.
     """
-    top, near = positive("top", top), positive("near", near)
+    top, near = positive("top", top), positive(NEAR.name, near)
     return math.degrees(2.0 * math.atan2(top, near))
 
 
