@@ -29,13 +29,13 @@ Highlight: TypeAlias = frozenset[str]
 
 NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
-PLANES = NEAR.name, FAR.name
+ENDS = NEAR.name, FAR.name
 """The planes across the view direction."""
 OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
 """The columns of `world_from_object`."""
 CORNERS = tuple(
     f"{depth}_{corner}"
-    for depth in PLANES
+    for depth in ENDS
     for corner in ("left_bottom", "right_bottom", "right_top", "left_top")
 )
 """Corners in the order of the drawings."""

@@ -337,11 +337,11 @@ class Controls(Dock, RowHolder):
                 continue
             places = here if self._in_use(binding) else elsewhere
             also = parameter_text(binding.parameter, binding.parameter.also)
-            names = f"{binding.row.name} {key} {also}"
-            places[binding.row] = ControlTexts(names, binding.row.tip)
+            texts = ControlTexts(f"{binding.row.name} {key} {also}", binding.row.tip)
+            places[binding.row] = texts
         walk = self.animation
-        names = " ".join(row.name for row in walk.rows)
-        here[walk] = ControlTexts(f"{names} {self.tr('animation play walk turn')}", "")
+        names = [*(row.name for row in walk.rows), self.tr("animation play walk turn")]
+        here[walk] = ControlTexts(" ".join(names), "")
         found, others = find(text, here), find(text, elsewhere)
         self._not_here.setText(self._why_not_here(found, others))
         self._show_found(found)

@@ -298,7 +298,7 @@ class SceneCard(QWidget, RowHolder):
         _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
-            row = make_row(setting, self.tr("none of these"))
+            row = make_row(setting, none=self.tr("none of these"))
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
             self._join(row)

@@ -17,7 +17,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.drawings.style import LIGHT, Style, tone
 from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
-from app.lecture.highlight import PLANES
+from app.lecture.highlight import ENDS
 from app.lecture.notation import letters_in
 from app.lessons.text import outline
 from app.model.parameters import PARAMETERS
@@ -347,7 +347,7 @@ class EquationSlide(QWidget):
         text = matrix.formulas[row][column]
         changed = self._controls.intersection(matrix.fields[row][column])
         if changed:
-            shades = [getattr(style, name) for name in PLANES if name in changed]
+            shades = [getattr(style, name) for name in ENDS if name in changed]
             shades += [self._hues[name] for name in letters if name in self._hues]
             shade = next(iter(shades), style.accent)
             edge = 0.08 * em
@@ -360,7 +360,7 @@ class EquationSlide(QWidget):
             return QColor(style.muted)
         names = letters_in(matrix, row, column)
         axes = [name for name in ("u", "v", "n") if name in names]
-        planes = [name for name in PLANES if name in names]
+        planes = [name for name in ENDS if name in names]
         if len(axes) == 1:
             shade = getattr(style, axes[0])
             if len(text) == 3:  # a component of the axis

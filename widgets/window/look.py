@@ -13,7 +13,7 @@ from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
 from app.lecture.letters import Letters, axis_letters
-from app.model.parameters import TITLES
+from app.model.parameters import FAR, NEAR, TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
@@ -61,8 +61,8 @@ class Look(QObject):
             {
                 **WORDS,
                 **{english: field_name(name) for name, english in TITLES.items()},
-                "near": self.tr("near"),
-                "far": self.tr("far"),
+                NEAR.name: self.tr("near"),
+                FAR.name: self.tr("far"),
                 "eye": self.tr("eye"),
                 "target": self.tr("target"),
                 "look": self.tr("look"),

@@ -173,7 +173,7 @@ def _to_ndc(points_clip: Array) -> Array:
 
 
 def _colour(step: int) -> str:
-    return ("near", "far")[step - 1] if step < 3 else "v"
+    return PLANES[step - 1] if step < 3 else "v"
 
 
 def _pieces(parts: Sequence[Array], step: int) -> Marks:

@@ -14,6 +14,7 @@ from fractions import Fraction
 import numpy as np
 
 from app.model.parameter import Parameter
+from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -156,10 +157,10 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
     """
     left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
     marks: list[Mark] = [
-        segment(left_bottom, left_top, "near", 1.5, ("left",)),
-        segment(right_bottom, right_top, "near", 1.5, ("right",)),
-        segment(left_bottom, right_bottom, "near", 1.5, ("bottom",)),
-        segment(left_top, right_top, "near", 1.5, ("top",)),
+        segment(left_bottom, left_top, NEAR.name, 1.5, (LEFT.name,)),
+        segment(right_bottom, right_top, NEAR.name, 1.5, (RIGHT.name,)),
+        segment(left_bottom, right_bottom, NEAR.name, 1.5, (BOTTOM.name,)),
+        segment(left_top, right_top, NEAR.name, 1.5, (TOP.name,)),
     ]
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         corners = section(screen, screen.camera.distance)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.parameter import Parameter
-from app.model.parameters import ALPHA
+from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
@@ -120,7 +120,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
         section[:, 2] = -w
     near_circle, far_circle = world = world_from_view(projection, sections)
     spokes, edges = range(0, _SIDES, _SIDES // 8), range(0, _SIDES, 2)
-    marks: list[Mark] = [Polyline(near_circle, "near", 1.5), Polyline(far_circle, "far", 1.5)]
+    marks: list[Mark] = [Polyline(near_circle, NEAR.name, 1.5), Polyline(far_circle, FAR.name, 1.5)]
     marks += [Polyline(world[:, i], "accent", 1.0) for i in spokes]
     marks += [
         Face(np.array([world[0, i], world[0, i + 2], world[1, i + 2], world[1, i]]), "accent", 0.18)
@@ -130,7 +130,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
     ellipse = radius / np.array([(right - left) / 2.0, (top - bottom) / 2.0]) * _CIRCLE
     near, far = (np.column_stack([ellipse, [z] * len(ellipse)]) for z in projection.depth_range)
-    in_ndc = [Polyline(near, "near", 1.5), Polyline(far, "far", 1.5)]
+    in_ndc = [Polyline(near, NEAR.name, 1.5), Polyline(far, FAR.name, 1.5)]
     in_ndc += [segment(near[i], far[i], "accent", 1.0) for i in spokes]
     in_image = Polyline(image_from_ndc(projection, ellipse), "accent", 1.5)
     return Marks.of(*marks), Marks.of(*in_ndc), Marks.of(in_image)
