@@ -180,6 +180,9 @@ class Parameter:
         """Return the projection with another value, or raise a `Refusal`."""
         if self.write is not None:
             return self.write(projection, value)
+        if self.computed is not None:
+            numbers = self.computed.compute(projection)._replace(**{self.name: value})
+            return self.computed.apply(projection, numbers)
         whole: Any = getattr(projection, self.part)
         return replace(projection, **{self.part: replace(whole, **{self.name: value})})
 
