@@ -188,7 +188,7 @@ class Controls(Dock, RowHolder):
             changed = {part for part in _ALL if getattr(projection, part) != getattr(before, part)}
         for binding in self._bindings.values():
             row = binding.row
-            if row.error and (binding.parameter.part in changed or not row.in_hand):
+            if row.error and (binding.part in changed or not row.in_hand):
                 row.clear_error()
         if not changed:
             return
@@ -210,7 +210,7 @@ class Controls(Dock, RowHolder):
         """Disable or enable what moves the camera: a typed view matrix has no camera."""
         why = self.tr("No camera has the typed view matrix: undo, or choose a lens.")
         for part in (
-            *(each.row for each in self._bindings.values() if each.parameter.part == "camera"),
+            *(each.row for each in self._bindings.values() if each.part == "camera"),
             self.animation,
         ):
             part.setDisabled(disabled)
@@ -499,7 +499,7 @@ class Controls(Dock, RowHolder):
 
     def _in_use(self, binding: Binding) -> bool:
         """Whether the row applies to lens and scene, and no setting of the scene replaces it."""
-        if binding.parameter.part == "placement" and self._has_fixed_objects:
+        if binding.part == "placement" and self._has_fixed_objects:
             return False
         of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
         return of_lens and binding.field not in self._replaced
@@ -516,9 +516,10 @@ class Controls(Dock, RowHolder):
 
     def _show_values(self, parts: Collection[str]) -> None:
         """Write the visible values of these parts of the projection."""
+        is_open = {rows: rows.is_open for rows in self._parts}
         for key, binding in self._bindings.items():
-            seen = binding.rows.is_open or key in self._lifted or key in self._lent
-            if seen and binding.parameter.part in parts and not binding.row.isHidden():
+            seen = is_open[binding.rows] or key in self._lifted or key in self._lent
+            if seen and binding.part in parts and not binding.row.isHidden():
                 binding.row.setValue(binding.parameter.value(self._projection))
 
 

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
-from app.model.parameter import Computed, Parameter
+from app.model.parameter import Computed, Parameter, Part
 from app.model.parameters import KIND, lenses_with, tidy
 from app.model.projection import LENSES, FreeMatrix, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -85,6 +85,8 @@ class Binding(NamedTuple):
     ----------
     rows : Rows
         The part of the dock with the row.
+    part : str
+        The field of `Projection` that the value belongs to; only a change there removes an error.
     field : str
         The model's name of the value, of a component that of its vector.
     memory : TypedMemory, optional
@@ -96,6 +98,7 @@ class Binding(NamedTuple):
     row: Row
     rows: Rows
     parameter: Parameter
+    part: Part
     field: str
     memory: TypedMemory | None
     lenses: tuple[str, ...]
@@ -113,7 +116,8 @@ def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) ->
         ]
     for title, part in parts:
         row = make_row(part, title)
-        yield Binding(row, rows, part, parameter.name, memory, lenses_with(parameter))
+        lenses = lenses_with(parameter)
+        yield Binding(row, rows, part, part.part, parameter.name, memory, lenses)
 
 
 def make_row(parameter: Parameter, title: str = "", none: str = "") -> Row:
