@@ -1,4 +1,4 @@
-"""The content files of parameters and phenomena: Markdown with a heading for each thing.
+"""The content files: Markdown with a heading for each parameter, setting or kind of projection.
 
 ::
 
@@ -37,7 +37,7 @@ class ContentSection(NamedTuple):
 
 
 def sections_of(text: str) -> dict[str, ContentSection]:
-    """Return the sections of a content file by their headings."""
+    """Return the sections of a content file's text by their headings."""
     sections: dict[str, ContentSection] = {}
     for line in filter(None, text.splitlines()):
         if line.startswith("#"):
@@ -49,27 +49,37 @@ def sections_of(text: str) -> dict[str, ContentSection]:
     return sections
 
 
+def section_of(name: str, sections: Mapping[str, ContentSection]) -> tuple[str, ContentSection]:
+    """Return the heading of a thing, and what stands below it."""
+    ending = f" {{#{name}}}"
+    heading = next(each for each in sections if each.endswith(ending))
+    return heading.removesuffix(ending), sections[heading]
+
+
 def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Parameter:
     """Return a parameter with the texts below its heading."""
-    ending = f" {{#{parameter.name}}}"
-    heading = next(each for each in sections if each.endswith(ending))
-    items = sections[heading].named
+    title, section = section_of(parameter.name, sections)
+    items = section.named
     own: dict[str, Any] = {name: items.pop(name) for name in _OWN if name in items}
     choices = {name: text.partition(_EXPLAINED) for name, text in items.items()}
     return replace(
         parameter,
-        title=heading.removesuffix(ending),
-        tip=sections[heading].text[0],
+        title=title,
+        tip=section.text[0],
         choices=tuple((name, text) for name, (text, _, _) in choices.items()),
         tips=tuple(tip for _, _, tip in choices.values()),
         **own,
     )
 
 
+def read_sections(path: Path) -> dict[str, ContentSection]:
+    """Return the sections of a content file by their headings."""
+    return sections_of(path.read_text(encoding="utf-8"))
+
+
 @cache
 def _sections() -> dict[str, ContentSection]:
-    path = Path(__file__).with_name("content") / "parameters.md"
-    return sections_of(path.read_text(encoding="utf-8"))
+    return read_sections(Path(__file__).with_name("content") / "parameters.md")
 
 
 def stated(name: str, **columns: Any) -> Parameter:

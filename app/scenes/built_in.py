@@ -13,8 +13,8 @@ import numpy as np
 
 from app.model.parameters import EYE, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.mesh import PAINT_RGB
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
     LETTER_F,
@@ -40,34 +40,9 @@ SIDE = (20.0, 14.0)
 """From where the world of these scenes is seen: beside the camera, which sets the planes apart."""
 CUBE_SIDE = (75.0, 10.0)
 """From where the cube of the posts is seen: nearly from the side, along which they crowd."""
-TITLES = {
-    "letter-f": QT_TRANSLATE_NOOP("phenomena", "Letter F"),
-    "cube": QT_TRANSLATE_NOOP("phenomena", "Unit cube"),
-    "posts": QT_TRANSLATE_NOOP("phenomena", "Row of posts"),
-}
-TRIES = {
-    "letter-f": (
-        QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),
-        QT_TRANSLATE_NOOP("phenomena", "What happens to the picture?"),
-        QT_TRANSLATE_NOOP("phenomena", "What happens in the cube?"),
-    ),
-    "cube": (
-        QT_TRANSLATE_NOOP("phenomena", "Go nearer: which edges grow?"),
-        QT_TRANSLATE_NOOP("phenomena", "Which edges are parallel in the picture?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose the orthographic lens: and now?"),
-    ),
-    "posts": (
-        QT_TRANSLATE_NOOP("phenomena", "Where in the cube do the posts crowd?"),
-        QT_TRANSLATE_NOOP("phenomena", "Make near larger: do they spread out?"),
-        QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
-    ),
-}
-"""Three suggestions for each scene, translated like the phenomena's texts."""
-TRIES_OF_A_MESH = (
-    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
-    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
-    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
-)
+WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
+"""The title of each scene, and what to try there."""
+WORDS_OF_A_MESH = PhenomenonWords("own-mesh")
 
 
 def _letter_f() -> Parts:
