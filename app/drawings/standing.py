@@ -27,14 +27,14 @@ def standing(
 
     `options` are those of `render`, as far as they matter for the size of the panes.
     """
-    found: list[list[Camera]] = []
+    cameras: list[list[Camera]] = []
     last = len(states) - 1
     chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
     moments = [_moment(scene, states[place]) for place in chosen]
 
     def seen(drawing: Drawing, _factor: int) -> None:
         if isinstance(drawing, WorldDrawing):
-            found.append(drawing.views(moments, turns_deg))
+            cameras.append(drawing.views(moments, turns_deg))
 
     first = states[0]
     render(
@@ -42,7 +42,7 @@ def standing(
         seen=seen, **options,
     )  # fmt: skip
     # Compared pictures have a world each.
-    return max(found, key=lambda views: views[0].distance)
+    return max(cameras, key=lambda views: views[0].distance)
 
 
 def _moment(scene: Scene, state: Document) -> tuple[Projection, Illustration | None]:

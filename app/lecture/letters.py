@@ -95,10 +95,10 @@ def frame_letters(letters: Letters) -> dict[str, str]:
     symbols = _SYMBOLS[letters]
     points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
     symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
-    found = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
+    letter_of = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
     names = MATRIX_NAMES.get(letters, {})
-    found["T"] = names.get("view_from_world/translation", "T")
-    return {**found, "M": names.get("view_from_world", "M")}
+    letter_of["T"] = names.get("view_from_world/translation", "T")
+    return {**letter_of, "M": names.get("view_from_world", "M")}
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:
@@ -107,15 +107,15 @@ def axis_letters(letters: Letters) -> dict[str, str]:
     Lecture 003 also has letters for the object's axes. The dictionary omits the points and
     directions without a letter, which keep their names.
     """
-    found = frame_letters(letters)
-    found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
-    found = {
-        name: found[name]
+    letter_of = frame_letters(letters)
+    letter_of |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
+    letter_of = {
+        name: letter_of[name]
         for name in ("u", "v", "n", "up", "eye", "target")
-        if found[name] != name or len(name) == 1
+        if letter_of[name] != name or len(name) == 1
     }
     axes = {name: _SYMBOLS[letters].get(name, "") for name in OBJECT_AXES}
-    return found | {name: letter for name, letter in axes.items() if letter}
+    return letter_of | {name: letter for name, letter in axes.items() if letter}
 
 
 def in_letters(text: str, letters: Letters) -> str:
@@ -124,8 +124,8 @@ def in_letters(text: str, letters: Letters) -> str:
     ``{l}, {r}`` becomes ``x_min, x_max`` for lecture 000, and ``{axis_n}`` ``w`` for lecture 001.
     """
 
-    def letter(found: re.Match[str]) -> str:
-        return _SYMBOLS[letters].get(found[1], found[1]).replace(ARROW, "")
+    def letter(match: re.Match[str]) -> str:
+        return _SYMBOLS[letters].get(match[1], match[1]).replace(ARROW, "")
 
     return re.sub(r"\{([a-z]\w*)\}", letter, text)
 

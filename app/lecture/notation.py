@@ -194,12 +194,12 @@ def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
     names = MATRIX_NAMES.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, letters).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
-    found = {name: called.format(kind=kind, w=w) for name, called in names.items()}
+    texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
     if letters == "002" and not lens.table.steps:
-        found["clip_from_view"] = "P"
+        texts["clip_from_view"] = "P"
     elif letters == "002" and _steps(lens.table, letters):
-        found["clip_from_view"] = "" if lens.is_central else "P_obl"
-    return found
+        texts["clip_from_view"] = "" if lens.is_central else "P_obl"
+    return texts
 
 
 def names_of(projection: Projection, letters: Letters) -> dict[str, str]:
@@ -223,7 +223,7 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         for matrix in whole
         if matrix.formulas != _IDENTITY or (matrix.name == FROM_OBJECT and FROM_OBJECT in names)
     }
-    found, shown = [], dict[str, str]()
+    whole_chain, shown = [], dict[str, str]()
     for matrix in whole:
         if matrix.name not in kept:
             continue
@@ -236,10 +236,10 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         called = [*filter(None, (names.get(matrix.name, ""), _chain(names, of)))]
         shown[matrix.name] = called[0] if called else matrix.name
         chain = tuple(_chain(shown, [name]) for name in parts)
-        found.append(
+        whole_chain.append(
             matrix._replace(product=parts, factors=factors, called=" = ".join(called), chain=chain)
         )
-    return tuple(found)
+    return tuple(whole_chain)
 
 
 def letters_in(matrix: WrittenMatrix, row: int, column: int) -> Highlight:
@@ -378,12 +378,12 @@ def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _Fi
     def cell(key: str, i: int, j: int) -> tuple[str, ...]:
         formula = _spelled(own[key][i][j], own["clip_from_view"])
         mine = reach(formula, state)
-        found = dict.fromkeys(mine.fields)
+        fields = dict.fromkeys(mine.fields)
         for field, table in others if key != FROM_OBJECT else ():
             other = _spelled(table[key][i][j], table["clip_from_view"])
             if other != formula and not (mine.is_zero and reach(other, state).is_zero):
-                found[field] = None
-        return tuple(found)
+                fields[field] = None
+        return tuple(fields)
 
     return {key: tuple(tuple(cell(key, i, j) for j in range(4)) for i in range(4)) for key in own}
 

@@ -11,11 +11,11 @@ from app.model.projection import Vector
 
 Settings: TypeAlias = Mapping[str, Value]
 """The checked value of every setting of a phenomenon, by its name."""
-Found: TypeAlias = Mapping[str, Value | None]
+ImpliedSettings: TypeAlias = Mapping[str, Value | None]
 """Likewise as camera and lens have them; None where no value gives the present state."""
 
 
-def number(settings: Found, name: str) -> float:
+def number(settings: ImpliedSettings, name: str) -> float:
     """The value of a setting that is a number."""
     value = settings[name]
     if isinstance(value, bool) or not isinstance(value, numbers.Real):

@@ -122,13 +122,13 @@ class PhenomenonWords:
     @property
     def texts(self) -> set[str]:
         """Every text that can be translated."""
-        found = {self.title, *self.tries}
+        texts = {self.title, *self.tries}
         for heading, section in self._sections.items():
-            found.update(section.text)
+            texts.update(section.text)
             if heading.startswith(_COMPARE):
-                found.update(section.named)
+                texts.update(section.named)
             elif heading != "Try":
-                found.update(section.named.values())
+                texts.update(section.named.values())
             if heading.endswith("}"):
-                found.add(heading.rpartition(" {#")[0])
-        return found
+                texts.add(heading.rpartition(" {#")[0])
+        return texts
