@@ -144,7 +144,8 @@ class Controls(Dock, RowHolder):
 
     def _make_rows(self, places: Mapping[str, Rows]) -> None:
         memories: dict[Computed, TypedMemory] = {}
-        for parameter in parameters():
+        ordered = sorted(parameters(), key=lambda each: [*places].index(each.place))
+        for parameter in ordered:  # Tab follows the order in which rows are made
             rows, computed, memory = places[parameter.place], parameter.computed, None
             if computed is not None:
                 memory = memories.setdefault(computed, TypedMemory(computed))
