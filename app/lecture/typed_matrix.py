@@ -154,7 +154,7 @@ def _shortened(lens: Lens, has: Callable[[Lens], bool], projection: Projection) 
                     planes = {NEAR.name: lens.near, FAR.name: lens.far, **short}
                     shortened = lens.cut(lens.window(aspect), **planes)
                 else:
-                    shortened = lens.but(**short)
+                    shortened = lens.replaced(**short)
             except Refusal:
                 continue
             if has(shortened):

@@ -232,7 +232,7 @@ class Parameter:
         return True
 
     def rounded(self, value: float, chosen: float) -> float | None:
-        """A number that was found: the chosen one, if they differ by rounding errors alone."""
+        """An implied number, or the chosen one if they differ by rounding errors alone."""
         if not math.isfinite(value):
             return None
         low, high = self.span or (self.low, self.high)

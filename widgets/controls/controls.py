@@ -124,11 +124,11 @@ class Controls(Dock, RowHolder):
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
         self._lens = LensSliders(self._bindings, self)
         self.animation = AnimationBar()
-        self.animation.edited.connect(self._walked)
+        self.animation.edited.connect(self._adopt_camera)
         named["animation"].add(self.animation)
         for section in self.sections.values():
             section.toggled.connect(partial(self._folded, section))
-        self.sections["object"].toggled.connect(self._tell_of_object)
+        self.sections["object"].toggled.connect(self._emit_object_unfolded)
         for key, binding in self._bindings.items():
             self._connect(binding)
             about = binding.parameter.highlights
@@ -166,7 +166,7 @@ class Controls(Dock, RowHolder):
             self._has_fixed_objects = shown.scene.phenomenon is not None
             self._fixed.setVisible(self._has_fixed_objects)
             self.set_scene(shown.scene.size, shown.scene.start)
-            self._tell_of_object()
+            self._emit_object_unfolded()
         self._show(shown.projection)
         if changed & {"illustration", "settings"}:
             self.card.take(shown, changed)
@@ -274,7 +274,7 @@ class Controls(Dock, RowHolder):
             return
         self._lifted, self._replaced = lifted, replaced
         for part in self._parts:
-            part.bring_home()
+            part.return_borrowed()
         self.card.lift(self.rows[key] for key in lifted)
         self._show_matches(self._matches)
 
@@ -303,7 +303,7 @@ class Controls(Dock, RowHolder):
             return
         self._lent.clear()
         for part in self._parts:
-            part.bring_home()
+            part.return_borrowed()
         self.card.take_back()
         self.card.lift(self.rows[key] for key in self._lifted)
         self._show_matches(self._matches)
@@ -395,7 +395,7 @@ class Controls(Dock, RowHolder):
 
     # -- the sections
 
-    def _tell_of_object(self) -> None:
+    def _emit_object_unfolded(self) -> None:
         """Report whether the numbers of a movable object are unfolded."""
         if self._matches is None:
             is_open = self.sections["object"].is_open
@@ -489,7 +489,7 @@ class Controls(Dock, RowHolder):
             self._show(projection)
             self.edited.emit(projection)
 
-    def _walked(self, camera: Camera) -> None:
+    def _adopt_camera(self, camera: Camera) -> None:
         self._adopt(replace(self._projection, camera=camera))
 
     def _reveal(self, row: Row) -> None:

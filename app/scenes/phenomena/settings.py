@@ -12,7 +12,7 @@ from app.model.projection import Vector
 Settings: TypeAlias = Mapping[str, Value]
 """The checked value of every setting of a phenomenon, by its name."""
 ImpliedSettings: TypeAlias = Mapping[str, Value | None]
-"""Likewise as camera and lens have them; None where no value gives the present state."""
+"""The values that camera and lens imply; None where no value gives the present state."""
 
 
 def number(settings: ImpliedSettings, name: str) -> float:
