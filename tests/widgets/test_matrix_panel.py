@@ -28,6 +28,7 @@ from app.lecture.conventions import in_convention
 from app.lecture.copying import as_latex
 from app.lecture.letters import LETTERS
 from app.lecture.typed_matrix import with_cell
+from app.lecture.typesetting import pieces_of
 from app.model.formula import ARROW
 from app.model.formula_text import OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
@@ -803,12 +804,8 @@ def test_a_vector_is_distinguished_from_the_plane_with_its_letter(panel: MatrixP
             before, _, after = text.partition("·")
             # Lecture 004 has a point for the eye.
             assert before.endswith(ARROW) and (after[1] == ARROW or after.startswith("T_0")), text
-            runs = typeset(text, panel.font()).runs
-            if OVER not in text:
-                drawn = "".join(run for _, _, run, _ in runs)
-                assert drawn == text.replace(ARROW, "").replace("_", "")
-            drawn_bold = [run for _, _, run, font in runs if font.bold()]
-            assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+            vectors_of = [piece for piece, is_tex in pieces_of(text) if "vec" in piece and is_tex]
+            assert len(vectors_of) == text.count(ARROW)
         (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
         latex = as_latex(view, letters, formulas=True)
         assert r"\vec{" in latex and ARROW not in latex
@@ -858,7 +855,7 @@ def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None
         for view in panel.views.values():
             for i, j in itertools.product(range(4), range(4)):
                 text, cell = view.texts[i][j], view.cell_rect(i, j)
-                printed = typeset(text, view.font())
+                printed = typeset(text, view.font(), is_formula=True)
                 assert printed.width < cell.width() and printed.height <= cell.height()
                 assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 
@@ -1053,6 +1050,19 @@ def test_a_text_that_is_no_matrix_is_refused(panel: MatrixPanel, qtbot: QtBot) -
         paste(panel, "clip_from_view", "1 0 0 0 1 0 0 0 2")
         assert "must be 16 numbers, or a calibrated camera" in panel.explanation.text()
         paste(panel, "clip_from_world", text_of(VIEW))  # cannot be typed in
+
+
+@pytest.mark.parametrize("name", ["view_from_world", "clip_from_view"])
+def test_a_pasted_camera_matrix_sets_camera_and_lens(
+    panel: MatrixPanel, qtbot: QtBot, name: str
+) -> None:
+    with qtbot.waitSignal(panel.edited) as edited:  # K = 900 0 640; 0 900 360; 0 0 1, seen from +z
+        paste(panel, name, "900 0 -640 3200\n0 -900 -360 1800\n0 0 -1 5")
+    seen = edited.args[0]
+    assert seen.camera.eye == pytest.approx((0.0, 0.0, 5.0))
+    assert tuple(seen.intrinsics) == pytest.approx((900.0, 900.0, 640.0, 360.0))
+    paste(panel, name, "1 0 0 0\n0 1 0 0\n0 0 0 0")
+    assert name == "view_from_world" or "the camera is at infinity" in panel.explanation.text()
 
 
 def test_rows_or_columns_are_asked_only_where_both_are_possible(
