@@ -2,7 +2,7 @@
 
 ::
 
-    Run --> Measuring (another process) --> Results, one for each trade or sweep
+    Run --> Measuring (another process) --> Measurements, one for each trade or sweep
     a file of results --------------------> drawn thinner over them
     a click on a point or a row --> used({"rung": "float32"})
 """
@@ -421,7 +421,7 @@ class MeasurePanel(DiagramPanel):
         return only_part(results.by_cost(self.cost.currentData()))
 
     def _bargain(self, trade: Trade) -> str:
-        """Say what the choice that was clicked, or else the one in use, buys and pays."""
+        """State what the clicked choice, or else the one in use, gains and costs."""
         picked = next((c for c in trade.choices if c.name == self._picked), None)
         chosen = picked or chart.in_use(trade, self._current())
         return bargain(trade, chosen, of_measurements) if chosen else ""

@@ -193,7 +193,7 @@ class EquationSlide(QWidget):
 
     @property
     def _beside(self) -> float:
-        """The width in em of all that is no matrix."""
+        """The width in em of everything but the matrices."""
         if not self._is_product:
             return _width(self._lead) + 2.0 * _BETWEEN_EM
         equals = _width("=") + 2.0 * _BETWEEN_EM if self._has_result else 0.0

@@ -2,7 +2,7 @@
 
 ::
 
-    controls, animation --edited--> Store --changed(document)--> Shown, and what changed in it
+    controls, animation --edited--> Store --changed(document)--> ShownData, and what changed in it
     menus, tool bar ----------------^                            |
                       panes, controls, the open panel, status line: take(shown, changed)
 """
