@@ -29,7 +29,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from app.model.content_file import ContentSection, sections_of, worded
+from app.model.content_file import ContentSection, read_sections, sections_of, worded
 from app.model.parameter import Parameter
 from app.model.projection import Projection
 from app.scenes.phenomena.readout import Phrase
@@ -72,7 +72,9 @@ class PhenomenonWords:
 
     @cached_property
     def _sections(self) -> dict[str, ContentSection]:
-        return sections_of(self._given or (CONTENT / f"{self.name}.md").read_text(encoding="utf-8"))
+        if self._given is not None:
+            return sections_of(self._given)
+        return read_sections(CONTENT / f"{self.name}.md")
 
     @cached_property
     def _named(self) -> dict[str, str]:
