@@ -203,8 +203,9 @@ def importing() -> Iterator[None]:
 
 @functools.cache
 def check_drawing() -> None:
-    """Raise a `CliError` if VTK cannot draw without a window."""
+    """Import what draws; raise a `CliError` if VTK cannot draw without a window."""
     with importing():
+        from app.drawings import compared_figures, figure_files  # noqa: F401
         from app.drawings.off_screen import check_off_screen
     try:
         check_off_screen()

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
 import os
 import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from app.commands import batch, page, sweep
 from app.commands.arguments import (
@@ -19,8 +18,7 @@ from app.commands.arguments import (
     importing,
     load_scene,
 )
-from app.commands.options import CliError, complain, parser_of
-from app.document.codec import picture_json
+from app.commands.options import FIGURE_FORMATS, CliError, complain, parser_of
 from app.document.document import Document
 from app.document.files import (
     LARGEST_PICTURE,
@@ -34,13 +32,12 @@ from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
-    from app.drawings.off_screen import Pixels
+    from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
 _Frame = TypeVar("_Frame")
 
-_SHAPES = (".svg", ".pdf", ".tex")
-_ENDINGS = (".png", *_SHAPES)
+_ENDINGS = tuple(f".{name}" for name in FIGURE_FORMATS)
 _FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
@@ -76,9 +73,9 @@ def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
     document = document_of(file, found.set, found.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
-    _sizes(found, [document], sweep.panes(found))
+    figure = _figure(found, scene, document)
     check_drawing()
-    _write(found, out, document, scene)
+    figure.save(out)
     return warning
 
 
@@ -98,11 +95,11 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
     states = sweep.states(found, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    sizes = _sizes(found, states, sweep.panes(found))
+    figures = [_figure(found, scene, state) for state in states]
     if not names:
-        _check_film(found, out, sizes)
+        _check_film(found, out, {figure.size_px for figure in figures})
     check_drawing()
-    states = sweep.with_views(found, file, states)
+    figures = sweep.with_views(found, file, figures)
     if names:
         first: dict[int, str] = {}
         for name, state in zip(names, _told(order), strict=True):
@@ -110,9 +107,9 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
                 write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
             else:
                 first[state] = name
-                _write(found, name, states[state], scene)
+                figures[state].save(name)
     else:
-        _write_film(found, out, [states[state] for state in order], scene, sizes.pop())
+        _write_film(found, out, [figures[state] for state in order])
     return next(filter(None, warnings), "")
 
 
@@ -125,12 +122,13 @@ def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
     states = sweep.states(asked, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    for pane in sweep.panes(found):
-        _sizes(found, states, [pane])
+    alone = partial(_figure, found, scene)
+    panes = sweep.panes(found)
+    figures = {pane: [alone(state, pane) for state in states] for pane in panes}
     check_drawing()
-    states = sweep.with_views(asked, file, states)
-    with _of_options(found):
-        large = page.write(found, out, _told(states), states, scene, partial(_options, found))
+    moving = figures["world" if "world" in panes else panes[0]]
+    states = [figure.document for figure in sweep.with_views(asked, file, moving)]
+    large = page.write(found, out, _told(states), states, scene, alone)
     return next(filter(None, [large, *warnings]), "")
 
 
@@ -158,7 +156,7 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
         if endings is _ENDINGS and not found.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (*_SHAPES, ".html")
+    has_pixels = ending not in (*_ENDINGS[1:], ".html")
     if not has_pixels and found.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and found.hidden:
@@ -166,20 +164,6 @@ def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     if "/" in found.panes and "," in found.panes:
         raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
-
-
-def _sizes(
-    found: argparse.Namespace, states: Sequence[Document], panes: Sequence[str]
-) -> set[tuple[int, int]]:
-    """Return the sizes of figures in pixels; refuse impossible ones, also of letters."""
-    from app.drawings.figure_size import checked_size, checked_text
-
-    column, sizes = "/" in found.panes and len(panes) > 1, set[tuple[int, int]]()
-    with _of_options(found):
-        for image in {state.projection.image_size for state in states}:
-            sizes.add(checked_size(image, panes, found.size, found.scale, column))
-            checked_text(image, panes, found.size, found.text_size, column)
-    return sizes
 
 
 def _check_film(found: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
@@ -209,42 +193,34 @@ def _ending(out: str) -> str:
 # --------------------------------------------------------------------------- drawing
 
 
-def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
-    with importing():
-        from app.drawings.describing import describe
-        from app.drawings.figures import write_png, write_shapes
-    if _ending(out) == ".png":
-        pixels = _pixels(found, document, scene)
-        about = describe(document, scene, sweep.panes(found))
-        write_png(out, pixels, picture_json(document), found.scale, about)
-        return
-    options = _options(found, document)
-    with _of_options(found):
-        about = describe(document, scene, sweep.panes(found))
-        hidden = found.hidden or "none"
-        write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
+def _figure(found: argparse.Namespace, scene: Scene, document: Document, pane: str = "") -> Figure:
+    """Return the figure of all panes, or of one; a refusal names the option that it is about."""
+    from app.drawings.figure import TEXT, Figure
+
+    panes = [pane] if pane else sweep.panes(found)
+    try:
+        return Figure(
+            document, scene, panes, found.size, found.scale, "/" in found.panes and not pane,
+            found.text_size, found.palette, found.hidden or "none", found.crop, found.transparent,
+        )  # fmt: skip
+    except Refusal as error:
+        of_size = found.size and str(error).startswith(("width", "height"))
+        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
+        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
 
 
-def _write_film(
-    found: argparse.Namespace,
-    out: str,
-    frames: Sequence[Document],
-    scene: Scene,
-    size: tuple[int, int],
-) -> None:
+def _write_film(found: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:
     with importing():
         from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
     for frame in _told(frames):
         if id(frame) not in done:
-            pixels = _pixels(found, frame, scene)
-            json = picture_json(frame)
-            done[id(frame)] = encoded(pixels, _ending(out), json, found.scale)
+            done[id(frame)] = encoded(frame, _ending(out))
     parts = [done[id(frame)] for frame in frames]
     once, fps = found.loop == "once", sweep.speed(found)
     with blamed_on(out, UNWRITABLE):
-        film = moving(parts, _ending(out), size, fps, once)
+        film = moving(parts, _ending(out), frames[0].size_px, fps, once)
     write_bytes_atomically(out, film)
 
 
@@ -261,50 +237,8 @@ def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:
             print(file=terminal)
 
 
-def _pixels(found: argparse.Namespace, document: Document, scene: Scene) -> Pixels:
-    with importing():
-        from app.drawings.figures import render
-    options = _options(found, document)
-    with _of_options(found):
-        return render(scene, document.projection, scale=found.scale, **options)
-
-
-@contextlib.contextmanager
-def _of_options(found: argparse.Namespace) -> Iterator[None]:
-    """Make a refusal of the drawing name the option that it is about."""
-    from app.drawings.figure_size import TEXT
-
-    try:
-        yield
-    except Refusal as error:
-        of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
-        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
-        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
-
-
-def _options(found: argparse.Namespace, document: Document) -> dict[str, Any]:
-    """Return the parameters that `render` and `write_shapes` share."""
-    from app.drawings.style import PALETTES
-
-    return {
-        "panes": sweep.panes(found),
-        "column": "/" in found.panes,
-        "crop": found.crop,
-        "size": found.size,
-        "transparent": found.transparent,
-        "style": PALETTES[found.palette],
-        "view": document.view,
-        "settings": document.settings,
-        "quality": document.quality,
-        "text_pt": found.text_size,
-    }
-
-
 def _warning(document: Document, scene: Scene) -> str:
     """Return what a picture lacks that was written all the same."""
-    if scene.phenomenon is None:
-        return ""
-    settings = scene.phenomenon.checked(document.settings)
-    illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
-    warning = illustration.warning
+    illustration = scene.illustration(document.projection, document.settings)
+    warning = None if illustration is None else illustration.warning
     return "" if warning is None else f"{document.scene}: {warning.sentence()}."

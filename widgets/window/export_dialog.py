@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QPixmap, QShowEvent
@@ -12,7 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
-from app.drawings.figure_size import checked_size, checked_text
+from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
@@ -21,38 +22,21 @@ from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
 
-ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
 
 
-class ExportChoice(NamedTuple):
-    """The user's choice; the picture has ``size * scale`` pixels, if its format has any."""
-
-    panes: tuple[str, ...]
-    size: Size | tuple[int, int]
-    scale: float
-    transparent: bool
-    text_pt: float | None = None
-    """None for letters of the usual size."""
-    column: bool = False
-    palette: str = "screen"
-    hidden: str = "none"
-    crop: bool = False
-    ending: str = "png"
-
-
 class ExportDialog(QDialog):
-    """Asks for an `ExportChoice`.
+    """Asks how a figure is drawn, and for the ending of its file.
 
     Parameters
     ----------
     titles : dict
         Translated pane titles by name.
-    image_size : (int, int)
-        Size of the model's image, the default size of a picture of the image pane alone.
+    shown : Figure
+        What the window shows.
     draw : callable, optional
-        Returns the preview of a choice, at most as large as a size in pixels; a `Refusal` if there
+        Returns the preview of a figure, at most as large as a size in pixels; a `Refusal` if there
         is none.
     kept : mapping, optional
         The last choice, as `kept` returned it.
@@ -61,14 +45,14 @@ class ExportDialog(QDialog):
     def __init__(
         self,
         titles: dict[str, str],
-        image_size: tuple[int, int],
+        shown: Figure,
         parent: QWidget | None = None,
-        draw: Callable[[ExportChoice, QSize], QPixmap] | None = None,
+        draw: Callable[[Figure, QSize], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export a picture"))
-        self._image_size, self._draw, self._unit = image_size, draw, "px"
+        self._shown, self._draw, self._unit = shown, draw, "px"
         self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
         for box in self._boxes.values():
             box.setChecked(True)
@@ -78,7 +62,7 @@ class ExportDialog(QDialog):
                 "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving"
                 " pictures and many at once: the command “export”"
             ),
-            {ending.upper(): ending for ending in ENDINGS},
+            {ending[1:].upper(): ending[1:] for ending in ENDINGS},
         )
         self._column = self._combo(
             self.tr("Whether the panes stand beside or below each other"),
@@ -216,21 +200,26 @@ class ExportDialog(QDialog):
                     field.setText(text)
                 field.setModified(True)
 
-    def choice(self) -> ExportChoice:
-        """Return the current choice; it is valid once the dialog is accepted."""
-        text, ending = self._text, self._ending.currentData()
+    @property
+    def ending(self) -> str:
+        """The ending of the chosen format, without its dot."""
+        return str(self._ending.currentData())
+
+    def figure(self) -> Figure:
+        """Return the figure as it is chosen; a `Refusal` if it is impossible."""
+        text, has_pixels = self._text, self.ending == "png"
         number = _whole if self._unit == "px" else self._length
-        return ExportChoice(
-            self._panes,
-            Size(number(self._width.text()), number(self._height.text()), self._unit),
-            float(self._scale.currentData()) if ending == "png" else 1.0,
-            bool(self._background.currentData()),
-            parse_number(self.tr("Letters"), text.text()) if text.isModified() else None,
-            bool(self._column.currentData()),
-            str(self._palette.currentData()),
-            "none" if ending == "png" else str(self._hidden.currentData()),
-            self._crop.isChecked(),
-            str(ending),
+        return replace(
+            self._shown,
+            panes=self._panes,
+            size=Size(number(self._width.text()), number(self._height.text()), self._unit),
+            scale=float(self._scale.currentData()) if has_pixels else 1.0,
+            transparent=bool(self._background.currentData()),
+            text_pt=parse_number(self.tr("Letters"), text.text()) if text.isModified() else None,
+            column=bool(self._column.currentData()),
+            palette=str(self._palette.currentData()),
+            hidden="none" if has_pixels else str(self._hidden.currentData()),
+            crop=self._crop.isChecked(),
         )
 
     def _length(self, text: str) -> float:
@@ -241,7 +230,7 @@ class ExportDialog(QDialog):
         if self._column.currentData():
             width, height = height, width
         if self._panes == ("image",):
-            width, height = self._image_size
+            width, height = self._shown.document.projection.image_size
         if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
             self._show_size(float(width), float(height))
         self._check()
@@ -267,7 +256,7 @@ class ExportDialog(QDialog):
             field.setModified(was_modified)
 
     def _check(self) -> None:
-        has_pixels = self._ending.currentData() == "png"
+        has_pixels = self.ending == "png"
         self._scale.setEnabled(has_pixels)
         self._hidden.setEnabled(not has_pixels)
         problem = self._find_problem()
@@ -281,17 +270,14 @@ class ExportDialog(QDialog):
         if not self._panes:
             return self.tr("Choose at least one pane.")
         try:
-            choice = self.choice()
-            figure = self._image_size, choice.panes, choice.size
-            checked_size(*figure, choice.scale, choice.column)
-            text_pt = checked_text(*figure, choice.text_pt, choice.column)
+            figure = self.figure()
         except Refusal as error:
             return sentence(error)
         except ValueError:
             return self.tr("Width and height must be whole numbers.")
-        if choice.text_pt is None:
+        if figure.text_pt is None:
             with QSignalBlocker(self._text):
-                self._text.setText(f"{text_pt:.2g}")
+                self._text.setText(f"{figure.em_pt:.2g}")
         return ""
 
     # -- preview
@@ -304,7 +290,7 @@ class ExportDialog(QDialog):
         if self._draw is None or self._find_problem():
             return
         try:
-            picture = self._draw(self.choice(), self._preview.size() * self.devicePixelRatioF())
+            picture = self._draw(self.figure(), self._preview.size() * self.devicePixelRatioF())
         except Refusal as error:
             self._preview.setText(sentence(error))
             return
