@@ -23,8 +23,9 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 
 from app.document.lengths import PX_PER
 from app.drawings.actors import PAPER, FlatActor
-from app.drawings.hidden import Colour, Occlusion, Points, ScreenCell, cut, in_order, visible
+from app.drawings.hidden import in_order, visible
 from app.drawings.label import LabelActor, LabelText, SceneLabel, piece_of
+from app.drawings.occlusion import Colour, Occlusion, Points, ScreenCell, cut
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
 from app.model.projection import Array

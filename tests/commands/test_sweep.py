@@ -120,8 +120,9 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
     found.loop = usual_loop(found, numbered=False)
     assert (found.loop, out, file) == ("back-and-forth", "a.gif", "b.json")
     turned = str(tmp_path / "turned.json")
-    moments = with_views(found, turned, states(found, turned))
-    first, middle, last = (each.view.panes["world"] for each in moments)
+    figures = [Figure(state, load("letter-f"), ("world",)) for state in states(found, turned)]
+    moments = with_views(found, turned, figures)
+    first, middle, last = (each.document.view.panes["world"] for each in moments)
     assert first == view and middle.target == last.target == view.target
     assert last.orbit.azimuth_deg == pytest.approx(view.orbit.azimuth_deg - 60.0)
     assert middle.orbit.azimuth_deg == pytest.approx(view.orbit.azimuth_deg - 30.0)

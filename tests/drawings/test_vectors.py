@@ -23,6 +23,7 @@ from app.drawings import hidden, vectors
 from app.drawings.actors import PropGroup, face_actor, identity_camera, line_actor, put_in_front
 from app.drawings.figure import Figure
 from app.drawings.label import laid, pieces_of
+from app.drawings.occlusion import Points, ScreenCell
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
 from app.drawings.side_by_side import panes_in
@@ -437,20 +438,20 @@ def test_everywhere_the_nearest_face_is_seen(
         assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
 
 
-def soup(count: int) -> list[hidden.ScreenCell]:
+def soup(count: int) -> list[ScreenCell]:
     """Random triangles on a screen of 200 pixels, most of which cross many others."""
     corners = np.random.default_rng(1).random((count, 3, 3)) * [200.0, 200.0, 1.0]
     return [
-        hidden.ScreenCell(each, (0.0, 0.0, number / count), 1.0, (0, number))
+        ScreenCell(each, (0.0, 0.0, number / count), 1.0, (0, number))
         for number, each in enumerate(corners)
     ]
 
 
 def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPatch) -> None:
-    compared = list[tuple[hidden.ScreenCell, hidden.ScreenCell]]()
+    compared = list[tuple[ScreenCell, ScreenCell]]()
     common = hidden.common
 
-    def counted(one: hidden.ScreenCell, other: hidden.ScreenCell) -> hidden.Points:
+    def counted(one: ScreenCell, other: ScreenCell) -> Points:
         compared.append((one, other))
         return common(one, other)
 
