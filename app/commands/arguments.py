@@ -15,7 +15,8 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
-from app.commands.options import CANNOT_DRAW, CliError, check_file, complain
+from app.commands.options import check_file
+from app.commands.terminal import CANNOT_DRAW, CliError, complain
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on
 from app.document.settings import open_with, set_values

@@ -18,7 +18,8 @@ from app.commands.arguments import (
     importing,
     load_scene,
 )
-from app.commands.options import FIGURE_FORMATS, CliError, complain, parser_of
+from app.commands.options import FIGURE_FORMATS, parser_of
+from app.commands.terminal import CliError, complain
 from app.document.document import Document
 from app.document.files import (
     LARGEST_PICTURE,

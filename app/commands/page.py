@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from app.commands import sweep
 from app.commands.arguments import importing
-from app.commands.options import CliError
+from app.commands.terminal import CliError
 from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS

@@ -23,7 +23,8 @@ from app.commands.arguments import (
     state_at,
     with_values,
 )
-from app.commands.options import FULL_TURN, CliError
+from app.commands.options import FULL_TURN
+from app.commands.terminal import CliError
 from app.document.document import Document
 from app.lecture.stages import IMAGE
 from app.model.numerals import numbers
