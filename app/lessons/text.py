@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import logging
 import re
+import threading
 from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -27,6 +28,8 @@ DEEPEST = 12
 WIDEST = 400
 """Largest width of a formula, in em."""
 _EM = 100.0
+_ONE_READER = threading.RLock()
+"""matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _SCRIPTS = re.compile(r"([_^]?\{|\}|\\frac)")
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
@@ -104,6 +107,11 @@ def outline(tex: str) -> Outline:
         depth += bool(opened) - bool(closed)
         if depth > DEEPEST:
             raise ValueError(f"has more than {DEEPEST} levels of braces")
+    with _ONE_READER:
+        return _read(tex)
+
+
+def _read(tex: str) -> Outline:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 

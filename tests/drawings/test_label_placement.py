@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from app.drawings.label_placement import (
     Ground,
     PlacedLabel,
+    Places,
     Wish,
     along,
     around,
@@ -103,6 +104,40 @@ def test_of_two_labels_for_one_place_the_lower_rank_has_it() -> None:
         return Wish(key, (40.0, 14.0), [(100.0, 100.0)], partial(on, (100.0, 100.0)), rank)
 
     assert list(place([only(1.0, "later"), only(0.0, "first")], Ground(FRAME, EM))) == ["first"]
+
+
+def choices(mark: tuple[float, float], *centres: tuple[float, float], away: float = 0.0) -> Places:
+    """Places for the name of a mark, the best one first."""
+    count = len(centres)
+    return Places(
+        np.array(centres), np.zeros(count), np.tile(mark, (count, 1)), np.full(count, away)
+    )
+
+
+def test_a_leader_does_not_cross_the_mark_of_another_label() -> None:
+    mark, other, size = (100.0, 100.0), (130.0, 100.0), (40.0, 14.0)
+    beyond_it, above_it = (170.0, 100.0), (170.0, 130.0)
+    ways = partial(choices, mark, beyond_it, above_it, away=50.0)
+    wishes = [
+        Wish("a", size, [mark], ways),
+        Wish("b", size, [other], partial(choices, other, (130.0, 60.0))),
+    ]
+    placed = place(wishes, Ground(FRAME, EM))
+    assert placed["a"].leader is not None and placed["a"].centre == above_it
+    placed = place(wishes[:1], Ground(FRAME, EM))
+    assert placed["a"].centre == beyond_it
+
+
+@pytest.mark.parametrize(("air", "is_enough"), [(0.1 * EM, False), (0.3 * EM, True)])
+def test_labels_have_air_between_them(air: float, is_enough: bool) -> None:
+    mark, size = (100.0, 100.0), (40.0, 14.0)
+    near, far = (100.0 + size[0] + air, 100.0), (100.0, 200.0)
+    wishes = [
+        Wish("a", size, [mark], partial(on, mark)),
+        Wish("b", size, [mark], partial(choices, mark, near, far)),
+    ]
+    placed = place(wishes, Ground(FRAME, EM))
+    assert placed["b"].centre == (near if is_enough else far)
 
 
 def test_labels_go_where_the_ink_is_not() -> None:

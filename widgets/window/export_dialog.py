@@ -14,13 +14,14 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.progress import Tell, progress
 
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
@@ -36,8 +37,8 @@ class ExportDialog(QDialog):
     shown : Figure
         What the window shows.
     draw : callable, optional
-        Returns the preview of a figure, at most as large as a size in pixels; a `Refusal` if there
-        is none.
+        Returns the preview of a figure, at most as large as a size in pixels, and tells its
+        progress; a `Refusal` if there is none.
     kept : mapping, optional
         The last choice, as `kept` returned it.
     """
@@ -47,7 +48,7 @@ class ExportDialog(QDialog):
         titles: dict[str, str],
         shown: Figure,
         parent: QWidget | None = None,
-        draw: Callable[[Figure, QSize], QPixmap] | None = None,
+        draw: Callable[[Figure, QSize, Tell], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
@@ -124,7 +125,7 @@ class ExportDialog(QDialog):
         em = self.fontMetrics().height()
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
-        self._timer.timeout.connect(self._show_preview)
+        self._timer.timeout.connect(self.show_preview)
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -209,14 +210,16 @@ class ExportDialog(QDialog):
     def figure(self) -> Figure:
         """Return the figure as it is chosen; a `Refusal` if it is impossible."""
         chosen, text = self._chosen, self._fields["text"]
+        del chosen["unit"]
         chosen |= {"hidden": "none"} if chosen.pop("ending") == "png" else {"scale": 1.0}
-        sides = [field.text() for field in self._sides]
-        if chosen.pop("unit") == "px":
-            size = Size(*map(_whole, sides))
-        else:
-            size = Size(*(parse_number(self.tr("Size"), side) for side in sides), self._unit)
+        number = _whole if self._unit == "px" else self._length
+        width, height = (number(field.text()) for field in self._sides)
         text_pt = parse_number(self.tr("Letters"), text.text()) if text.isModified() else None
+        size = Size(width, height, self._unit)
         return replace(self._shown, **chosen, size=size, text_pt=text_pt)
+
+    def _length(self, text: str) -> float:
+        return parse_number(self.tr("Size"), text)
 
     def _panes_changed(self) -> None:
         width, height = 600 * max(1, len(self._panes)), 600
@@ -280,11 +283,15 @@ class ExportDialog(QDialog):
         super().showEvent(event)
         self._timer.start()
 
-    def _show_preview(self) -> None:
+    def show_preview(self) -> None:
         if self._draw is None or self._find_problem():
             return
+        room = self._preview.size() * self.devicePixelRatioF()
         try:
-            picture = self._draw(self.figure(), self._preview.size() * self.devicePixelRatioF())
+            with progress(self, self.tr("Drawing the preview")) as tell:
+                picture = self._draw(self.figure(), room, tell)
+        except Cancelled:
+            return
         except Refusal as error:
             self._preview.setText(sentence(error))
             return

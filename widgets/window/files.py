@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
@@ -30,7 +31,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, message_box
-from widgets.parts.progress import progress
+from widgets.parts.progress import Tell, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -95,9 +96,12 @@ class Files(QObject):
         file = mesh or name
         if not is_mesh(file):
             return load(name, mesh=mesh)
-        text = self.tr("Opening {0}").format(os.path.basename(file))
-        with progress(self._window, text) as tell:
+        with self.progress(self.tr("Opening {0}").format(os.path.basename(file))) as tell:
             return load(name, tell, mesh)
+
+    def progress(self, text: str) -> AbstractContextManager[Tell]:
+        """Show the progress of work over this window."""
+        return progress(self._window, text)
 
     # -- opening
 

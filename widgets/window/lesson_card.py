@@ -579,10 +579,11 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._lesson is not None and self._sheet is None:
-            self._say(
-                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
-            )
+        if self._lesson is None or self._sheet is not None:
+            return
+        mistakes = self._lessons.mistakes()
+        if mistakes is not None:
+            self._say(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     def _show_mistakes(self, text: str) -> None:
         if text:

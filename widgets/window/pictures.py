@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
-from PySide6.QtCore import QByteArray, QMimeData, QObject, QSize, Qt, Signal
+from PySide6.QtCore import QByteArray, QMimeData, QObject, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext, QPainter, QPixmap
 from PySide6.QtWidgets import QMainWindow
 
@@ -90,8 +90,10 @@ class Pictures(QObject):
         from widgets.window.export_dialog import ExportDialog
 
         kept = self._settings.export
-        dialog = ExportDialog(self._titles, self.figure(), self._window, _preview, kept)
-        if dialog.exec() != ExportDialog.DialogCode.Accepted:
+        dialog = ExportDialog(self._titles, self.figure(), self._window, preview, kept)
+        accepted = dialog.exec()
+        dialog.deleteLater()
+        if not accepted:
             return
         self._settings.export = dialog.kept
         path = self._where(self.tr("Export a picture"), dialog.ending)
@@ -167,9 +169,11 @@ def release_context() -> None:
         current.doneCurrent()
 
 
-def _preview(figure: Figure, room: QSize) -> QPixmap:
+def preview(figure: Figure, room: QSize, tell: Tell) -> QPixmap:
     """Draw a figure with as few pixels as a preview has."""
     from PySide6.QtSvg import QSvgRenderer
+
+    from app.drawings.svg import svg
 
     drawn = figure.scene.triangles + figure.scene.dot_count
     if drawn > MOST_IN_PREVIEW:
@@ -177,19 +181,18 @@ def _preview(figure: Figure, room: QSize) -> QPixmap:
     figure = replace(figure, transparent=False)
     release_context()
     if figure.hidden != "none":
-        renderer = QSvgRenderer(QByteArray(figure.svg.encode()))
-        keep = Qt.AspectRatioMode.KeepAspectRatio
-        size = renderer.viewBoxF().size().scaled(room, keep).toSize()
-        picture = QImage(size, QImage.Format.Format_RGB32)
+        size, shapes = figure.shapes(tell)
+        fitting = QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
+        picture = QImage(fitting, QImage.Format.Format_RGB32)
         picture.fill(Qt.GlobalColor.white)
         painter = QPainter(picture)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        renderer.render(painter)
+        QSvgRenderer(QByteArray(svg(shapes, size, figure.scene.title))).render(painter)
         painter.end()
         return QPixmap.fromImage(picture)
     width, height = figure.full_size.px
     scale = min(1.0, room.width() / width, room.height() / height)
-    return QPixmap.fromImage(image_of(replace(figure, scale=scale).pixels()))
+    return QPixmap.fromImage(image_of(replace(figure, scale=scale).pixels(tell)))
 
 
 def _pixels(image: QImage) -> Pixels:
