@@ -148,10 +148,10 @@ def project(
         finite = flat[flat[:, 3] != 0.0, :3] if has_w else flat
         precision = precision_for_reading(predict(projection, finite, space=space))
     if has_w:
-        found = trace_homogeneous(projection, flat, precision, space)
+        followed = trace_homogeneous(projection, flat, precision, space)
     else:
-        found = trace(projection, flat, precision, space=space)
-    return Trace._make(part.reshape(given.shape[:-1] + part.shape[1:]) for part in found)
+        followed = trace(projection, flat, precision, space=space)
+    return Trace._make(part.reshape(given.shape[:-1] + part.shape[1:]) for part in followed)
 
 
 def matrices(of: Source) -> dict[str, Array]:

@@ -726,7 +726,7 @@ def points(scale: float) -> dict[str, Any]:
     """
     import numpy as np
 
-    from app.measure.arithmetic import peers, ways
+    from app.measure.arithmetic import peers, timed_projections
     from app.model.projection import Projection
 
     projection = Projection()
@@ -734,7 +734,7 @@ def points(scale: float) -> dict[str, Any]:
     for size in SIZES:
         world = np.random.default_rng(1).uniform(-2.0, 2.0, (size, 3))
         every, missing = peers(projection, world)
-        every |= ways(projection, world, (0.0, 0.0, 0.0))
+        every |= timed_projections(projection, world, (0.0, 0.0, 0.0))
         ours = every.pop("float64, every stage")
         every.pop("exact")
         expected = np.asarray(ours.rows(ours.run()))

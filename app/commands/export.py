@@ -45,62 +45,62 @@ _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
-    found, (out, *files) = parser_of("export").read(arguments)
-    motions = sweep.motions(found)
-    if motions and (len(motions) > 1 or found.batch is not None):
+    options, (out, *files) = parser_of("export").read(arguments)
+    motions = sweep.motions(options)
+    if motions and (len(motions) > 1 or options.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
-    if found.batch is not None:
-        if found.step is not None:
+    if options.batch is not None:
+        if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
-        return batch.run(found, out, files, _draw)
+        return batch.run(options, out, files, _draw)
     moving = "--sweep, --orbit, --stages or --transition"
-    for options, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
-        for option in options:
-            if sweep.is_given(found, option):
+    for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
+        for option in names:
+            if sweep.is_given(options, option):
                 raise CliError(f"--{option}: needs {needed}.")
     draw = _draw_moving if motions else _draw
     if _ending(out) == ".html":
         draw = _draw_page
-    warning = draw(found, out, files[0] if files else None)
+    warning = draw(options, out, files[0] if files else None)
     if warning:
         complain(warning, 0)
     return 0
 
 
-def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
-    _choose_panes(found, file)
-    _check(found, out, _ENDINGS)
-    document = document_of(file, found.set, found.step)
+    _choose_panes(options, file)
+    _check(options, out, _ENDINGS)
+    document = document_of(file, options.set, options.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
-    figure = _figure(found, scene, document)
+    figure = _figure(options, scene, document)
     check_drawing()
     figure.save(out)
     return warning
 
 
-def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a moving picture: a film, written whole or not at all, or a figure for each frame."""
-    _choose_panes(found, file)
-    found.loop = found.loop or sweep.usual_loop(found, numbered=bool(sweep.names(out, 1)))
-    order, _ = sweep.order(found), sweep.speed(found)
+    _choose_panes(options, file)
+    options.loop = options.loop or sweep.usual_loop(options, numbered=bool(sweep.names(out, 1)))
+    order, _ = sweep.order(options), sweep.speed(options)
     names = sweep.names(out, len(order))
     for name in names or [out]:
-        _check(found, name, _ENDINGS if names else _FILMS)
-    if not names and found.crop:
+        _check(options, name, _ENDINGS if names else _FILMS)
+    if not names and options.crop:
         raise CliError("--crop: is for single figures; frames of a film have one size.")
-    if found.transparent and _ending(out) in (".gif", ".mp4"):
+    if options.transparent and _ending(out) in (".gif", ".mp4"):
         lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
         raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
-    states = sweep.states(found, file)
+    states = sweep.states(options, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    figures = [_figure(found, scene, state) for state in states]
+    figures = [_figure(options, scene, state) for state in states]
     if not names:
-        _check_film(found, out, {figure.size_px for figure in figures})
+        _check_film(options, out, {figure.size_px for figure in figures})
     check_drawing()
-    figures = sweep.with_views(found, file, figures)
+    figures = sweep.with_views(options, file, figures)
     if names:
         first: dict[int, str] = {}
         for name, state in zip(names, _told(order), strict=True):
@@ -110,70 +110,72 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
                 first[state] = name
                 figures[state].save(name)
     else:
-        _write_film(found, out, [figures[state] for state in order])
+        _write_film(options, out, [figures[state] for state in order])
     return next(filter(None, warnings), "")
 
 
-def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a page for phones, of one state or of a sweep."""
-    _choose_panes(found, file)
-    _check(found, out, (".html",))
-    page.check(found)
-    asked = page.asked(found)
+    _choose_panes(options, file)
+    _check(options, out, (".html",))
+    page.check(options)
+    asked = page.asked(options)
     states = sweep.states(asked, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    alone = partial(_figure, found, scene)
-    panes = sweep.panes(found)
+    alone = partial(_figure, options, scene)
+    panes = sweep.panes(options)
     figures = {pane: [alone(state, pane) for state in states] for pane in panes}
     check_drawing()
     moving = figures["world" if "world" in panes else panes[0]]
     states = [figure.document for figure in sweep.with_views(asked, file, moving)]
-    large = page.write(found, out, _told(states), states, scene, alone)
+    large = page.write(options, out, _told(states), states, scene, alone)
     return next(filter(None, [large, *warnings]), "")
 
 
-def _choose_panes(found: argparse.Namespace, file: str | None) -> None:
+def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
     """Take all panes where none is asked for, and of a lesson's step those that a class sees."""
-    if found.panes is not None:
+    if options.panes is not None:
         return
     panes: Sequence[str] = PANES
-    is_step = file is not None and (found.step is not None or is_lesson(file))
-    if is_step and not found.stages and found.orbit is None:
+    is_step = file is not None and (options.step is not None or is_lesson(file))
+    if is_step and not options.stages and options.orbit is None:
         with importing():
             from app.lessons.course import panes_of
-        panes = panes_of(document_before(file, found.set, found.step))
-    found.panes = ",".join(panes)
+        panes = panes_of(document_before(file, options.set, options.step))
+    options.panes = ",".join(panes)
 
 
-def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
+def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
-        if ending in _FILMS and not found.batch:
+        if ending in _FILMS and not options.batch:
             film = "; for a film add --sweep, --orbit, --stages or --transition"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
-        if endings is _ENDINGS and not found.batch:
+        if endings is _ENDINGS and not options.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (*_ENDINGS[1:], ".html")
-    if not has_pixels and found.scale != 1.0:
+    if not has_pixels and options.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
-    if has_pixels and found.hidden:
+    if has_pixels and options.hidden:
         raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
-    if "/" in found.panes and "," in found.panes:
-        raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
+    if "/" in options.panes and "," in options.panes:
+        raise CliError(f"--panes = {options.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
 
 
-def _check_film(found: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
+def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
     """Refuse sizes that a film cannot have, and then a machine that cannot encode it."""
     with importing():
         from app.drawings.moving import WEBP_PX
         from app.drawings.mp4 import program
     if len(sizes) > 1:
-        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
+        raise CliError(
+            f"--{sweep.motions(options)[0]}: frames of a film have one size; set --size."
+        )
     (size,) = sizes
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
@@ -194,23 +196,26 @@ def _ending(out: str) -> str:
 # --------------------------------------------------------------------------- drawing
 
 
-def _figure(found: argparse.Namespace, scene: Scene, document: Document, pane: str = "") -> Figure:
+def _figure(
+    options: argparse.Namespace, scene: Scene, document: Document, pane: str = ""
+) -> Figure:
     """Return the figure of all panes, or of one; a refusal names the option that it is about."""
     from app.drawings.figure import TEXT, Figure
 
-    panes = [pane] if pane else sweep.panes(found)
+    panes = [pane] if pane else sweep.panes(options)
     try:
         return Figure(
-            document, scene, panes, found.size, found.scale, "/" in found.panes and not pane,
-            found.text_size, found.palette, found.hidden or "none", found.crop, found.transparent,
+            document, scene, panes, options.size, options.scale, "/" in options.panes and not pane,
+            options.text_size, options.palette, options.hidden or "none", options.crop,
+            options.transparent,
         )  # fmt: skip
     except Refusal as error:
-        of_size = found.size and str(error).startswith(("width", "height"))
+        of_size = options.size and str(error).startswith(("width", "height"))
         text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
         raise CliError(f"{'--size ' if of_size else ''}{text}") from error
 
 
-def _write_film(found: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:
+def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:
     with importing():
         from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
@@ -219,7 +224,7 @@ def _write_film(found: argparse.Namespace, out: str, frames: Sequence[Figure]) -
         if id(frame) not in done:
             done[id(frame)] = encoded(frame, _ending(out))
     parts = [done[id(frame)] for frame in frames]
-    once, fps = found.loop == "once", sweep.speed(found)
+    once, fps = options.loop == "once", sweep.speed(options)
     with blamed_on(out, UNWRITABLE):
         film = moving(parts, _ending(out), frames[0].size_px, fps, once)
     write_bytes_atomically(out, film)

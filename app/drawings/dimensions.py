@@ -122,7 +122,7 @@ class Dimensions:
         if measured.view == "axis":
             across = _ACROSS_EM if "width" in measured.names else 0.0
             return across + (_INTERVAL_EM if _has_interval(measured) else 0.0)
-        count = len(self._ways(measured)) if measured.view in ("side", "top") else 0
+        count = len(self._distances(measured)) if measured.view in ("side", "top") else 0
         return _ROW_EM * (count + 0.5) if count else 0.0
 
     def written(self, measured: Dimension) -> set[str]:
@@ -131,7 +131,7 @@ class Dimensions:
             return {"l", "r"}
         lengths = {name for name, *_ in measured.lengths if name in measured.names}
         along = measured.view in ("side", "top")
-        return lengths | ({name for name, _ in self._ways(measured)} if along else set())
+        return lengths | ({name for name, _ in self._distances(measured)} if along else set())
 
     def want(
         self,
@@ -159,7 +159,7 @@ class Dimensions:
                     ends = seen(np.array([start, end]))
                     self._length(name, *ends)
                     lowest = min(lowest, ends[0][1], ends[1][1])
-            if "e" in dict(self._ways(measured)):
+            if "e" in dict(self._distances(measured)):
                 lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots, measured)))
             if measured.view == "axis":
                 if corners is not None:
@@ -187,16 +187,17 @@ class Dimensions:
         drawn: Array,
     ) -> None:
         """From the eye along the axis, one below the other, the shortest on top."""
-        ways = self._ways(measured)
-        if not ways:
+        distances = self._distances(measured)
+        if not distances:
             return
         (eye, height), (target, _) = spots[:2].tolist()
-        ends = [eye + (target - eye) * way[1] / measured.projection.camera.distance for way in ways]
+        whole = measured.projection.camera.distance
+        ends = [eye + (target - eye) * distance / whole for _, distance in distances]
         # Below what is drawn above the rows, if there is so much room.
         above = (drawn[:, 0] > min(eye, *ends)) & (drawn[:, 0] < max(eye, *ends))
         y = min([y, *drawn[above, 1].tolist()])
         y = max(y, self.below_em(size_px, measured) * self._em)
-        for name, distance in ways:
+        for name, distance in distances:
             x = eye + (target - eye) * distance / measured.projection.camera.distance
             if not 0.0 <= x <= size_px[0]:
                 continue
@@ -210,15 +211,15 @@ class Dimensions:
                 self._thin.add((end, y), (end, height))
         ground.keep_box(0.0, 0.0, float(size_px[0]), y - 0.8 * self._em)
 
-    def _ways(self, measured: Dimension) -> list[tuple[str, float]]:
-        projection, ways = measured.projection, dict[str, float]()
+    def _distances(self, measured: Dimension) -> list[tuple[str, float]]:
+        projection, distances = measured.projection, dict[str, float]()
         if projection.has_camera:
-            ways = {"d": projection.camera.distance, **dict(measured.distances)}
+            distances = {"d": projection.camera.distance, **dict(measured.distances)}
             half = half_of(projection, 1 if measured.view == "side" else 0)
             is_asked = measured.names.wants("e") and not measured.names.all
             if is_asked and half is not None and half.angle_deg is not None:
-                ways["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
-        named = [way for way in ways.items() if way[0] in measured.names]
+                distances["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
+        named = [way for way in distances.items() if way[0] in measured.names]
         return sorted(named, key=lambda way: abs(way[1]))
 
     def _unit(self, spots: Array, measured: Dimension) -> float:
@@ -244,7 +245,7 @@ class Dimensions:
                 "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
                 side=-1.0,
             )  # fmt: skip
-        e, unit = dict(self._ways(measured)).get("e"), self._unit(spots, measured)
+        e, unit = dict(self._distances(measured)).get("e"), self._unit(spots, measured)
         if e is not None:
             x, y = float(eye[0]) + e * unit, float(eye[1])
             self._rule("one", (x, y), (x, y + math.copysign(unit, far_edge[1] - y)), "1")

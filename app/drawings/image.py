@@ -132,9 +132,9 @@ class ImageDrawing(Drawing):
             self._place_texts()
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        found = self._emphasis.label_at(x_px, y_px)
-        if found:
-            return found
+        names = self._emphasis.label_at(x_px, y_px)
+        if names:
+            return names
         left, top, width, height = self.picture_rectangle_px
         right, bottom = float(left + width), float(top + height)
         corners: list[Spot] = [

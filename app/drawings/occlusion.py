@@ -52,16 +52,16 @@ def cut(points: Array, plane: Array, closed: bool) -> Array:
     sides = points @ plane
     if (sides >= 0.0).all():
         return points
-    found, count = [], len(points)
+    ends, count = [], len(points)
     for i in range(count if closed else count - 1):
         j = (i + 1) % count
         if sides[i] >= 0.0:
-            found.append(points[i])
+            ends.append(points[i])
         if (sides[i] >= 0.0) != (sides[j] >= 0.0):
-            found.append(points[i] + sides[i] / (sides[i] - sides[j]) * (points[j] - points[i]))
+            ends.append(points[i] + sides[i] / (sides[i] - sides[j]) * (points[j] - points[i]))
     if not closed and sides[-1] >= 0.0:
-        found.append(points[-1])
-    return np.array(found) if found else np.empty((0, points.shape[1]))
+        ends.append(points[-1])
+    return np.array(ends) if ends else np.empty((0, points.shape[1]))
 
 
 class Occlusion:

@@ -189,26 +189,26 @@ def pointed_at(
     `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
     the hand's precision; NaN places are ignored; `corners` are the view volume's, for its faces.
     """
-    best, found = _POINT_EM * em, NOTHING
+    best, pointed = _POINT_EM * em, NOTHING
     for names, spot in points:
         away = math.dist(spot[:2], place)
         if away < best:  # never for NaN
-            best, found = away, names
-    if found:
-        return found
+            best, pointed = away, names
+    if pointed:
+        return pointed
     best = _LINE_EM * em
     for names, start, end in segments:
         away = _from_segment(place, start, end)
         if away < best:
-            best, found = away, names
-    if found or not corners:
-        return found
+            best, pointed = away, names
+    if pointed or not corners:
+        return pointed
     foremost = math.inf
     for name, face in FACES.items():
         order = _order_in(place, [corners[i] for i in face])
         if order < foremost:
-            foremost, found = order, frozenset((name,))
-    return found
+            foremost, pointed = order, frozenset((name,))
+    return pointed
 
 
 def _from_segment(place: tuple[float, float], start: Spot, end: Spot) -> float:

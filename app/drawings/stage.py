@@ -413,8 +413,8 @@ class StageDrawing(Drawing):
         return frozenset(AXES) if self.box.stop == WORLD else NOTHING
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        found = self._emphasis.label_at(x_px, y_px)
-        if not found:
+        names = self._emphasis.label_at(x_px, y_px)
+        if not names:
             pane = self.own.pane_from_display
             corners = _spots(CUBE, pane @ self.box.display_from_box)
             points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
@@ -424,8 +424,8 @@ class StageDrawing(Drawing):
                 start, tip = _spots(ends, pane)
                 segments.append((frozenset((name,)), start, tip))
             segments += volume_edges(corners)
-            found = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
-        return found - self._strangers
+            names = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
+        return names - self._strangers
 
 
 def _spots(points: Array, pane: Array) -> list[Spot]:

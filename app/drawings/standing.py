@@ -24,7 +24,7 @@ def standing(
 
     The panes are those of the figure, which shows the first state.
     """
-    found: list[list[Camera]] = []
+    cameras: list[list[Camera]] = []
     last = len(states) - 1
     chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
     moments = [
@@ -34,8 +34,8 @@ def standing(
 
     def seen(drawing: Drawing, _factor: int) -> None:
         if isinstance(drawing, WorldDrawing):
-            found.append(drawing.views(moments, turns_deg))
+            cameras.append(drawing.views(moments, turns_deg))
 
     figure.pixels(seen=seen)
     # Compared pictures have a world each.
-    return max(found, key=lambda views: views[0].distance)
+    return max(cameras, key=lambda views: views[0].distance)

@@ -278,11 +278,11 @@ class WorldDrawing(Drawing):
         self.reset_clipping_range()
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        found = self._emphasis.label_at(x_px, y_px)
-        if not found and self._marks is not None:
-            found = self._marks.label_at(x_px, y_px)
-        if found:
-            return found
+        highlight = self._emphasis.label_at(x_px, y_px)
+        if not highlight and self._marks is not None:
+            highlight = self._marks.label_at(x_px, y_px)
+        if highlight:
+            return highlight
         arrows, tips = self.camera.arrows
         at = self._standing
         points_local = [at.eye, at.target, at.eye + tips, self.frustum.corners]
@@ -299,7 +299,7 @@ class WorldDrawing(Drawing):
         ]
         axes = self.axes.of_object
         if axes is not None:
-            origin, *ends = self.own.pane.pointed(np.vstack([axes.origin, axes.origin + axes.ways]))
+            origin, *ends = self.own.pane.pointed(np.vstack([axes.origin, axes.ends]))
             points.append((frozenset((OBJECT_AXES[3],)), origin))
             segments += [
                 (frozenset((name,)), origin, end)
@@ -417,8 +417,8 @@ class WorldDrawing(Drawing):
         """The arrows that are named, and where each starts and ends, (n, 2, 3)."""
         at, arrows, ends = self._standing, tuple[str, ...](), np.empty((0, 2, 3))
         if "camera" not in self._canvas.hidden:
-            arrows, ways = self.camera.arrows
-            ends = np.stack([np.tile(at.eye, (len(ways), 1)), at.eye + ways], axis=1)
+            arrows, directions = self.camera.arrows
+            ends = np.stack([np.tile(at.eye, (len(directions), 1)), at.eye + directions], axis=1)
         if self.camera.step is None:  # a frame can be shown without the letters of its axes
             shown = [name in self.names for name in arrows]
             arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
@@ -770,12 +770,12 @@ class WorldDrawing(Drawing):
             self._place_handles()
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
-        found = nearest(self.handles_shown, pixel, within_px)
-        if found is None and self.own.fixed in ("side", "top") and self.handles_shown:
+        handle = nearest(self.handles_shown, pixel, within_px)
+        if handle is None and self.own.fixed in ("side", "top") and self.handles_shown:
             # Of a plane that is a line here, all of the line can be dragged, and its letter.
             names = made_of(self.highlight_at(*pixel))
-            found = next((each for each, _ in self.handles_shown if each.name in names), None)
-        return found
+            handle = next((each for each, _ in self.handles_shown if each.name in names), None)
+        return handle
 
     def _place_handles(self) -> None:
         if self.handles is not None:

@@ -98,14 +98,14 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
 
 def test_a_number_gives_everyone_the_same_test() -> None:
     def keys(names: list[str], number: int) -> list[tuple[str, int]]:
-        return [(item.found.exercise.name, item.seed) for item in drawn(names, number)]
+        return [(item.placed.exercise.name, item.seed) for item in drawn(names, number)]
 
     assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
     assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
     assert len({tuple(keys(["L3", "L5"], number)) for number in range(1, 30)}) == 29
     assert keys(["L4"], 1) == [] and {name for name, _ in keys(["L5"], 1)} == {"choose"}
     (item,) = drawn(["L5"], 3)
-    assert [found.key[1] for found in exercises_of(item.found.course)] == ["practise/choose"]
+    assert [found.key[1] for found in exercises_of(item.placed.course)] == ["practise/choose"]
 
 
 @pytest.fixture
@@ -312,7 +312,7 @@ def test_a_review_mixes_the_topics_and_says_how_long_it_takes() -> None:
     assert [each.exercise.name for each in found.due] == ["set", "wide", "choose"]
     assert (found.minutes, found.following) == (3, None)
     mixed = to_review(found.due, standings(said))
-    assert [item.found.exercise.name for item in mixed] == ["set", "choose", "wide"]
+    assert [item.placed.exercise.name for item in mixed] == ["set", "choose", "wide"]
     assert all(item.seed not in (1, 2, 3, 9) for item in mixed)
     assert review_text(found) == "&Review: 3 exercises, about 3 minutes"
     short = found._replace(minutes=1, due=found.due * 7)
