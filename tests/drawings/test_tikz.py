@@ -161,19 +161,18 @@ def test_the_head_says_how_the_figure_is_used() -> None:
 
 
 def test_pixels_lie_beside_the_figure(tmp_path: Path) -> None:
-    scene = load("interpolation")
-    options = {"panes": ["image"], "size": (96, 54)}
-    figure_of(scene, scene.start, **options).save(str(tmp_path / "g.tex"))
+    figure = figure_of(load("interpolation"), panes=["image"], size=(96, 54))
+    figure.save(str(tmp_path / "g.tex"))
     text = (tmp_path / "g.tex").read_bytes()
     assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex"]
     assert b"]{g-pixels1.png}" in text and rb"\graphicspath" in text
-    figure_of(scene, scene.start, **options).save(str(tmp_path / "g.tex"))
+    figure.save(str(tmp_path / "g.tex"))
     assert (tmp_path / "g.tex").read_bytes() == text
     with pytest.raises(Refusal, match="whose name may have only letters"):
-        figure_of(scene, scene.start, **options).save(str(tmp_path / "a}^^5c.tex"))
+        figure.save(str(tmp_path / "a}^^5c.tex"))
     (tmp_path / "h-pixels1.png").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(Refusal, match=r"h-pixels1\.png: is a link"):
-        figure_of(scene, scene.start, **options).save(str(tmp_path / "h.tex"))
+        figure.save(str(tmp_path / "h.tex"))
     assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex", "h-pixels1.png"]
 
 
