@@ -11,7 +11,7 @@ import os
 import sys
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -135,7 +135,7 @@ class Figure:
     hidden: str = "none"
     crop: bool = False
     transparent: bool = False
-    words: Mapping[str, str] | None = None
+    words: Mapping[str, str] | None = field(default=None, hash=False)
     translate: Translate = in_english
 
     def __post_init__(self) -> None:
