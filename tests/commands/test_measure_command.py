@@ -45,11 +45,6 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
         assert choice.name in done.stdout
 
 
-def test_json_can_go_to_standard_output() -> None:
-    done = run_here("measure", "--trade", "interpolation", "--quick", "--json", "-")
-    assert [trade.name for trade in from_json(done.stdout).trades] == ["interpolation"]
-
-
 def test_tables_can_go_to_standard_output_as_csv(tmp_path: Path) -> None:
     out = tmp_path / "out.json"
     words = ("--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)

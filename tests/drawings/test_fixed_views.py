@@ -253,17 +253,19 @@ def test_the_dimensions_are_those_of_the_lecture(off_screen: MakeScreen, view: s
         assert left >= 0 and bottom >= 0 and right <= SIZE_PX[0] and top <= SIZE_PX[1], text
 
 
-@pytest.mark.parametrize("view", ["side", "top", "axis"])
 @pytest.mark.parametrize(
-    ("size_px", "em", "has_all"),
+    ("view", "size_px", "em", "has_all"),
     [
-        ((640, 640), 17.0, True),
-        ((640, 640), 33.0, True),  # 8 points, in print
-        ((640, 640), 50.0, False),
-        ((600, 250), 21.0, False),
-        ((900, 500), 67.0, False),
-        ((500, 900), 20.0, True),
-        ((380, 230), 17.0, False),  # a small slot while presenting
+        ("side", (640, 640), 17.0, True),
+        ("top", (640, 640), 33.0, True),  # 8 points, in print
+        ("axis", (640, 640), 33.0, True),
+        ("side", (640, 640), 50.0, False),
+        ("top", (600, 250), 21.0, False),
+        ("axis", (600, 250), 21.0, False),
+        ("side", (900, 500), 67.0, False),
+        ("top", (500, 900), 20.0, True),
+        ("side", (380, 230), 17.0, False),  # a small slot while presenting
+        ("axis", (380, 230), 17.0, False),
     ],
 )
 def test_large_letters_leave_the_drawing_in_the_pane_and_cover_nothing(

@@ -269,26 +269,6 @@ def test_a_slider_moves_all_three_and_undo_brings_them_back(window: MainWindow) 
     assert (pixels(window, "image") == before).all()
 
 
-def test_the_image_pane_shows_what_the_model_computes(make_window: MakeWindow) -> None:
-    """The topmost corner of the letter F, in the pane's pixels, is where its colour ends."""
-    window = make_window(Document("letter-f", Projection(camera=Camera((0.0, 2.5, 12.0)))))
-    settle()
-    scene = load("letter-f")
-    rectangle = window.panes["image"].drawing.picture_rectangle_px
-    left, top, width, _ = rectangle
-    trace = window.store.document.projection.trace(
-        [(scene.lower[0], scene.upper[1], scene.upper[2])]
-    )
-    scale = width / window.store.document.projection.image_size[0]
-    x, y = (trace.image[0] * scale + (left, top)).tolist()
-    picture = pixels(window, "image").astype(int)
-    inside = picture[round(y) + 4, round(x) + 4]
-    above = picture[round(y) - 4, round(x) + 4]
-    beside = picture[round(y) + 4, round(x) - 4]
-    assert np.abs(inside - above).max() > 40
-    assert np.abs(inside - beside).max() > 40
-
-
 # -- the panes' own views
 
 
