@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from app import bootstrap
 from app.commands.options import check_file
-from app.commands.terminal import CANNOT_DRAW, CliError, complain
+from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on
 from app.document.settings import open_with, set_values
@@ -181,7 +181,7 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
 def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     loaded = load(scene, mesh=mesh)
     for note in loaded.notes:
-        complain(str(note), 0)
+        print_error(str(note), 0)
     return loaded
 
 

@@ -19,7 +19,7 @@ from app.commands.arguments import (
     load_scene,
 )
 from app.commands.options import FIGURE_FORMATS, parser_of
-from app.commands.terminal import CliError, complain
+from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import (
     LARGEST_PICTURE,
@@ -63,7 +63,7 @@ def run(arguments: Sequence[str]) -> int:
         draw = _draw_page
     warning = draw(options, out, files[0] if files else None)
     if warning:
-        complain(warning, 0)
+        print_error(warning, 0)
     return 0
 
 
@@ -103,7 +103,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     figures = sweep.with_views(options, file, figures)
     if names:
         first: dict[int, str] = {}
-        for name, state in zip(names, _told(order), strict=True):
+        for name, state in zip(names, _with_progress(order), strict=True):
             if state in first:
                 write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
             else:
@@ -129,7 +129,7 @@ def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     check_drawing()
     moving = figures["world" if "world" in panes else panes[0]]
     states = [figure.document for figure in sweep.with_views(asked, file, moving)]
-    large = page.write(options, out, _told(states), states, scene, alone)
+    large = page.write(options, out, _with_progress(states), states, scene, alone)
     return next(filter(None, [large, *warnings]), "")
 
 
@@ -220,7 +220,7 @@ def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure])
         from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
-    for frame in _told(frames):
+    for frame in _with_progress(frames):
         if id(frame) not in done:
             done[id(frame)] = encoded(frame, _ending(out))
     parts = [done[id(frame)] for frame in frames]
@@ -230,7 +230,7 @@ def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure])
     write_bytes_atomically(out, film)
 
 
-def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:
+def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
     """Yield each frame, and tell a terminal how many there are."""
     terminal = sys.stderr if sys.stderr is not None and sys.stderr.isatty() else None
     try:

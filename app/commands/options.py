@@ -132,7 +132,6 @@ class Parser(argparse.ArgumentParser):
         return [action for action in self._actions if action.option_strings]
 
     def add_set(self) -> None:
-        """Add ``--set``."""
         self.add_argument(
             "--set",
             action="append",

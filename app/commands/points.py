@@ -15,7 +15,7 @@ from typing import NamedTuple, Self
 
 from app import bootstrap
 from app.commands.options import parse_number
-from app.commands.terminal import CliError, complain
+from app.commands.terminal import CliError, print_error
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.numerals import plain
@@ -107,7 +107,7 @@ def read(source: str) -> Read:
     if layout is None or not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
     if note:
-        complain(f"{name} {note}.", 0)
+        print_error(f"{name} {note}.", 0)
     names = layout.names_of_others(max(map(len, kept)))
     for others in kept:
         others.extend([""] * (len(names) - len(others)))

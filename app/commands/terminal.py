@@ -28,7 +28,7 @@ class CliError(Exception):
         self.status = status
 
 
-def complain(sentence: str, status: int) -> int:
+def print_error(sentence: str, status: int) -> int:
     """Write a sentence to standard error, on one line, and return the exit status."""
     if sys.stderr is not None:
         print(printable(" ".join(sentence.split())), file=sys.stderr)
@@ -75,7 +75,7 @@ def outcome(run: Callable[[], _Status]) -> _Status | int:
     try:
         return run()
     except CliError as error:
-        return complain(str(error), error.status)
+        return print_error(str(error), error.status)
     except SystemExit as done:  # argparse, after --help and --version
         return int(done.code or 0)
     except BrokenPipeError:  # the reader, such as “| head”, has closed the pipe

@@ -1,4 +1,4 @@
-"""Which parts of faces are drawn, and in which order; `occlusion` has what they hide of lines.
+"""Hidden surfaces and painting order: which parts of faces are visible (of lines: `occlusion`).
 
 Everything is in pixels and depth, where planes stay planes for every lens. Faces are ordered by
 what two of them have in common. A face that passes through another one is split there. Lines lie
@@ -119,7 +119,7 @@ def _union(
 
 
 def common(one: ScreenCell, other: ScreenCell) -> Points:
-    """What two convex faces have in common on the screen."""
+    """Return the intersection of two convex faces on the screen."""
     part, around = one.flat, other.flat
     for i, begin in enumerate(around):
         part = _half(part, begin, around[(i + 1) % len(around)])
@@ -373,7 +373,7 @@ def visible(
 
 
 def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]) -> list[Points]:
-    """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
+    """Return the parts of a face that no opaque face hides, convex, while there is `work`."""
     rings = [face.flat]
     for other in others:
         part = common(face, other) if rings else []
@@ -399,7 +399,7 @@ def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]
 
 
 def _outside(ring: Points, hole: Points) -> list[Points]:
-    """What a convex polygon leaves of another one, which stays whole if they are apart."""
+    """Return the parts of a convex polygon outside of another one; all of it if they are apart."""
     parts, inside = list[Points](), ring
     for begin, end in zip(hole, [*hole[1:], hole[0]], strict=True):
         outside = _half(inside, end, begin)
@@ -412,7 +412,7 @@ def _outside(ring: Points, hole: Points) -> list[Points]:
 
 
 def _half(part: Points, begin: tuple[float, float], end: tuple[float, float]) -> Points:
-    """What of a convex polygon is on the left of a line."""
+    """Return the part of a convex polygon on the left of a line."""
     (x, y), (to_x, to_y) = begin, end
     dx, dy = to_x - x, to_y - y
     sides = [dx * (q - y) - dy * (p - x) for p, q in part]

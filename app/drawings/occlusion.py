@@ -1,4 +1,4 @@
-"""Cells on the screen, in pixels and depth, and what faces hide of lines and points."""
+"""Cells on the screen, in pixels and depth: which parts of lines and points faces hide."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class ScreenCell:
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)
     flat: list[tuple[float, float]] = field(default_factory=list)
     is_tangled: bool = False
-    """Whether it is one of too many faces that cross others: only what is seen of it is drawn."""
+    """Whether it is one of too many crossing faces: only its visible parts are drawn."""
 
     @property
     def is_opaque(self) -> bool:
@@ -65,7 +65,7 @@ def cut(points: Array, plane: Array, closed: bool) -> Array:
 
 
 class Occlusion:
-    """What faces hide of lines and points, and through which ones they are seen."""
+    """Decides which parts of lines and points are hidden, and which faces tint them."""
 
     def __init__(self, faces: Sequence[ScreenCell]) -> None:
         self._faces = faces
@@ -138,7 +138,7 @@ class Occlusion:
 def _covered(
     face: ScreenCell, begin: Sequence[float], end: Sequence[float]
 ) -> tuple[float, float] | None:
-    """Return from where to where a segment runs behind a face, from 0 to 1; None if nowhere."""
+    """Return the interval, from 0 to 1, in which a segment runs behind a face, or None."""
     first, last = 0.0, 1.0
     corners = face.flat
     limits = []
@@ -172,7 +172,7 @@ def _covered(
 
 
 def _rest(hidden: Sequence[tuple[float, float]]) -> Iterator[tuple[float, float]]:
-    """Yield what intervals leave of that from 0 to 1."""
+    """Yield the gaps between intervals from 0 to 1."""
     at = 0.0
     for first, last in sorted(hidden):
         if first > at + 1e-9:

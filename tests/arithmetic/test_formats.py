@@ -82,7 +82,7 @@ def test_what_is_out_of_range_is_no_number(name: str) -> None:
 
 def test_a_grid_has_both_corners_and_nothing_outside() -> None:
     box = np.array([(-1.0, 2.0, 0.0), (3.0, 4.0, 1.0)])
-    grid = Grid.over(box, 8)
+    grid = Grid.of_box(box, 8)
     assert grid.step == 4.0 / 255.0
     corners = grid.rounded([box[0], (3.0, 2.0, 0.0)])
     assert np.allclose(corners, [box[0], (3.0, 2.0, 0.0)], rtol=0, atol=1e-15)
@@ -97,7 +97,7 @@ def test_a_grid_has_both_corners_and_nothing_outside() -> None:
 
 def test_a_box_without_extent_keeps_its_point() -> None:
     point = (0.1, -7.0, 3.0)
-    assert Grid.over([point, point], 12).rounded([point]).tolist() == [list(point)]
+    assert Grid.of_box([point, point], 12).rounded([point]).tolist() == [list(point)]
 
 
 def test_the_table_is_known_entry_by_entry() -> None:

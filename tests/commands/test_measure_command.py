@@ -225,7 +225,7 @@ def test_a_bargain_names_what_is_bought_and_what_is_paid(cost: str, name: str, w
         ChartPoint("wide", 10.4, 11.0, 1e-13, bytes=24.0),
         ChartPoint("untimed", None, None, 1.0, bytes=6.0),
     )
-    trade = Trade("arithmetic", "ns", "px", choices, 7).by(cost)
+    trade = Trade("arithmetic", "ns", "px", choices, 7).by_cost(cost)
     (chosen,) = (each for each in trade.choices if each.name == name)
     assert bargain(trade, chosen) == words
 

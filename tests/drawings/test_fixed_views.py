@@ -47,7 +47,7 @@ START = load("letter-f").start
 
 
 def with_lens(**values: Any) -> Projection:
-    return replace(START, lens=START.lens.but(**values))
+    return replace(START, lens=START.lens.replaced(**values))
 
 
 def made(screen: OffScreen, projection: Projection = START, name: str = "letter-f") -> WorldDrawing:
@@ -509,9 +509,10 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
         with_lens(near=1e-205, far=math.inf),
         with_lens(fov_y_deg=179.99),
         with_lens(fov_y_deg=1e-4),
-        replace(orthographic, lens=orthographic.lens.but(near=-1e12, far=1e12)),
+        replace(orthographic, lens=orthographic.lens.replaced(near=-1e12, far=1e12)),
         replace(
-            orthographic, lens=orthographic.lens.but(left=-1e9, right=1e9, bottom=-1e9, top=1e9)
+            orthographic,
+            lens=orthographic.lens.replaced(left=-1e9, right=1e9, bottom=-1e9, top=1e9),
         ),
         START.with_lens("oblique"),
         typed,
@@ -700,7 +701,7 @@ def test_l5_l21_both_triangles_are_measured_in_the_flat_views(
 def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScreen) -> None:
     """From l to r, and from -1 to 1, one below the other; a probe stands on both lines."""
     screen = off_screen(960, 455)
-    lens = START.with_lens("frustum").lens.but(left=-1.0, right=3.0, keep="stretch")
+    lens = START.with_lens("frustum").lens.replaced(left=-1.0, right=3.0, keep="stretch")
     projection = replace(START, lens=lens)
     drawing = made(screen, projection)
     drawing.show_names(frozenset({"l", "r", "interval"}))

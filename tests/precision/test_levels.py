@@ -770,7 +770,7 @@ def test_predictions_of_scattered_points_are_as_tight_as_the_readme_says(
     rng, ratios = np.random.default_rng(32), []
     starts = [load(name).start for name in BUILT_IN] * 2
     for start in (start.with_depth(depth) for start in starts for depth in DEPTH_RANGES):
-        lens = start.lens.but(near=1.01 * start.lens.near)
+        lens = start.lens.replaced(near=1.01 * start.lens.near)
         projection = replace(start, lens=lens)
         points = seen(projection, points_in_view(projection, rng, count))
         ratios += check_predictions(start.lens.kind, projection, points, (0.0, 0.0, 0.0))
@@ -793,7 +793,7 @@ def test_predictions_of_the_readmes_documents_are_as_tight_as_it_says() -> None:
         for near in np.geomspace(1e-3, 10.0, 5).tolist()
     ]
     # A round near leaves errors of 0 now and then, which no bound is a multiple of.
-    unround = [(scene, replace(at, lens=at.lens.but(near=1.01 * at.lens.near)))
+    unround = [(scene, replace(at, lens=at.lens.replaced(near=1.01 * at.lens.near)))
                for scene, at in documents]  # fmt: skip
     of_ratios = [start.with_depth(depth) for _, start in unround for depth in DEPTH_RANGES]
     for scene, start in [*unround, *documents]:

@@ -614,7 +614,7 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     panel.run()
     assert bar.text == ""
     refuse()
-    bar.say("Something else went wrong.")
+    bar.show_message("Something else went wrong.")
     panel.choose("depth")
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 

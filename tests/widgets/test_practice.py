@@ -25,7 +25,14 @@ from pytestqt.qtbot import QtBot
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
-from app.lessons.practice import ExerciseMark, Sheet, drawn, exercises_of, find_waiting, to_review
+from app.lessons.practice import (
+    ExerciseMark,
+    Sheet,
+    draw_test,
+    exercises_of,
+    find_waiting,
+    to_review,
+)
 from app.lessons.record import RIGHT, WRONG, Attempt, standings
 from app.lessons.results import read
 from tests.support.exercises import WIDE
@@ -86,7 +93,7 @@ def own_topics(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None
 
 def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
     """The file that keeps a test until it is handed in may be damaged."""
-    sheet = Sheet("", "", drawn(["L5"], 7), is_test=True)
+    sheet = Sheet("", "", draw_test(["L5"], 7), is_test=True)
     (item,), (step,) = sheet.items, sheet.lesson.steps
     key = f"{step.name}/choose"
     for typed in ("abc", "3", "-1", "2" * 5000, "1" + "\N{SUPERSCRIPT TWO}"):
@@ -98,13 +105,13 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
 
 def test_a_number_gives_everyone_the_same_test() -> None:
     def keys(names: list[str], number: int) -> list[tuple[str, int]]:
-        return [(item.placed.exercise.name, item.seed) for item in drawn(names, number)]
+        return [(item.placed.exercise.name, item.seed) for item in draw_test(names, number)]
 
     assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
     assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
     assert len({tuple(keys(["L3", "L5"], number)) for number in range(1, 30)}) == 29
     assert keys(["L4"], 1) == [] and {name for name, _ in keys(["L5"], 1)} == {"choose"}
-    (item,) = drawn(["L5"], 3)
+    (item,) = draw_test(["L5"], 3)
     assert [found.key[1] for found in exercises_of(item.placed.course)] == ["practise/choose"]
 
 
@@ -260,7 +267,7 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     assert menu.review.text() == "&Review" and not menu.test_again.isVisible()
     menu.review.trigger()
     assert window.messages.text.endswith("What you do not solve alone comes back in a day.")
-    assert not window.messages.findChild(WarningLabel).warns, "all is well"
+    assert not window.messages.findChild(WarningLabel).is_warning, "all is well"
     for exercise, verdict in (("choose", "wrong"), ("wide", "right"), ("gone", "shown")):
         lesson = practice.topics()["L3" if exercise == "wide" else "L5"].name
         record.add(Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict))

@@ -194,7 +194,7 @@ def test_a_change_reaches_only_the_listeners_that_it_concerns(
 
 
 def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWindow) -> None:
-    window.slots.bring("world")
+    window.slots.make_large("world")
     settle()
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
@@ -209,7 +209,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
             settle()
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
-    window.slots.bring("world")
+    window.slots.make_large("world")
     settle()
     assert asked == [window.store.document.projection]
 
@@ -682,22 +682,22 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert not window.files.save_to(nowhere / "lesson.json") and window.store.modified
     assert "lesson.json" in messages.text
     assert window.files.save_to(path) and messages.text == ""
-    messages.say("An offer.", ("Take it", partial(taken.append, "it")))
+    messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(path) and messages.text == "An offer."
     assert not window.files.save_to(nowhere / "lesson.json")
     assert "no such folder" in messages.text and messages.choices == ()
     assert window.files.save_to(path) and messages.text == "An offer."
-    messages.say("A refusal.")
+    messages.show_message("A refusal.")
     named(messages, QToolButton, "Dismiss this message").click()
     assert messages.text == "An offer."
-    messages.say("A refusal.")
-    messages.take_back("A refusal.")
+    messages.show_message("A refusal.")
+    messages.hide_message("A refusal.")
     messages.choices[0].click()
     assert messages.text == "" and taken == ["it"]
-    messages.say("A refusal.")
+    messages.show_message("A refusal.")
     messages.done()
     assert messages.text == ""
-    messages.say("Another offer.", ("Take it", lambda: None))
+    messages.show_message("Another offer.", ("Take it", lambda: None))
     named(messages, QToolButton, "Dismiss this message").click()
     messages.done()
     assert messages.text == ""
@@ -1608,7 +1608,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
     lines_of_three_px = 1.5 * LIGHT.font_size / window.screen().size().height()
     monkeypatch.setattr(palette, "LABEL_SHARE", lines_of_three_px)
     window.look.set_presenting(True)
-    window.slots.bring("world")  # which has the whole window then
+    window.slots.make_large("world")  # which has the whole window then
     QApplication.processEvents()
     hand = window.panes["world"].hand
     hand.camera.SetPosition(0.3, 0.4, 3.2)
@@ -1661,7 +1661,7 @@ def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.header.say(text, "1920 × 1080")
+        pane.header.show_title(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)
@@ -1753,7 +1753,7 @@ window.resize(1000, 600)
 window.show()
 assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
 for change in (None, lambda: window.slots.setSizes([301, 302, 303]),
-               lambda: window.messages.say("Something."),
+               lambda: window.messages.show_message("Something."),
                lambda: window.slots.toggle_float("ndc"),
                lambda: window.slots.toggle_float("ndc")):
     if change is not None:

@@ -20,7 +20,7 @@ from app.drawings.figure import Figure
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
 from app.lessons.course import Course, panes_of, scene_of
-from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
+from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken_tex
 from app.model.formula import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
@@ -126,7 +126,7 @@ class _PhonePage:
         self._depths.add(depth)
         box = (0.0, -_UNITS * shape.ascent, _UNITS * shape.width, _UNITS * high)
         return (
-            f'<svg class="f d{depth}" role="img" aria-label="{escaped(spoken(tex))}"'
+            f'<svg class="f d{depth}" role="img" aria-label="{escaped(spoken_tex(tex))}"'
             f' width="{em * shape.width:.2f}em" height="{em * high:.2f}em"'
             f' viewBox="{" ".join(f"{side:.2f}" for side in box)}"><use href="#f{number}"/></svg>'
         )
@@ -153,7 +153,7 @@ class _PhonePage:
         for pane in panes:
             self._figures += 1
             # What is true of the state may be the answer.
-            said = about.panes[pane] if shown.asks else about.of_pane(pane)
+            said = about.panes[pane] if shown.has_question else about.of_pane(pane)
             figure = Figure(document, scene_of(document), (pane,), crop=True)
             size, shapes, _ = drawn(figure, said)
             inner = drawing(shapes, f"s{self._figures}t")

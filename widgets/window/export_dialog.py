@@ -21,7 +21,7 @@ from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.progress import Tell, progress
+from widgets.parts.progress import ReportProgress, progress
 
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
@@ -48,7 +48,7 @@ class ExportDialog(QDialog):
         titles: dict[str, str],
         shown: Figure,
         parent: QWidget | None = None,
-        draw: Callable[[Figure, QSize, Tell], QPixmap] | None = None,
+        draw: Callable[[Figure, QSize, ReportProgress], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)

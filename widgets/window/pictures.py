@@ -20,7 +20,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence, translated
-from widgets.parts.progress import Tell, progress
+from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -60,7 +60,7 @@ class Pictures(QObject):
         Keeps the last choice.
     """
 
-    told = Signal(str)
+    exported = Signal(str)
     """A sentence about what was exported or copied."""
 
     def __init__(
@@ -112,7 +112,7 @@ class Pictures(QObject):
             lambda: self._draw(partial(figure.save, path)), self.tr("Exported {0}").format(path)
         )
 
-    def _draw(self, draw: Callable[[Tell], _Drawn]) -> _Drawn:
+    def _draw(self, draw: Callable[[ReportProgress], _Drawn]) -> _Drawn:
         release_context()
         with progress(self._window, self.tr("Drawing the picture")) as tell:
             return draw(tell)
@@ -155,10 +155,10 @@ class Pictures(QObject):
         except Cancelled:
             return False
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return False
         self._messages.done()
-        self.told.emit(done)
+        self.exported.emit(done)
         return True
 
 
@@ -169,7 +169,7 @@ def release_context() -> None:
         current.doneCurrent()
 
 
-def preview(figure: Figure, room: QSize, tell: Tell) -> QPixmap:
+def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:
     """Draw a figure with as few pixels as a preview has."""
     from PySide6.QtSvg import QSvgRenderer
 
