@@ -180,13 +180,13 @@ class ExportDialog(QDialog):
 
     @property
     def kept(self) -> dict[str, Any]:
-        """What the next dialog begins with."""
+        """The choice with which the next dialog begins."""
         return self._chosen | {
             name: field.text() if field.isModified() else "" for name, field in self._fields.items()
         }
 
     def _take(self, kept: Mapping[str, Any]) -> None:
-        """Show a choice that was kept; nothing of it needs to be possible."""
+        """Show a kept choice, of which any part may be impossible now."""
         for name, combo in self._combos.items():
             known = [combo.itemData(place) for place in range(combo.count())]
             combo.setCurrentIndex(known.index(kept[name]) if kept.get(name) in known else 0)
