@@ -268,10 +268,8 @@ class Figure:
 
     Attributes
     ----------
-    document : Document
     options : dict
         Of `app.drawings.figures.render`.
-    hidden : str
     """
 
     document: Document

@@ -168,7 +168,6 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 
     Parameters
     ----------
-    text : str
     infinite : bool
         Whether its value may be infinite.
     """
@@ -184,7 +183,6 @@ class Quantities:
 
     Parameters
     ----------
-    document : Document
     scene : callable
         Returns its scene; called only when the readout is needed.
     view : View, optional

@@ -65,7 +65,6 @@ class Controls(Dock, RowHolder):
 
     Attributes
     ----------
-    card : SceneCard
     rows : dict of str to Row
         Every row of the projection by its key: ``"near"``, ``"fov_y_deg"``, ``"eye_x"``, ...
     sections : dict of str to Section

@@ -259,7 +259,6 @@ class LensControls(QObject):
 
         Parameters
         ----------
-        projection : Projection
         size : float
             Diagonal of the scene's bounds, world units.
         defaults : Projection

@@ -41,7 +41,6 @@ class Setting:
         Bounds of a number, included.
     span : (float, float), optional
         The range of the slider within the bounds; all of it if not given.
-    unit : str
     logarithmic, whole : bool
         Of a number: its slider is logarithmic; it is an integer.
     per_second : float
