@@ -1,7 +1,7 @@
 """The model's camera in the world pane: its body, eye, target, line of sight and axes.
 
-Eye, target and axes are shrunk towards the pane's own camera: they keep their pixels but come
-before what would hide them.
+Eye, target and axes are shrunk towards the pane's own camera: they keep their pixels but stand
+before everything that would hide them.
 """
 
 from __future__ import annotations
@@ -198,7 +198,7 @@ class CameraDrawing:
         # The axes are brought before the body, see `come_before`.
         return eye_depth, target_depth, eye_depth - 5.4 * self.axes_size
 
-    def come_before(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
+    def move_forward(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
         """Bring eye, target and axes before what would hide them.
 
         `depths` are those of the method; `near` is the depth from which on the pane's camera sees.
@@ -210,8 +210,8 @@ class CameraDrawing:
             (self._target_space, target, 1.02),
             (self._rim_space, target, 1.03),
         ):
-            space.place(*pane.brought(point, on_top * near))
-        k, at = pane.brought(eye, max(near, depths[0] - 2.8 * self.axes_size))
+            space.place(*pane.moved_forward(point, on_top * near))
+        k, at = pane.moved_forward(eye, max(near, depths[0] - 2.8 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)

@@ -115,7 +115,7 @@ class Dimensions:
 
     def below_em(self, size_px: tuple[int, int], measured: Dimension) -> float:
         """Return how much room the lines and the sentence need below the drawing, in ems."""
-        said = len(self._said(size_px, measured))
+        said = len(self._sentence_lines(size_px, measured))
         return self._rows_em(measured) + (0.5 + 1.5 * said if said else 0.0)
 
     def _rows_em(self, measured: Dimension) -> float:
@@ -146,7 +146,7 @@ class Dimensions:
         """
         self._lines.begin()
         self._thin.begin()
-        self._say(ground, self._said(size_px, measured))
+        self._show_sentence(ground, self._sentence_lines(size_px, measured))
         if measured.view != "eye":
             points = np.vstack([measured.objects, measured.eye, measured.target])
             corners = measured.corners if measured.projection.lens.planes is not None else None
@@ -385,7 +385,7 @@ class Dimensions:
 
     # -- what a lens does not have
 
-    def _say(self, ground: Ground, said: list[str]) -> None:
+    def _show_sentence(self, ground: Ground, said: list[str]) -> None:
         for number, label in enumerate(self._sentences):
             label.set_visible(number < len(said))
             if number < len(said):
@@ -396,7 +396,7 @@ class Dimensions:
         if said:
             ground.keep_box(0.0, 0.0, float(ground.limits[2]), (0.5 + 1.5 * len(said)) * self._em)
 
-    def _said(self, size_px: tuple[int, int], measured: Dimension) -> list[str]:
+    def _sentence_lines(self, size_px: tuple[int, int], measured: Dimension) -> list[str]:
         """The lines of the sentence that says what the lens lacks."""
         name = self._lacks(measured)
         across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))

@@ -180,7 +180,7 @@ class ImageDrawing(Drawing):
             self._model.show_grid("grid" not in hidden)
             if self._blurring is not None:
                 self._blurring.model.show_grid("grid" not in hidden)
-                self._blurring.again()
+                self._blurring.restart()
         if self._framed and (AXES in hidden) != (AXES in self._canvas.hidden):
             for label in self._axis_labels:
                 label.set_visible(AXES not in hidden)
@@ -191,7 +191,7 @@ class ImageDrawing(Drawing):
         self._model.show_detail(fewer)
         if self._blurring is not None:
             self._blurring.model.show_detail(fewer)
-            self._blurring.again()
+            self._blurring.restart()
         if self._marks is not None:
             self._marks.show_detail(fewer)
 

@@ -47,10 +47,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = (
-    3.0,
-    1.1,
-)  # of the extent: the largest frustum that is framed whole; else this much of it
+_WHOLE, _NEARBY = 3.0, 1.1  # extents: the largest frustum framed whole; larger ones are cut to 1.1
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
@@ -690,7 +687,7 @@ class WorldDrawing(Drawing):
         drawn = [self._everything, self.camera.around, frustum.corners, self._marked]
         near = self.own.fit_range(np.concatenate(drawn), *depths[1:])
         self.picture.show(self._projection, at, frustum, self.own, self._local_from_object)
-        self.camera.come_before(pane, depths, near)
+        self.camera.move_forward(pane, depths, near)
         if self._probes.probes:
             self._place_probes()
         self._place_labels(afresh=afresh)

@@ -21,7 +21,7 @@ from app.scenes.scene import Scene
 
 
 class WorldAxes:
-    """Axes that are made when they are first shown; scene-local.
+    """The axes of object and world, made when they are first shown; scene-local.
 
     Parameters
     ----------
@@ -69,7 +69,6 @@ class WorldAxes:
 
     @property
     def has_object(self) -> bool:
-        """Whether the object has axes."""
         return self._drawn.is_moved or self.is_wanted or "frame-o" in self._frames
 
     @property

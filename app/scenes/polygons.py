@@ -149,7 +149,7 @@ def _cut(points: Floats, area: Floats) -> Ints:
 
 
 def _ears(flat: Floats) -> Ints:
-    """Return what mapbox-earcut makes of a counter-clockwise outline (n, 2)."""
+    """Divide a counter-clockwise outline (n, 2) into triangles with mapbox-earcut."""
     from mapbox_earcut import triangulate_float64  # few meshes need it
 
     outlines, holes = _parted(flat)

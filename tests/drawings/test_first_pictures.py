@@ -190,7 +190,7 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
     drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
     drawing.show_names(None)
     for far, is_broken in ((14.0, False), (20.0, True)):
-        projection = replace(scene.start, lens=scene.start.lens.but(far=far))
+        projection = replace(scene.start, lens=scene.start.lens.replaced(far=far))
         drawing.show_projection(projection, illustrated(scene, projection))
         assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
 
@@ -202,7 +202,7 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     """The letter's deepest corner is 12.93 from the eye plane: 1.5 times that is 19.4."""
     scene = load("letter-f")
     drawing = opened(off_screen(*LARGE), "letter-f")
-    drawing.show_projection(replace(scene.start, lens=scene.start.lens.but(far=far)))
+    drawing.show_projection(replace(scene.start, lens=scene.start.lens.replaced(far=far)))
     reach = drawing.frustum.reach
     corner = np.array((-1.5, 0.0, -0.5)) - scene.start.camera.eye
     assert reach.high == pytest.approx(1.5 * float(-corner @ scene.start.camera.frame[2]))
