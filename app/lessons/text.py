@@ -107,30 +107,26 @@ def outline(tex: str) -> Outline:
         depth += bool(opened) - bool(closed)
         if depth > DEEPEST:
             raise ValueError(f"has more than {DEEPEST} levels of braces")
-    with _ONE_READER:
-        return _read(tex)
-
-
-def _read(tex: str) -> Outline:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
-    logging.getLogger("matplotlib.mathtext").addFilter(_refuse)
-    reader: Any = TextToPath()
-    font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
-    text = mathtext(tex)
-    width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
-    if not 0.0 <= width <= WIDEST * _EM:
-        raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
-    vertices, codes = reader.get_text_path(font, text, ismath=True)
-    return Outline(
-        width / _EM,
-        (height - descent) / _EM,
-        descent / _EM,
-        np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
-        np.asarray(codes),
-        tuple(_letters(reader, font, text)),
-    )
+    with _ONE_READER:
+        logging.getLogger("matplotlib.mathtext").addFilter(_refuse)
+        reader: Any = TextToPath()
+        font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
+        text = mathtext(tex)
+        width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
+        if not 0.0 <= width <= WIDEST * _EM:
+            raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
+        vertices, codes = reader.get_text_path(font, text, ismath=True)
+        return Outline(
+            width / _EM,
+            (height - descent) / _EM,
+            descent / _EM,
+            np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
+            np.asarray(codes),
+            tuple(_letters(reader, font, text)),
+        )
 
 
 def _letters(reader: Any, font: Any, text: str) -> Iterator[tuple[str, int, int]]:
