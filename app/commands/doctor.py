@@ -15,7 +15,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app import __version__, bootstrap, modules
+from app import __version__, bootstrap, modules, system_packages
 from app.commands.options import CANNOT_DRAW, parser_of, write_out
 
 LONGEST_TRIAL_S = 60.0
@@ -60,10 +60,13 @@ def examine() -> Iterator[Finding]:
         start = bootstrap.command_line([Path(sys.executable).name, "-m", "app"])
         remedy = f"the first start sets it up, which needs the network: {start}"
         yield Finding("Environment", "not set up yet", remedy)
-    missing = [*([] if set_up else bootstrap.venv_module()), *bootstrap.missing_system("window")]
+    missing = [
+        *([] if set_up else system_packages.venv_module()),
+        *system_packages.missing_system("window"),
+    ]
     if missing:
         names = ", ".join(item.name for item in missing)
-        yield Finding("System libraries", f"missing: {names}", bootstrap.advice(missing))
+        yield Finding("System libraries", f"missing: {names}", system_packages.advice(missing))
     else:
         yield Finding("System libraries", "all here")
     if set_up:
