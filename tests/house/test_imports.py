@@ -52,10 +52,11 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 }
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
+    "app.lecture": ("matplotlib",),
     "app.drawings": ("matplotlib",),
     "app.scenes": (*VTK, "mapbox_earcut"),
-    "app.lessons": ("markdown_it", "matplotlib"),
-    "app.measure": ("matplotlib", "PIL", "mpmath"),
+    "app.lessons": ("markdown_it",),
+    "app.measure": ("mpmath",),
     "widgets.panes": VTK,
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),
@@ -240,7 +241,7 @@ def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
         ("app/drawings/world.py", "from PySide6.QtGui import QColor", "PySide6.QtGui.QColor"),
         ("app/drawings/world.py", "import app.document.store", "app.document.store"),
         ("app/document/store.py", "from PySide6 import QtWidgets", "PySide6.QtWidgets"),
-        ("app/drawings/figures.py", "import importlib\nx = __import__('widgets')", "widgets"),
+        ("app/drawings/figure.py", "import importlib\nx = __import__('widgets')", "widgets"),
         ("app/commands/cli.py", "import pyvista", "pyvista"),
         ("app/commands/cli.py", "class A:\n    import PySide6", "PySide6"),
         ("widgets/panes/pane.py", "import app.document.store", "app.document.store"),

@@ -36,8 +36,7 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.fields import IMAGE, lens_fields
 from app.document.settings import set_values
-from app.drawings.figure_size import SCALED_WIDTH
-from app.drawings.figures import render
+from app.drawings.figure import SCALED_WIDTH
 from app.model.limits import DISTINCT
 from app.model.projection import (
     AT_LEAST,
@@ -79,6 +78,7 @@ from tests.support.controls import (
     press,
     release,
 )
+from tests.support.drawings import figure_of
 from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
@@ -592,6 +592,19 @@ def dragged_over(row: NumberRow) -> Iterator[float]:
             break
         yield row.scale.value_at(slider.sliderPosition())
     release(slider)
+
+
+def test_near_has_the_same_ratio_of_ends_in_every_scene(controls: Column) -> None:
+    for name in scene.BUILT_IN:
+        loaded = scene.load(name)
+        show(controls, loaded.start)
+        controls.set_scene(loaded.size, loaded.start)
+        row = number(controls, "near")
+        if loaded.start.lens.parallel:
+            assert isinstance(row.scale, Linear), name
+            continue
+        assert row.slider.minimum() < row.slider.value() < row.slider.maximum(), name
+        assert row.scale.high == pytest.approx(40.0 * row.scale.low), name
 
 
 def test_a_box_has_even_sliders_and_no_infinity(controls: Column) -> None:
@@ -1491,7 +1504,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(Refusal.saying(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
         with pytest.raises(Refusal) as large:
-            render(cube, cube.start, size=(9000, 600), scale=2.0)
+            figure_of(cube, cube.start, size=(9000, 600), scale=2.0).pixels()
         said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
         assert sentence(large.value) == said
     finally:
