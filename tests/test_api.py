@@ -201,9 +201,8 @@ def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:
 
 
 def test_panes_are_a_text_or_a_list() -> None:
-    assert api.figure(PLAIN, panes=["world", "image"]).options == (
-        api.figure(PLAIN, panes="world,image").options
-    )
+    named = api.figure(PLAIN, panes=["world", "image"])
+    assert named.panes == api.figure(PLAIN, panes="world,image").panes == ("world", "image")
 
 
 def test_a_mesh_that_is_not_whole_is_loaded_with_a_warning(tmp_path: Path) -> None:

@@ -120,8 +120,9 @@ def _returning(corners: Floats, counts: Ints) -> Ints:
     one, other = order[:-1], order[1:]
     is_same = (owner[one] == owner[other]) & (corners[one] == corners[other]).all(axis=1)
     away = (other - one)[is_same]
-    polygon: Ints = owner[one[is_same]]
-    return polygon[(away > 1) & (away < counts[polygon] - 1)]
+    polygon = owner[one[is_same]]
+    returning: Ints = polygon[(away > 1) & (away < counts[polygon] - 1)]
+    return returning
 
 
 def _cut(points: Floats, area: Floats) -> Ints:
