@@ -48,7 +48,6 @@ class Talks(QObject):
     ----------
     speaker : SpeakerWindow or None
         While it is open.
-    writer : TalkWriter
     """
 
     def __init__(
