@@ -2,7 +2,7 @@
 
 ::
 
-    Run --> Measuring (another process) --> Results, one for each trade or sweep
+    Run --> Measuring (another process) --> Measurements, one for each trade or sweep
     a file of results --------------------> drawn thinner over them
     a click on a point or a row --> used({"rung": "float32"})
 """
@@ -36,6 +36,7 @@ from app.measure.meaning import bargain, meaning
 from app.measure.results import (
     CANCELLED,
     MEASURED_ONLY,
+    SWEPT,
     ChartPoint,
     Measurements,
     Sweep,
@@ -72,7 +73,6 @@ ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Endings of the export formats."""
 NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
-SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 _NAME = Qt.ItemDataRole.UserRole
 
 
@@ -421,7 +421,7 @@ class MeasurePanel(DiagramPanel):
         return only_part(results.by_cost(self.cost.currentData()))
 
     def _bargain(self, trade: Trade) -> str:
-        """Say what the choice that was clicked, or else the one in use, buys and pays."""
+        """State what the clicked choice, or else the one in use, gains and costs."""
         picked = next((c for c in trade.choices if c.name == self._picked), None)
         chosen = picked or chart.in_use(trade, self._current())
         return bargain(trade, chosen, of_measurements) if chosen else ""

@@ -2,7 +2,7 @@
 
 ::
 
-    controls, animation --edited--> Store --changed(document)--> Shown, and what changed in it
+    controls, animation --edited--> Store --changed(document)--> ShownData, and what changed in it
     menus, tool bar ----------------^                            |
                       panes, controls, the open panel, status line: take(shown, changed)
 """
@@ -107,7 +107,6 @@ class MainWindow(QMainWindow):
 
     Parameters
     ----------
-    document : Document
     saved : Document, optional
         The content of the document's file, if it differs.
     settings : Settings
