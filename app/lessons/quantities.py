@@ -139,6 +139,7 @@ RATIONAL = Arithmetic(Fraction, _rational)
 
 NEGLIGIBLE = 1.0 / LARGEST
 """A number nearer to 0 counts as 0."""
+_LARGEST, _NEGLIGIBLE = Fraction(LARGEST), Fraction(NEGLIGIBLE)
 _CONSTANTS = {"pi": math.pi, "infinity": math.inf}
 
 
@@ -176,9 +177,15 @@ def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
     """
     with _of(asked):
         value: Fraction = asked.evaluate(numbers, RATIONAL)
-    if abs(value) > LARGEST:
+    if abs(value) > _LARGEST:
         raise _refused(asked, TOO_LARGE, LARGEST)
-    return value if abs(value) >= NEGLIGIBLE else Fraction(0)
+    return value if abs(value) >= _NEGLIGIBLE else Fraction(0)
+
+
+@lru_cache(maxsize=256)
+def _nearest_name(name: str, known: tuple[str, ...]) -> str:
+    """Return the known name that is most like an unknown one, which each variant names again."""
+    return next(iter(difflib.get_close_matches(name, known, n=1, cutoff=0.0)), "none")
 
 
 @lru_cache(maxsize=4096)
@@ -187,7 +194,6 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 
     Parameters
     ----------
-    text : str
     infinite : bool
         Whether its value may be infinite.
     """
@@ -203,7 +209,6 @@ class Quantities:
 
     Parameters
     ----------
-    document : Document
     scene : callable
         Returns its scene; called only when the readout is needed.
     view : View, optional
@@ -275,10 +280,9 @@ class Quantities:
             return self._before._number(name.removeprefix("was_"), places)
         value = self._looked_up(name)
         if value is None:
-            known = [*self.names, *(() if places == () else FUNCTIONS)]
-            near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
+            known = (*self.names, *(() if places == () else FUNCTIONS))
             bound = NO_FUNCTION if places else NO_NAME
-            raise Refusal("formula", name, bound, name, near[0])
+            raise Refusal("formula", name, bound, name, _nearest_name(name, known))
         return _part(name, value, places)
 
     def _looked_up(self, name: str) -> Any:
@@ -351,8 +355,8 @@ class Quantities:
     def _reading(self, name: str) -> Any:
         readings = self.readings
         if name not in readings:
-            near = difflib.get_close_matches(name, readings, n=1, cutoff=0.0) or ["none"]
-            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near[0]}")
+            near = _nearest_name(name, tuple(readings))
+            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near}")
         return _numeric(f"reading_{name}", readings[name])
 
     def _coordinate(self, number: int, space: str, part: str) -> float:
