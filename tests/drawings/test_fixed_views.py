@@ -151,7 +151,6 @@ def test_from_the_eye_no_handle_lies_under_the_title(off_screen: MakeScreen) -> 
     """The title's buttons are two letters high; a handle reaches half a letter from its middle."""
     drawing = made(off_screen(443, 269), load("clipping").start, "clipping")
     drawing.show_fixed("eye")
-    assert drawing.handles is not None
     assert min(y for _, (_, y) in drawing.handles.shown) >= 2.5 * LIGHT.font_size
 
 
@@ -536,8 +535,10 @@ def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
     """From the side the target follows the hand along n and v."""
     drawing = made(off_screen(*SIZE_PX))
     drawing.show_fixed("side")
-    x, y = dict(drawing.handles.shown)[TARGET] if drawing.handles else (0.0, 0.0)
-    change = dragged(START, TARGET, drawing.planes_drawn, drawing.sight, (x + 30.0, y - 20.0))
+    x, y = dict(drawing.handles.shown)[TARGET]
+    change = dragged(
+        START, TARGET, drawing.handles.planes_drawn, drawing.sight, (x + 30.0, y - 20.0)
+    )
     target = np.array(change["target"])
     (spot,) = pixel_of(drawing, [target])
     assert spot == pytest.approx((x + 30.0, y - 20.0), abs=0.2)
@@ -603,7 +604,6 @@ def test_names_and_handles_go_with_what_they_are_of(
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed(view)
-    assert drawing.handles is not None
     screen.pixels()
     before, handles = texts_of(screen).keys(), list(drawing.handles.shown)
     assert names <= before
@@ -625,7 +625,6 @@ def test_names_and_handles_go_with_what_they_are_of(
 
 def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
     drawing = made(off_screen(*SIZE_PX))
-    assert drawing.handles is not None
     (handle, spot), *_ = drawing.handles.shown
     assert drawing.handle_at(spot, 5.0) == handle
     drawing.show_layers(frozenset({"handles"}))

@@ -15,12 +15,12 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
-from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
 from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
+from app.drawings.world_state import view_matrices
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
     OBLIQUE_PRESETS,
@@ -168,7 +168,7 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
     for projection in random_projections(120):
         drawing.show_projection(projection)
         matrix = to_array(drawing.frustum.space.matrix)
-        reach = drawing.frustum.reach
+        reach = drawing.frustum.depths
         if reach.near_break is not None:
             continue
         if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
@@ -365,7 +365,7 @@ def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) 
         near = 10.0 ** (step / 40.0 - 4.0)
         lens = Perspective(45.0, near, 2e7)
         view.drawing.show_projection(Projection(Camera(eye, (0.0, 2.0, 0.0)), lens))
-        reach = view.drawing.frustum.reach
+        reach = view.drawing.frustum.depths
         now = np.array([reach.high, min(reach.near, 100.0), reach.far])
         if last is not None:
             assert (np.abs(now - last) < 0.07 * np.abs(last) + 0.05).all(), step

@@ -281,7 +281,7 @@ def test_the_world_knows_what_is_under_the_mouse(
 def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted) -> None:
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
-        label = drawing.labels.named[text]
+        label = drawing.board.label(text)
         canvas = window.panes["world"].canvas
         left, right, bottom, top = label.box_px
         point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)

@@ -81,7 +81,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "step": lambda drawing, step: drawing.show_step(step),
     "fixed": lambda drawing, view: drawing.show_fixed(view),
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
-    "handles": lambda drawing, names: drawing.call_handles(names),
+    "handles": lambda drawing, names: drawing.handles.call(names),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
 """How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
