@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
@@ -59,7 +58,7 @@ class Handles:
         """Show the handles with these names or settings, though nothing is on them."""
 
 
-class Drawing(ABC):
+class Drawing:
     """The scene in one pane: `WorldDrawing`, `StageDrawing` or `ImageDrawing`, a list of layers.
 
     A drawing is made once per scene, ``Drawing(screen, scene, words, style)``, in a render window
@@ -80,7 +79,6 @@ class Drawing(ABC):
 
     # -- the model
 
-    @abstractmethod
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
@@ -90,11 +88,9 @@ class Drawing(ABC):
         """Use the faces of a scene with fewer triangles; None for all. Then show a projection."""
         self.layers.show_detail(fewer)
 
-    @abstractmethod
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Hide these of `app.document.view.LAYERS`, and no others. Then show a projection."""
 
-    @abstractmethod
     def show_names(self, names: frozenset[str] | None) -> None:
         """Name these things, and no others; None for everything.
 
@@ -107,13 +103,21 @@ class Drawing(ABC):
         self.layers.settle()
         self.layers.place_labels()
 
-    @abstractmethod
     def show_highlight(self, highlighted: Highlight) -> bool:
         """Highlight these things, and nothing else; return whether anything has changed."""
+        before, self.names.pointed = self.names.pointed, highlighted
+        of_scene = self.layers.show_highlight(highlighted)
+        is_new = self.state.emphasis.show(highlighted - self.state.strangers) or of_scene
+        if of_scene or (before != highlighted and not self.names.all):
+            self._show_named()
+        return is_new
+
+    def _show_named(self) -> None:
+        """Show what is named now, and place its labels."""
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the things at a pixel, counted from the pane's top left."""
-        return self.layers.at(x_px, y_px)
+        return self.layers.at(x_px, y_px) - self.state.strangers
 
     @property
     def precision(self) -> Precision:
@@ -157,7 +161,6 @@ class Drawing(ABC):
 
     def reset_clipping_range(self) -> None:
         """Adjust the drawing after the pane's camera was moved from outside."""
-        return
 
     # -- on the way from one state to another
 
@@ -184,7 +187,6 @@ class Drawing(ABC):
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip, 0 to 5."""
-        return
 
     # -- the world
 
@@ -195,15 +197,12 @@ class Drawing(ABC):
 
     def show_fixed(self, view: str) -> None:
         """Look from one of `app.document.view.FIXED`; ``""`` for the free view."""
-        return
 
     def show_step(self, step: int | None) -> None:
         """Build the camera's frame up to a step of `app.lecture.camera_frame.STEPS`."""
-        return
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes even where they coincide with the world's."""
-        return
 
     @property
     def has_object_axes(self) -> bool:
@@ -211,7 +210,6 @@ class Drawing(ABC):
 
     def hold(self, handle: Handle | None) -> None:
         """Highlight a handle, and keep it visible while it moves."""
-        return
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         """Return the handle at a pixel, counted from the pane's top left."""
@@ -246,7 +244,6 @@ class Drawing(ABC):
 
         It draws, but not in the drawing's own window: that has to be rendered afterwards.
         """
-        return
 
     @property
     def problem(self) -> Phrase | None:

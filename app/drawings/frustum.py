@@ -152,7 +152,7 @@ class FrustumDrawing(Layer):
         self.corners = np.tile(standing.eye, (8, 1))
         if self.seen:
             reversed_range = projection.with_depth("reversed")
-            local_from_cube = reversed_range.world_from_clip_at(standing.origin)
+            local_from_cube = reversed_range.world_from_clip_at(self._state.origin)
             frustum = normalised(projection.frustum_sign * local_from_cube)
             self.corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
             self.space.set(frustum)

@@ -79,10 +79,6 @@ class HandleMarks(Handles, Layer):
         self._cells.mesh.GetCellData().SetScalars(self._scalars)
         state.canvas.add(self._cells.actor, layer="handles")
 
-    @property
-    def planes_drawn(self) -> tuple[float, float]:  # type: ignore[override]
-        return self._state.planes_drawn
-
     def call(self, names: frozenset[str]) -> None:
         self.called = names
         self.follow()
@@ -90,7 +86,7 @@ class HandleMarks(Handles, Layer):
     def follow(self) -> None:
         """Find the visible handles, and mark them."""
         state, axes = self._state, self._axes.of_object
-        size_px = state.own.pane.size_px
+        size_px, self.planes_drawn = state.size_px, state.planes_drawn
         handles: Sequence[tuple[Handle, Spot]] = ()
         if "handles" not in state.canvas.hidden:
             handles = shown(
@@ -101,7 +97,7 @@ class HandleMarks(Handles, Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        height_px = self._state.own.pane.size_px[1]
+        height_px = self._state.size_px[1]
         for handle, (x, y) in self.shown:
             if self._state.names.all or handle == self.held:
                 ground.keep([(x, height_px - y)], DOT_EM * self._state.em)

@@ -27,7 +27,6 @@ from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import ImageProbes
 from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style, rgb
-from app.lecture.highlight import Highlight
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
@@ -222,20 +221,15 @@ class ImageDrawing(Drawing):
         canvas.window.SetNumberOfLayers(self._window_layers)
         canvas.renderer.SetActiveCamera(self._own_camera)
 
-    def show_highlight(self, highlighted: Highlight) -> bool:
-        before, self.names.pointed = self.names.pointed, highlighted
-        of_scene = self.layers.show_highlight(highlighted)
-        if before != highlighted and not self.names.all:
-            self.layers.show_names()
-            self.layers.place_labels()
-        return self.state.emphasis.show(highlighted) or of_scene
-
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:
             self.names.wanted = names
             self.show_layers(self._hidden)
-            self.layers.show_names()
-            self.layers.place_labels()
+            self._show_named()
+
+    def _show_named(self) -> None:
+        self.layers.show_names()
+        self.layers.place_labels()
 
     @property
     def precision(self) -> Precision:

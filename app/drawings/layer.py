@@ -62,6 +62,8 @@ class PaneState:
     """The corners of the box round the objects, in the coordinates of the pane's actors."""
     written: frozenset[str] = frozenset()
     """The names that lengths write, and no other layer has to."""
+    strangers = NOTHING
+    """The things whose names mean others now."""
 
     def __init__(
         self,
@@ -237,11 +239,11 @@ class Layers:
     def reach(self) -> Array:
         return np.concatenate([layer.reach() for layer in self._layers])
 
-    def core(self) -> list[Array]:
-        return [points for layer in self._layers for points in layer.core()]
+    def core(self) -> Array:
+        return np.concatenate([points for layer in self._layers for points in layer.core()])
 
-    def beside(self) -> list[Array]:
-        return [points for layer in self._layers for points in layer.beside()]
+    def beside(self) -> Array:
+        return np.concatenate([points for layer in self._layers for points in layer.beside()])
 
 
 class FacesLayer(Layer):

@@ -210,16 +210,9 @@ class MarksDrawing(Layer):
         long = (segments[:, 0] != segments[:, 1]).any(axis=1)
         if not long.all():
             segments, widths, colours = segments[long], widths[long], colours[long]
-        distinct = sorted(set(widths.tolist()))
-        while len(self._lines) < len(distinct):
-            self._lines.append(self._batch("Lines"))
-        for i, batch in enumerate(self._lines):
-            if i < len(distinct):
-                which = widths == distinct[i]
-                batch.actor.GetProperty().SetLineWidth(distinct[i] * self._style.line_width)
-                batch.show(segments[which], np.repeat(colours[which], 2, axis=0))
-            else:
-                batch.hide()
+        for batch, width, which in self._batches(self._lines, "Lines", widths):
+            batch.actor.GetProperty().SetLineWidth(width * self._style.line_width)
+            batch.show(segments[which], np.repeat(colours[which], 2, axis=0))
         self._segments = segments.reshape(-1, 3)
         return self._segments
 
@@ -251,17 +244,9 @@ class MarksDrawing(Layer):
         near = _within(points, placing.limit)
         sizes = np.where(near, [dot.size for dot in dots], np.nan) if dots else np.empty(0)
         colours = [self._rgba(dot.colour, quiet=self._quiet(dot)) for dot in dots]
-        distinct = sorted(set(sizes[near].tolist()), reverse=True)  # small ones on large ones
-        while len(self._dots) < len(distinct):
-            self._dots.append(self._batch("Verts"))
-        for i, batch in enumerate(self._dots):
-            if i < len(distinct):
-                which = np.flatnonzero(sizes == distinct[i])
-                size = distinct[i] * DOT * self._style.line_width
-                batch.actor.GetProperty().SetPointSize(size)
-                batch.show(points[which][:, None], np.array([colours[j] for j in which]))
-            else:
-                batch.hide()
+        for batch, size, which in self._batches(self._dots, "Verts", sizes):
+            batch.actor.GetProperty().SetPointSize(size * DOT * self._style.line_width)
+            batch.show(points[which][:, None], np.array([colours[j] for j in which]))
         self._dot_points = points[near]
         return self._dot_points
 
@@ -396,6 +381,17 @@ class MarksDrawing(Layer):
             parts = [round(255.0 * part) for part in rgb(shown)]
             found = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
         return found
+
+    def _batches(
+        self, batches: list[_Batch], kind: Literal["Lines", "Verts"], sizes: Array
+    ) -> list[tuple[_Batch, float, NDArray[np.intp]]]:
+        """A batch for each size, and whose size it is; small dots come on large ones."""
+        distinct = sorted(set(sizes[~np.isnan(sizes)].tolist()), reverse=kind == "Verts")
+        batches += [self._batch(kind) for _ in range(len(distinct) - len(batches))]
+        for batch in batches[len(distinct) :]:
+            batch.hide()
+        pairs = zip(batches, distinct, strict=False)
+        return [(batch, size, np.flatnonzero(sizes == size)) for batch, size in pairs]
 
     def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> _Batch:
         batch = _Batch(kind)

@@ -78,7 +78,7 @@ class NearPicture(FacesLayer):
         toward = SLAB * thick * toward_viewer(pane, corners[:4].mean(axis=0))
         self.actors.show_slope(state.own.slope_of_depth(corners[:4]), pane.size_px)
         if reach is None:
-            film = flatten_free(projection, standing.origin, toward)
+            film = flatten_free(projection, state.origin, toward)
         else:
             view = standing.view_from_local, standing.local_from_view
             film = flatten(projection, view, depths, reach.high, toward)

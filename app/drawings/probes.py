@@ -17,9 +17,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
+import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.drawings.actors import PropGroup, Space, actor_2d, lift_lines, line_actor
@@ -257,20 +256,13 @@ def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
 
 
 def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0) -> vtkActor2D:
-    points, cells = vtkPoints(), vtkCellArray()
-    for radius in (radius_px, hole_px) if hole_px else (radius_px,):
-        for i in range(corners):
-            turn = 2.0 * math.pi * i / corners
-            points.InsertNextPoint(radius * math.cos(turn), radius * math.sin(turn), 0.0)
-    if hole_px:
-        for i in range(corners):
-            after = (i + 1) % corners
-            cells.InsertNextCell(4, (i, after, corners + after, corners + i))
-    else:
-        cells.InsertNextCell(corners, range(corners))
-    disc = vtkPolyData()
-    disc.SetPoints(points)
-    disc.SetPolys(cells)
+    turns, here = 2.0 * math.pi * np.arange(corners) / corners, np.arange(corners)
+    ring = np.column_stack([np.cos(turns), np.sin(turns), 0.0 * turns])
+    after = np.roll(here, -1)
+    quads = np.stack([here, after, corners + after, corners + here], axis=1)
+    faces = quads if hole_px else here[None]
+    points = np.concatenate([radius_px * ring, hole_px * ring] if hole_px else [radius_px * ring])
+    disc = pv.PolyData.from_regular_faces(points, faces.tolist())
     actor = actor_2d(disc)
     actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
     actor.GetProperty().SetColor(*rgb(colour))

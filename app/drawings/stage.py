@@ -35,8 +35,7 @@ from app.drawings.probes import StageProbes
 from app.drawings.stage_box import StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import Style
-from app.lecture.highlight import AXES, NOTHING, Highlight
-from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW, WORLD
+from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW
 from app.model.projection import Array, Projection
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.scenes.phenomena.illustration import Illustration
@@ -158,14 +157,13 @@ class StageDrawing(Drawing):
         if not was_moved:
             self.reset_view()
 
-    def _show(self, *, afresh: bool = False) -> None:
-        """Set the matrices, planes and words of the position on the strip; `afresh`, all words."""
-        before = None if afresh else self.box.placed
-        self.box.placed = before
+    def _show(self) -> None:
+        """Set the matrices, planes and words of the position on the strip."""
+        before, emphasis = self.box.placed, self.state.emphasis
         self.layers.show()
         if self.box.placed != before:
-            self.state.emphasis.show_names(self.names)
-            self._show_highlighted()
+            emphasis.show_names(self.names)
+            emphasis.show(self.names.pointed - self.state.strangers)
         if self.box.placed != before or self.state.probes or not self._marks.is_empty:
             self.layers.settle()
             self.layers.place_labels()
@@ -235,30 +233,15 @@ class StageDrawing(Drawing):
         else:
             self.reset_clipping_range()
 
-    # -- pointing
-
-    def show_highlight(self, highlighted: Highlight) -> bool:
-        before, self.names.pointed = self.names.pointed, highlighted
-        of_scene = self.layers.show_highlight(highlighted)
-        is_new = self._show_highlighted() or of_scene
-        if before != highlighted and not self.names.all:
-            self._show(afresh=True)
-        return is_new
+    # -- names
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:
             was_moved, self.names.wanted = self.own.was_moved, names
-            self._show(afresh=True)
+            self._show_named()
             if self.state.position < CANONICAL_PERSPECTIVE and not was_moved:
                 self.reset_view()
 
-    def _show_highlighted(self) -> bool:
-        return self.state.emphasis.show(self.names.pointed - self._strangers)
-
-    @property
-    def _strangers(self) -> frozenset[str]:
-        """At the world's stop the axes are x, y and z of the world, not the camera's."""
-        return frozenset(AXES) if self.state.stop == WORLD else NOTHING
-
-    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        return super().highlight_at(x_px, y_px) - self._strangers
+    def _show_named(self) -> None:
+        self.box.placed = None
+        self._show()

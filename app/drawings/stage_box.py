@@ -42,7 +42,7 @@ from app.drawings.pointing import (
 )
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, CORNERS, SIDES
+from app.lecture.highlight import AXES, CORNERS, NOTHING, SIDES
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -50,6 +50,7 @@ from app.lecture.stages import (
     NDC,
     RADIUS,
     VIEW,
+    WORLD,
     Morph,
     morph_of,
 )
@@ -247,6 +248,8 @@ class StageBox(Layer):
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
         state.stop, state.display_from_box = stop, box
+        # At the world's stop the axes are x, y and z of the world, not the camera's.
+        state.strangers = frozenset(AXES) if stop == WORLD else NOTHING
         self._space.set(box)
         for actor in self._volume:
             actor.SetVisibility(drawn)

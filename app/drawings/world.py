@@ -29,7 +29,7 @@ from app.drawings.probes import WorldProbes
 from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import CameraPose, WorldState
-from app.lecture.highlight import AXES, SIDES, WINDOW, Highlight, made_of
+from app.lecture.highlight import AXES, WINDOW, made_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.handles import Handle, nearest
 from app.scenes.phenomena.illustration import Illustration
@@ -129,7 +129,7 @@ class WorldDrawing(Drawing):
         ]
         self._goes_to: Framed | None = None
         """What is framed at the end of the way that the pane is on."""
-        self._show_named()
+        self._name()
         self._look_around()
         self.show_projection(scene.start)
         self.reset_view()
@@ -177,24 +177,11 @@ class WorldDrawing(Drawing):
 
     # -- pointing and names
 
-    def show_highlight(self, highlighted: Highlight) -> bool:
-        before, self.names.pointed = self.names.pointed, highlighted
-        of_scene = self.layers.show_highlight(highlighted)
-        is_new = self.state.emphasis.show(highlighted) or of_scene
-        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
-        if self.state.step is None:
-            drawn |= set(AXES)
-        wanted = drawn if self.names.wanted is None else self.names.wanted
-        if of_scene or (before ^ highlighted) & drawn - wanted:
-            self._show_named()
-            self._follow_pane(afresh=False)
-        return is_new
-
     def show_names(self, names: frozenset[str] | None) -> None:
         if names == self.names.wanted:
             return
         self.names.wanted = names
-        self._show_named()
+        self._name()
         self._look_around()
         if self.own.was_moved:
             self._follow_pane(afresh=True)
@@ -208,10 +195,14 @@ class WorldDrawing(Drawing):
         is_new, self.own.around = around != self.own.around, around
         return is_new
 
-    def _show_named(self) -> None:
+    def _name(self) -> None:
         """Draw what is named, and the other things quietly."""
         self._switch_layers()
         self.layers.show_names()
+
+    def _show_named(self) -> None:
+        self._name()
+        self._follow_pane(afresh=False)
 
     def show_step(self, step: int | None) -> None:
         state = self.state
@@ -252,7 +243,7 @@ class WorldDrawing(Drawing):
             self.handles.held = self.names.held = handle
             self.handles.follow()
             if not is_named or handle is None:
-                self._show_named()
+                self._name()
                 self.layers.place_labels()
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
@@ -321,7 +312,7 @@ class WorldDrawing(Drawing):
         if self.names.all:
             marked = self._marks.reach()
             return _points_to_frame(at, objects, with_camera, marked, size), NO_POINTS
-        core, beside = np.concatenate(self.layers.core()), np.concatenate(self.layers.beside())
+        core, beside = self.layers.core(), self.layers.beside()
         if state.scene.phenomenon is None or not len(core):
             return np.concatenate([core, objects]), beside
         extent, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))

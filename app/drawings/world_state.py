@@ -31,7 +31,6 @@ class CameraPose(NamedTuple):
     """How the model's camera stands in a scene; world units."""
 
     camera: Camera
-    origin: Array  # world point that scene-local coordinates are relative to
     eye: Array
     target: Array
     view_from_local: Array
@@ -119,7 +118,6 @@ class WorldState(PaneState):
         depths = (eye - self.everything) @ camera.frame[2]
         return CameraPose(
             camera,
-            self.origin,
             eye,
             target,
             *view_matrices(camera, self.origin),
