@@ -21,7 +21,7 @@ from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, pieces_of
 from app.drawings.off_screen import Pixels, pixels_of
-from app.drawings.one_pane import drawn_pane
+from app.drawings.one_pane import drawn_pane, illustration_of
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
@@ -166,10 +166,7 @@ def _measured(
     style: Style,
     bare: bool,
 ) -> ComposedPicture:
-    illustration = None
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked(of.settings)
-        illustration = scene.phenomenon.illustration(of.projection, settings, scene.subject)
+    illustration = illustration_of(scene, of.projection, of.settings)
     view = document.view
     with drawn_pane(
         pane, scene, of.projection, illustration, size_px, style=style,
@@ -227,7 +224,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
         return np.empty((0, 2))
     if not drawing.names.wanted & {"near", *WINDOW}:
         return np.empty((0, 2))
-    corners = drawing.frustum.corners[:4] + np.array(scene.origin)
+    corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)
     return spots[np.isfinite(spots).all(axis=1)]
 

@@ -26,12 +26,10 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from app.drawings.actors import PropGroup, ScreenCells
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
-from app.drawings.labels import LENGTH, written_distance
+from app.drawings.labels import LENGTH, ScreenLines, written_distance
 from app.drawings.layer import Layer
 from app.drawings.pane_view import Spot
-from app.drawings.style import rgb
 from app.model.projection import Array, Projection
 from app.scenes.phenomena.marks import Length
 from app.scenes.phenomena.readout import digits_apart
@@ -40,7 +38,6 @@ if TYPE_CHECKING:
     from app.drawings.world_state import WorldState
 
 _SEGMENTS = 64  # capacity
-_AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 2.2
 _ASIDE_EM = 1.2  # from the far plane to the line beside it
@@ -124,8 +121,8 @@ class Dimensions(Layer):
         canvas, scene = self._state.canvas, self._state.scene
         for name, colour in scene.inks.items():
             self._board.label((_KEY, name), colour=getattr(canvas.style, colour))
-        self._lines = _Segments(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
-        self._thin = _Segments(canvas, canvas.style.leader, canvas.style.line_width / 2.0)
+        self._lines = ScreenLines(canvas, canvas.style.ink, _SEGMENTS)
+        self._thin = ScreenLines(canvas, canvas.style.leader, _SEGMENTS)
         self._sentences = [canvas.label("", anchor=(-1, -1), plain=True) for _ in range(_LINES)]
         self._is_made = True
 
@@ -441,32 +438,3 @@ class Dimensions(Layer):
             return "no eye" if view == "eye" else "no angle"
         has_angle = half.angle_deg is not None or view not in ("side", "top")
         return "" if has_angle else "no half angle"
-
-
-class _Segments:
-    """Lines of one colour in the plane of the screen, drawn anew at each step."""
-
-    def __init__(self, canvas: PropGroup, colour: str, width: float) -> None:
-        self._cells, self._used = ScreenCells(_SEGMENTS, 2), 0
-        self._cells.px[..., :2] = _AWAY_PX
-        actor = self._cells.actor
-        actor.GetProperty().SetColor(*rgb(colour))
-        actor.GetProperty().SetLineWidth(width)
-        canvas.add(actor, layer="labels")
-
-    @property
-    def ends(self) -> Array:
-        """The lines' ends in pixels, (n, 2, 2)."""
-        return self._cells.px[: self._used, :, :2].astype(np.float64)
-
-    def begin(self) -> None:
-        self._cells.px[: self._used, :, :2] = _AWAY_PX
-        self._used = 0
-
-    def add(self, start: Way, end: Way) -> None:
-        if self._used < _SEGMENTS:
-            self._cells.px[self._used, :, :2] = start, end
-            self._used += 1
-
-    def end(self) -> None:
-        self._cells.changed()

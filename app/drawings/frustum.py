@@ -72,16 +72,11 @@ class FrustumDrawing(Layer):
         Edges of ``"near"`` and ``"far"``; `apex` are the lines from the eye to near.
     dimmable : tuple of vtkActor
         All but the planes' tints, which `tint` sets.
-    corners : (8, 3) array
-        As drawn, scene-local.
-    depths : DrawnDepths or None
-        None under a typed matrix, which may have no frustum at all (`seen`).
     """
 
     def __init__(self, state: WorldState) -> None:
         self._state, self._canvas = state, state.canvas
         style = state.style
-        self.depths: DrawnDepths | None = None
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
@@ -132,43 +127,39 @@ class FrustumDrawing(Layer):
             emphasis.label(state.board.label(letter, "", state.style.near), side)
 
     def show(self) -> None:
-        """Take over the model's volume."""
-        projection, standing = self._state.projection, self._state.standing
-        self.depths = self._depths_of(projection.lens, standing)
-        if self.depths is None:
-            self._show_whole(projection, standing)
+        state = self._state
+        depths = self._depths_of(state.projection.lens, state.standing)
+        if depths is None:
+            state.volume = self._show_whole(state.projection, state.standing)
         else:
-            self._show_broken(projection, standing, self.depths)
-        self._state.volume = DrawnVolume(self.corners, self.depths, self.seen)
+            state.volume = self._show_broken(state.projection, state.standing, depths)
 
-    def _show_whole(self, projection: Projection, standing: CameraPose) -> None:
+    def _show_whole(self, projection: Projection, standing: CameraPose) -> DrawnVolume:
         """Draw the cube under the inverse of a free matrix; nothing if it has none."""
-        self.seen = projection.frustum_sign != 0
+        exists, corners = projection.frustum_sign != 0, np.tile(standing.eye, (8, 1))
         for actor in (*self._volume, self._body):
-            self._canvas.set_visible(actor, self.seen)
+            self._canvas.set_visible(actor, exists)
         self._canvas.set_visible(self.apex, False)
         for name in self.breaks:
             self._break(name, None)
-        self.corners = np.tile(standing.eye, (8, 1))
-        if self.seen:
+        if exists:
             reversed_range = projection.with_depth("reversed")
             local_from_cube = reversed_range.world_from_clip_at(self._state.origin)
             frustum = normalised(projection.frustum_sign * local_from_cube)
-            self.corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
+            corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
             self.space.set(frustum)
             self._body_space.set(frustum)
+        return DrawnVolume(corners, None, exists)
 
     def _show_broken(
         self, projection: Projection, standing: CameraPose, reach: DrawnDepths
-    ) -> None:
+    ) -> DrawnVolume:
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
-        self.seen = True
         for actor in self._volume:
             self._canvas.set_visible(actor, True)
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
-        self.corners = applied(frustum, CUBE)
         self.space.set(frustum)
         start, end = reach.body
         self._canvas.set_visible(self._body, start < end)
@@ -186,6 +177,7 @@ class FrustumDrawing(Layer):
                 _, view_from_cube = matrices_between(projection, *reach.near_break)
                 base = normalised(local_from_view @ view_from_cube)
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
 
     def _break(self, name: str, ends: Array | None) -> None:
         """Break the edges before a plane between these corners, (8, 3); None for no break."""
@@ -239,7 +231,7 @@ class FrustumDrawing(Layer):
         state, pane = self._state, self._state.own.pane
         # From the eye the planes cover all of the picture, and one another.
         light = 0.0 if state.own.sees_from_eye else state.light
-        parts = pane.parts_covered(self.corners, _FADE_FROM)
+        parts = pane.parts_covered(state.volume.corners, _FADE_FROM)
         for (name, (tint, opacity)), part in zip(self.tints.items(), parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
             quiet = 1.0 - QUIET if name in self._quiet else 1.0
@@ -277,7 +269,7 @@ class FrustumDrawing(Layer):
     def want(self, ground: Ground) -> None:
         """Ask for places of the window's sides, and of the planes with their distances."""
         state, planes = self._state, self._state.projection.lens.planes
-        if self.seen and planes is not None:
+        if state.volume.exists and planes is not None:
             self._want_sides()
         corners = state.corners_seen
         if corners is None:
@@ -299,7 +291,7 @@ class FrustumDrawing(Layer):
 
     def _want_sides(self) -> None:
         """Ask for a place beside each side of the window, outside it or inside."""
-        state, board, near = self._state, self._state.board, self.corners[:4]
+        state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
         window, without = state.projection.window, state.unseen | state.written
         if state.names.all:
             without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
@@ -343,7 +335,9 @@ class FrustumDrawing(Layer):
 
     def targets(self) -> Targets:
         state = self._state
-        *corners, eye = state.own.pane.pointed(np.vstack([self.corners, state.standing.eye]))
+        *corners, eye = state.own.pane.pointed(
+            np.vstack([state.volume.corners, state.standing.eye])
+        )
         points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
         segments = volume_edges(corners)
         if state.projection.lens.central:
@@ -352,10 +346,10 @@ class FrustumDrawing(Layer):
         return Targets(points, segments, () if state.own.fixed else corners)
 
     def reach(self) -> Array:
-        return self.corners
+        return self._state.volume.corners
 
     def core(self) -> list[Array]:
-        state, corners, fixed = self._state, self.corners, self._state.own.fixed
+        state, corners, fixed = self._state, self._state.volume.corners, self._state.own.fixed
         if not self._has_planes:
             return []
         named = [
@@ -374,11 +368,12 @@ class FrustumDrawing(Layer):
     def beside(self) -> list[Array]:
         """Far is seldom whole in a free view: it would make the rest small."""
         is_beside = self._has_planes and not self._state.own.fixed
-        return [self.corners[4:]] if is_beside and self._state.names.wants("far") else []
+        is_beside = is_beside and self._state.names.wants("far")
+        return [self._state.volume.corners[4:]] if is_beside else []
 
     @property
     def _has_planes(self) -> bool:
-        has_planes = self.seen and self._state.projection.lens.planes is not None
+        has_planes = self._state.volume.exists and self._state.projection.lens.planes is not None
         return has_planes and "frustum" not in self._state.hidden
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings import AXES
-from app.drawings.actors import PropGroup, identity_camera, lifted
+from app.drawings.actors import PropGroup, identity_camera
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.label_placement import Ground
@@ -82,10 +82,7 @@ class SceneInPicture(Layer):
 
     def show(self) -> None:
         state, seen = self._state, self._state.seen_projection
-        surface, *lines = self.model.show_projection(seen)
-        matrices = surface, *(lifted(matrix, seen, state.scene) for matrix in lines)
-        for space, matrix in zip(self.model.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
+        self.model.show_picture(seen)
         # Until there are marks, copies of a phenomenon's faces are still to come.
         if state.scene.phenomenon is None or not self._marks.is_empty:
             self._rasterise(seen)

@@ -30,6 +30,7 @@ from app.drawings.label_placement import (
 from app.drawings.pane_view import Spot
 from app.drawings.style import rgb
 from app.model.formula import ARROW
+from app.model.projection import Array
 from app.scenes.phenomena.readout import FEW
 
 # Which label has a place first.
@@ -40,6 +41,7 @@ DOT_EM = 0.4
 """Half the width of what labels keep off at a point."""
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
+_AWAY_PX = -1e4
 _MOST_INSIDE = 6  # places on a plane that are tried
 
 
@@ -55,7 +57,7 @@ class Board:
     def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
         self._canvas, self.renderer = canvas, renderer or canvas.renderer
         self.em = canvas.style.font_size
-        self._labels: dict[Hashable, tuple[SceneLabel, Leader]] = {}
+        self._labels: dict[Hashable, tuple[SceneLabel, ScreenLines]] = {}
         self._wishes: list[Wish] = []
         self._kept: dict[Hashable, KeptSpot] = {}
         self.is_patient = False
@@ -92,7 +94,7 @@ class Board:
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
-            leader = Leader(self._canvas, self.renderer)
+            leader = ScreenLines(self._canvas, self._canvas.style.leader, 1, self.renderer)
             label = self._canvas.label(text, self.renderer, colour=colour)
             label.set_visible(False)
             self._labels[key] = label, leader
@@ -188,11 +190,12 @@ class Board:
         for key, (label, leader) in self._labels.items():
             found = placed.get(key)
             label.set_visible(found is not None)
-            leader.set_visible(found is not None and found.leader is not None)
             if found is not None:
                 label.set_position(*found.centre, found.turn)
-                if found.leader is not None:
-                    leader.join(*found.leader)
+            leader.begin()
+            if found is not None and found.leader is not None:
+                leader.add(*found.leader)
+            leader.end()
 
     # -- in time
 
@@ -276,24 +279,36 @@ def want_plane(
     board.want(key, spots, places, PLANE)
 
 
-class Leader:
-    """A thin grey line in the plane of the screen, from a label to its point; hidden at first."""
+class ScreenLines:
+    """Thin lines of one colour in the plane of the screen, drawn anew by ``begin, add..., end``."""
 
-    def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
-        self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
-        self.actor = self._line.actor
-        self.actor.GetProperty().SetColor(*rgb(canvas.style.leader))
+    def __init__(self, canvas: PropGroup, colour: str, most: int, renderer: Any = None) -> None:
+        self._canvas, self._cells, self._used = weakref.proxy(canvas), ScreenCells(most, 2), 0
+        self._cells.px[..., :2] = _AWAY_PX
+        self.actor = self._cells.actor
+        self.actor.GetProperty().SetColor(*rgb(colour))
         self.actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(self.actor, renderer=renderer, layer="labels")
-        self.set_visible(False)
+        self.end()
 
-    def set_visible(self, visible: bool) -> None:
-        self._canvas.set_visible(self.actor, visible)
+    @property
+    def ends(self) -> Array:
+        """The lines' ends in pixels, (n, 2, 2)."""
+        return self._cells.px[: self._used, :, :2].astype(np.float64)
 
-    def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
-        """Draw it between two pixels, counted from the left and from the bottom."""
-        self._line.px[0, :, :2] = start_px, end_px
-        self._line.changed()
+    def begin(self) -> None:
+        self._cells.px[: self._used, :, :2] = _AWAY_PX
+        self._used = 0
+
+    def add(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
+        """Draw a line between two pixels, counted from the left and from the bottom."""
+        if self._used < len(self._cells.px):
+            self._cells.px[self._used, :, :2] = start_px, end_px
+            self._used += 1
+
+    def end(self) -> None:
+        self._cells.changed()
+        self._canvas.set_visible(self.actor, self._used > 0)
 
 
 def vector(word: str) -> str:

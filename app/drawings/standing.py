@@ -12,9 +12,9 @@ from typing import Any
 from app.document.document import Document
 from app.drawings.drawing import Drawing
 from app.drawings.figures import render
+from app.drawings.one_pane import illustration_of
 from app.drawings.world import WorldDrawing
-from app.model.projection import Camera, Projection
-from app.scenes.phenomena.illustration import Illustration
+from app.model.projection import Camera
 from app.scenes.scene import Scene
 
 _MOST_MOMENTS = 9
@@ -30,7 +30,8 @@ def standing(
     found: list[list[Camera]] = []
     last = len(states) - 1
     chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
-    moments = [_moment(scene, states[place]) for place in chosen]
+    shown = [states[place] for place in chosen]
+    moments = [(of.projection, illustration_of(scene, of.projection, of.settings)) for of in shown]
 
     def seen(drawing: Drawing, _factor: int) -> None:
         if isinstance(drawing, WorldDrawing):
@@ -43,12 +44,3 @@ def standing(
     )  # fmt: skip
     # Compared pictures have a world each.
     return max(found, key=lambda views: views[0].distance)
-
-
-def _moment(scene: Scene, state: Document) -> tuple[Projection, Illustration | None]:
-    if scene.phenomenon is None:
-        return state.projection, None
-    settings = scene.phenomenon.checked(state.settings)
-    return state.projection, scene.phenomenon.illustration(
-        state.projection, settings, scene.subject
-    )

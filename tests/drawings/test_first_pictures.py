@@ -203,7 +203,7 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     scene = load("letter-f")
     drawing = opened(off_screen(*LARGE), "letter-f")
     drawing.show_projection(replace(scene.start, lens=scene.start.lens.but(far=far)))
-    reach = drawing.frustum.depths
+    reach = drawing.state.volume.depths
     corner = np.array((-1.5, 0.0, -0.5)) - scene.start.camera.eye
     assert reach.high == pytest.approx(1.5 * float(-corner @ scene.start.camera.frame[2]))
     assert (reach.far_break is not None) == is_broken

@@ -275,7 +275,7 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_cover_nothing(
     screen.pixels()
     boxes = boxes_of(screen)
     assert DIMENSIONS[view] <= boxes.keys() or not has_all
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     assert (spots >= 0.0).all() and (spots <= size_px).all()
     assert overlapping(boxes) == []
     for left, bottom, right, top in boxes.values():
@@ -330,7 +330,7 @@ def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: Make
     drawing.reset_clipping_range()
     screen.pixels()
     assert drawing.fixed == "side"
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     assert (spots[4:, 0] > SIZE_PX[0]).all() and (spots[:4, 0] < SIZE_PX[0]).all()
     written = texts_of(screen).keys()
     assert "near n = 4" in written and "f tan(fov/2)" not in written
@@ -375,7 +375,7 @@ def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
         drawing.show_fixed("")
         drawing.show_fixed(view)
         screen.pixels()
-        window = np.array(drawing.frustum.corners)
+        window = np.array(drawing.state.volume.corners)
         spots = pixel_of(drawing, window)
         for face in (spots[:4], spots[4:]):
             x, low, high = face[:, 0].mean(), face[:, 1].min(), face[:, 1].max()
@@ -407,7 +407,7 @@ def test_along_the_axis_no_measure_is_written_over_the_picture(
     drawing = made(screen, start, name)
     drawing.show_fixed("axis")
     screen.pixels()
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     (near_left, near_top), (near_right, near_bottom) = spots[:4].min(axis=0), spots[:4].max(axis=0)
     (far_left, far_top), (far_right, far_bottom) = spots[4:].min(axis=0), spots[4:].max(axis=0)
     for text, (left, bottom, right, top) in boxes_of(screen).items():
@@ -707,7 +707,7 @@ def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScr
     screen.pixels()
     boxes = boxes_of(screen)
     assert {"l = −1", "r = 3", "−1", "1", "−0.5"} <= boxes.keys()
-    window = pixel_of(drawing, drawing.frustum.corners[:4])[:, 0]
+    window = pixel_of(drawing, drawing.state.volume.corners[:4])[:, 0]
     left, right = float(window.min()), float(window.max())
     middle = {text: (box[0] + box[2]) / 2.0 for text, box in boxes.items()}
     assert middle["l = −1"] <= left < middle["−0.5"] < right <= middle["r = 3"]

@@ -269,7 +269,9 @@ def test_the_world_knows_what_is_under_the_mouse(
     assert at(camera.target) == {"target"}
     assert at(corners[0]) == {"near_left_bottom"} or at(corners[3]) == {"near_left_top"}
     assert at((corners[0] + corners[3]) / 2.0) == {"near"}
-    far = drawing.frustum.corners[4:] + load("letter-f").origin  # where the break lets it be drawn
+    far = (
+        drawing.state.volume.corners[4:] + load("letter-f").origin
+    )  # where the break lets it be drawn
     assert at(far[1]) == {"far_right_bottom"}
     assert at((far[2] + far[3]) / 2.0) == {"far"}
     assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
