@@ -151,10 +151,10 @@ def project(
         finite = flat[flat[:, 3] != 0.0, :3] if has_w else flat
         precision = precision_for_reading(predict(projection, finite, space=space))
     if has_w:
-        found = trace_homogeneous(projection, flat, precision, space)
+        followed = trace_homogeneous(projection, flat, precision, space)
     else:
-        found = trace(projection, flat, precision, space=space)
-    return Trace._make(part.reshape(given.shape[:-1] + part.shape[1:]) for part in found)
+        followed = trace(projection, flat, precision, space=space)
+    return Trace._make(part.reshape(given.shape[:-1] + part.shape[1:]) for part in followed)
 
 
 def matrices(of: Source) -> dict[str, Array]:
@@ -293,9 +293,9 @@ class Figure:
         from app.drawings.svg import svg
 
         scene = self._scene()
-        size, found = shapes(scene, self.document.projection, hidden=self.hidden, **self._options)
+        size, drawn = shapes(scene, self.document.projection, hidden=self.hidden, **self._options)
         about = self._about(scene)
-        return svg(found, size, about.title, about.text).decode()
+        return svg(drawn, size, about.title, about.text).decode()
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""

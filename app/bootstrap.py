@@ -295,13 +295,13 @@ class Requirement:
         from importlib import metadata
 
         try:
-            found = metadata.distribution(self.name)
+            installed = metadata.distribution(self.name)
         except metadata.PackageNotFoundError:
             return False
-        if not self.admits(found.version) or not self.is_importable():
+        if not self.admits(installed.version) or not self.is_importable():
             return False
         # Another folder, which a .pth file puts first for example, may hide it.
-        own = os.path.realpath(str(found.locate_file(self.import_name))) + os.sep
+        own = os.path.realpath(str(installed.locate_file(self.import_name))) + os.sep
         spec = importlib.util.find_spec(self.import_name)
         assert spec is not None and spec.origin is not None
         return not os.path.exists(own) or os.path.realpath(spec.origin).startswith(own)
@@ -318,8 +318,8 @@ def _release(version: str) -> tuple[int, ...]:
 
 def _bounds(text: str) -> Bounds:
     """Return the bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
-    found = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
-    return tuple((sign, _release(version)) for sign, version in found)
+    pairs = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
+    return tuple((sign, _release(version)) for sign, version in pairs)
 
 
 def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
@@ -332,14 +332,14 @@ def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
     texts = list(project["dependencies"])
     for extra in extras:
         texts += project["optional-dependencies"][extra]
-    here, found = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
+    here, needed = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
     for text in texts:
         asked, _, marker = text.partition(";")
         if _within(here, _bounds(marker)):
             name = re.match(r"[\w.-]+", asked)
             assert name is not None
-            found.append(Requirement(text, name[0], _bounds(asked)))
-    return found
+            needed.append(Requirement(text, name[0], _bounds(asked)))
+    return needed
 
 
 def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
@@ -627,8 +627,8 @@ def _shows(output: Iterable[str], pattern: str) -> bool:
 
 
 def _last_line(lines: Iterable[str], start: str = "") -> str:
-    found = [line.strip() for line in lines if line.strip().startswith(start)]
-    return found[-1].removeprefix(start).strip().rstrip(".") if found else ""
+    last = [line.strip() for line in lines if line.strip().startswith(start)]
+    return last[-1].removeprefix(start).strip().rstrip(".") if last else ""
 
 
 # --- one set-up at a time -------------------------------------------------------------------------

@@ -9,19 +9,15 @@ from __future__ import annotations
 import argparse
 import collections
 import contextlib
-import gc
 import itertools
 import json
 import math
 import os
-import random
 import statistics
 import subprocess
 import sys
 import time
-import weakref
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -547,37 +543,6 @@ def count_repaints(window: Any) -> dict[str, int]:
     return counts
 
 
-def repaints(scale: float) -> dict[str, Any]:
-    """Repaints per change, of visible and hidden panes, and when idle."""
-    from app.model.projection import Perspective
-
-    window = open_window()
-    app = application()
-    counts = count_repaints(window)
-    figures: dict[str, Any] = {}
-
-    def changed(first: float) -> list[int]:
-        counts.update(dict.fromkeys(counts, 0))
-        for step in range(50):
-            old = window.store.document.projection
-            lens = Perspective(first + step, 1.0, 30.0)
-            window.store.set_projection(replace(old, lens=lens))
-            settle(app)
-        return list(counts.values())
-
-    figures["50 changes, repaints of the visible panes"] = changed(46.0)
-    window.slots.bring("world")
-    settle(app)
-    figures["50 changes, repaints with NDC and image hidden"] = changed(100.0)
-    window.slots.bring("world")
-    settle(app)
-    counts.update(dict.fromkeys(counts, 0))
-    rest(5.0)
-    figures["5 s of idling, repaints"] = list(counts.values())
-    close_window(window)
-    return figures
-
-
 def first_frame(scale: float) -> dict[str, Any]:
     """From a start to the picture on the screen, against a window with three interactors.
 
@@ -747,77 +712,6 @@ sys.stdout.write("".join(out))
 # --------------------------------------------------------------------------- memory
 
 
-def resident() -> int:
-    import psutil
-
-    return int(psutil.Process().memory_info().rss)
-
-
-def open_and_close(scale: float) -> dict[str, Any]:
-    """Twenty windows opened and closed in one process."""
-    references: list[weakref.ref[Any]] = []
-    sizes = []
-    for _ in range(20):
-        window = open_window()
-        references.extend(weakref.ref(pane.canvas) for pane in window.panes.values())
-        close_window(window)
-        del window
-        gc.collect()
-        sizes.append(resident())
-    return {
-        "20 open-and-close cycles, surviving interactors": sum(
-            reference() is not None for reference in references
-        ),
-        "growth over the last 18 cycles (MB)": round((sizes[-1] - sizes[1]) / 1e6, 1),
-    }
-
-
-def random_changes(scale: float) -> dict[str, Any]:
-    """Random slider changes, drawn; memory after the first fifth and at the end."""
-    from app.model.refusal import Refusal
-
-    window = open_window()
-    app = application()
-    # One play of the animation, as far as the history is concerned.
-    window.store.begin_gesture()
-    rng = random.Random(1)
-    rows = [row for row in window.controls.rows.values() if hasattr(row, "slider")]
-    total = max(500, round(5000 * scale))
-    start = 0
-    for change in range(total):
-        if change == total // 5:
-            gc.collect()
-            start = resident()
-        slider = rng.choice([row for row in rows if row.isVisible()]).slider
-        try:
-            slider.setValue(rng.randint(slider.minimum(), slider.maximum()))
-        except Refusal as error:
-            raise AssertionError("a slider let an error through") from error
-        app.processEvents()
-        app.sendPostedEvents(None, 52)  # what the real event loop deletes as it goes
-    gc.collect()
-    growth = resident() - start
-    window.store.end_gesture()
-    close_window(window)
-    return {
-        f"{total} random slider changes, growth over the last {total - total // 5} (MB)": round(
-            growth / 1e6, 1
-        )
-    }
-
-
-def imports(scale: float) -> dict[str, Any]:
-    """What importing the projection core brings along."""
-    code = "import sys, app.model.projection; print(*sys.modules)"
-    run = subprocess.run(
-        [sys.executable, "-c", code], cwd=bootstrap.ROOT, capture_output=True, text=True, check=True
-    )
-    heavy = {name.split(".")[0] for name in run.stdout.split()} & {
-        "PySide6", "vtk", "vtkmodules", "pyvista", "pyvistaqt", "matplotlib", "mpmath",
-    }  # fmt: skip
-    return {"app.model.projection imports of Qt, VTK and the like": sorted(heavy)}
-
-
 # --------------------------------------------------------------------------- projecting points
 
 SIZES = (8, 1000, 1_000_000)
@@ -832,7 +726,7 @@ def points(scale: float) -> dict[str, Any]:
     """
     import numpy as np
 
-    from app.measure.arithmetic import peers, ways
+    from app.measure.arithmetic import peers, timed_projections
     from app.model.projection import Projection
 
     projection = Projection()
@@ -840,7 +734,7 @@ def points(scale: float) -> dict[str, Any]:
     for size in SIZES:
         world = np.random.default_rng(1).uniform(-2.0, 2.0, (size, 3))
         every, missing = peers(projection, world)
-        every |= ways(projection, world, (0.0, 0.0, 0.0))
+        every |= timed_projections(projection, world, (0.0, 0.0, 0.0))
         ours = every.pop("float64, every stage")
         every.pop("exact")
         expected = np.asarray(ours.rows(ours.run()))
@@ -1006,12 +900,8 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "talks": talks,
     "adaptive": adaptive,
     "measuring": measuring,
-    "repaints": repaints,
     "first-frame": first_frame,
     "project": project_points,
-    "cycles": open_and_close,
-    "changes": random_changes,
-    "imports": imports,
     "points": points,
 }
 

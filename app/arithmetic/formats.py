@@ -64,16 +64,16 @@ class Format:
         given = np.asarray(values, dtype=np.float64)
         with np.errstate(all="ignore"):
             if self.digits is None:
-                found = np.rint(given / self.step) * self.step
+                nearest = np.rint(given / self.step) * self.step
             elif self.name in _NATIVE:
-                found = given.astype(_NATIVE[self.name]).astype(np.float64, copy=False)
+                nearest = given.astype(_NATIVE[self.name]).astype(np.float64, copy=False)
             else:
-                found = _with_digits(given, self.digits)
+                nearest = _with_digits(given, self.digits)
                 tiny = np.abs(given) < self.step * 2.0 ** (self.digits - 1)
                 if tiny.any():  # subnormal numbers are fixed point
-                    found = np.where(tiny, np.rint(given / self.step) * self.step, found)
-            good = np.abs(found) <= self.largest
-        return found if good.all() else np.where(good, found, np.nan)
+                    nearest = np.where(tiny, np.rint(given / self.step) * self.step, nearest)
+            good = np.abs(nearest) <= self.largest
+        return nearest if good.all() else np.where(good, nearest, np.nan)
 
     def lost(self, sizes: ArrayLike) -> Array:
         """Bounds of the rounding errors of numbers of these sizes."""
@@ -89,8 +89,8 @@ def _with_digits(values: Array, digits: int) -> Array:
     odd = (bits >> cut) & one
     bits = bits + ((one << (cut - one)) - one + odd)
     bits &= ~((one << cut) - one)
-    found: Array = bits.view(np.float64)
-    return found
+    rounded: Array = bits.view(np.float64)
+    return rounded
 
 
 class Grid(NamedTuple):
@@ -194,11 +194,11 @@ def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Arr
     part = np.where(known, fraction * 2.0 ** (_INDEX_BITS + 1) - 2.0**_INDEX_BITS, 0.0)
     guess = np.ldexp(TABLE[part.astype(np.intp)], 1 - exponent)
     unit, half = numbers.unit, numbers.step / 2.0
-    found = numbers.rounded(np.where(known, guess, np.nan))
+    inverse = numbers.rounded(np.where(known, guess, np.nan))
     error: Array = (1.0 + TABLE_ERROR) * (1.0 + unit) - 1.0 + divisors * half
     for _ in range(steps):
-        product = numbers.rounded(divisors * found)
-        found = numbers.rounded(found * numbers.rounded(2.0 - product))
+        product = numbers.rounded(divisors * inverse)
+        inverse = numbers.rounded(inverse * numbers.rounded(2.0 - product))
         left = error**2 + (1.0 + error) * ((1.0 + error) * unit + half)
         error = (1.0 + left) * (1.0 + unit) ** 2 - 1.0 + divisors * half
-    return found, error
+    return inverse, error

@@ -81,8 +81,8 @@ class Quotients:
 
     def floats(self) -> Array:
         """The nearest float64, (n,): infinite beyond the largest one."""
-        found: Array = _nearest(self.above, self.below).astype(np.float64)
-        return found
+        nearest: Array = _nearest(self.above, self.below).astype(np.float64)
+        return nearest
 
 
 def _parts(number: Any) -> tuple[Any, Any]:

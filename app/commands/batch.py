@@ -66,11 +66,11 @@ class ListedFigure(NamedTuple):
     wrong: str = ""
 
 
-def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Draw) -> int:
+def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: Draw) -> int:
     """Draw the figures of a list into a folder; return 2 if one of them cannot be drawn."""
     if others:
         raise CliError("--batch: takes one name, the folder of the figures.")
-    lines = list(_lines(found))
+    lines = list(_lines(options))
     _make(folder)
     parser, entries, taken = parser_of("export"), list[tuple[str, str, str]](), dict[str, str]()
     for number, line in enumerate(lines, 1):
@@ -79,8 +79,8 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
             if line.wrong:
                 raise CliError(line.wrong)
             target = _target(folder, line.cells["out"], line.where, taken)
-            asked, file = _asked(parser, found, line)
-            if found.resume and _is_new(target, *line.sources, file):
+            asked, file = _asked(parser, options, line)
+            if options.resume and _is_new(target, *line.sources, file):
                 said = " is there already"
             elif warning := draw(asked, target, file):
                 complain(f"{line.where}: {warning}", 0)
@@ -93,15 +93,15 @@ def run(found: argparse.Namespace, folder: str, others: Sequence[str], draw: Dra
         entries.append((out, wrong, about))
         write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
     page = os.path.join(folder, INDEX)
-    write_bytes_atomically(page, _page(os.path.basename(full_path(found.batch)), entries))
+    write_bytes_atomically(page, _page(os.path.basename(full_path(options.batch)), entries))
     return BAD_INPUT if any(wrong for _, wrong, _ in entries) else 0
 
 
 # --------------------------------------------------------------------------- reading
 
 
-def _lines(found: argparse.Namespace) -> Iterator[ListedFigure]:
-    source, ending = found.batch, found.format or "png"
+def _lines(options: argparse.Namespace) -> Iterator[ListedFigure]:
+    source, ending = options.batch, options.format or "png"
     if os.path.isdir(source):
         with blamed_on(source, UNREADABLE):
             paths = [os.path.join(source, name) for name in sorted(os.listdir(source))]
@@ -118,7 +118,7 @@ def _lines(found: argparse.Namespace) -> Iterator[ListedFigure]:
     if is_lesson(lesson := lesson_file(source)):
         yield from _of_steps(lesson, ListedFigure(lesson, {"file": lesson}, (lesson,)), ending)
         return
-    if found.format:
+    if options.format:
         raise CliError("--format: is for a folder or a lesson; in a list the endings decide.")
     for line in _of_list(source):
         if file := line.cells.get("file"):
@@ -150,10 +150,10 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     try:
         course = course_of(lesson)
         names = [step.name for step in course.lesson.steps]
-        outs = sweep.names(out, len(names) + 1)[1:]
+        targets = sweep.names(out, len(names) + 1)[1:]
         if ending:
-            outs = [f"{stem}-{place:02}-{name}.{ending}" for place, name in enumerate(names, 1)]
-        elif not outs:
+            targets = [f"{stem}-{place:02}-{name}.{ending}" for place, name in enumerate(names, 1)]
+        elif not targets:
             raise CliError(
                 f"file = {os.path.basename(lesson)!r}: is a lesson; name its step in a column step,"
                 f" or write a number such as %02d in out = {out!r}."
@@ -163,7 +163,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
         return
     folder = str(course.folder)
     files = tuple(os.path.join(folder, name) for name in course.files)
-    for place, out in enumerate(outs, 1):
+    for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
         where = f"{line.where}, step {place}"
         yield ListedFigure(where, cells, (*line.sources, *files))
@@ -221,7 +221,7 @@ def _options(parser: Parser) -> dict[str, argparse.Action]:
 
 
 def _asked(
-    parser: Parser, found: argparse.Namespace, line: ListedFigure
+    parser: Parser, common: argparse.Namespace, line: ListedFigure
 ) -> tuple[argparse.Namespace, str | None]:
     """Return the options and the FILE of a line; those of the command line where it has none."""
     options, words, given = _options(parser), list[str](), dict[str, bool]()
@@ -243,7 +243,7 @@ def _asked(
         else:
             raise CliError(f"{column} = {cell!r}: must be yes or no.")
     asked, _ = parser.read([*words, "--", "out"])
-    for name, value in vars(found).items():
+    for name, value in vars(common).items():
         if name == "set":
             asked.set = [*value, *asked.set]
         elif name not in given:

@@ -55,39 +55,41 @@ def _run(arguments: Sequence[str]) -> int:
 
 
 def _window(arguments: Sequence[str]) -> int:
-    found, words = parser_of("").read(arguments)
-    if found.screenshot is not None:
-        _check_png("--screenshot", found.screenshot)
-    for name, side in zip(("width", "height"), found.size or (), strict=False):
+    options, words = parser_of("").read(arguments)
+    if options.screenshot is not None:
+        _check_png("--screenshot", options.screenshot)
+    for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
-    if lesson and found.set:
-        raise CliError(f"--set {found.set[0]}: {file} is a lesson, whose steps set what is shown.")
-    saved = document_before(file, found.set)
-    document = with_values(saved, found.set)
+    if lesson and options.set:
+        raise CliError(
+            f"--set {options.set[0]}: {file} is a lesson, whose steps set what is shown."
+        )
+    saved = document_before(file, options.set)
+    document = with_values(saved, options.set)
     from_file = is_mesh(document.scene) or document.mesh
     scene = load_scene(document.scene, document.mesh, file) if from_file else None
     with importing():
         from widgets.program import application
         from widgets.program.opengl import DisplayError
         from widgets.window.settings import delete_settings
-    if found.reset:
+    if options.reset:
         try:
             write_out([f"{delete_settings()}\n"])
         except OSError as error:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
-    screenshot = None if found.screenshot is None else Path(found.screenshot)
-    is_bare = not words and not found.set
-    options = application.Options(
-        found.theme, found.size, screenshot, found.canvas, start_card=is_bare
+    screenshot = None if options.screenshot is None else Path(options.screenshot)
+    is_bare = not words and not options.set
+    window_options = application.Options(
+        options.theme, options.size, screenshot, options.canvas, start_card=is_bare
     )
     try:
         if lesson:
-            return application.run_window(document, saved, None, options, scene, lesson=path)
-        return application.run_window(document, saved, path, options, scene)
+            return application.run_window(document, saved, None, window_options, scene, lesson=path)
+        return application.run_window(document, saved, path, window_options, scene)
     except DisplayError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
 

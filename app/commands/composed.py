@@ -53,7 +53,7 @@ class Composed:
         line = step.state.line if step.state is not None else step.line
         where = f"{lesson.path}: line {line}, step {place + 1} ({step.name})"
         self.steps += 1
-        found = dict[str, None]()
+        faults = dict[str, None]()
         kinds = set[str]()
         for document in documents:
             seen, screen_px = panes_of(document, lesson.is_talk), None
@@ -62,13 +62,13 @@ class Composed:
                 em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
             missing = self._missing(document, list(seen) if lesson.is_talk else list(PANES))
             for name in missing:
-                found[f"{where}: view.names has {name}, which no pane draws here."] = None
+                faults[f"{where}: view.names has {name}, which no pane draws here."] = None
             for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):
                     for kind, fault in faults_in(picture, screen_px):
-                        found[f"{where}, {picture.pane}: {fault}"] = None
+                        faults[f"{where}, {picture.pane}: {fault}"] = None
                         kinds.add(kind)
-        self.wrong += found
+        self.wrong += faults
         self.overlaps += "overlap" in kinds
         self.crowded += "crowded" in kinds
         self.empty += "empty" in kinds

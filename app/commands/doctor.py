@@ -157,11 +157,11 @@ def _display() -> Iterator[Finding]:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
         text = f"{answer['version']}, {answer['renderer']} ({how})"
         yield Finding("OpenGL", text)
-    ways = {
+    painting = {
         "opengl": "drawn in the window by OpenGL",
         "raster": "drawn off-screen and painted as pixels",
     }
-    yield Finding("Panes", f"{ways[answer['canvas']]} (--canvas {answer['canvas']})")
+    yield Finding("Panes", f"{painting[answer['canvas']]} (--canvas {answer['canvas']})")
 
 
 def _off_screen() -> Finding:

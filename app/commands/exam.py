@@ -16,7 +16,7 @@ from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of
 from app.lessons.lesson import read
-from app.lessons.practice import Found, exercises_of
+from app.lessons.practice import PlacedExercise, exercises_of
 
 if TYPE_CHECKING:
     from widgets.program.exam import Numbered
@@ -29,29 +29,29 @@ class Posed(NamedTuple):
     """An exercise of a test, and the title of its lesson."""
 
     title: str
-    found: Found
+    placed: PlacedExercise
 
 
-def print_tests(found: argparse.Namespace) -> int:
+def print_tests(options: argparse.Namespace) -> int:
     """Write the tests of ``lesson print``, and the key if it is asked for."""
     for option in ("topics", "seeds", "out"):
-        if not getattr(found, option):
+        if not getattr(options, option):
             raise CliError(f"lesson print needs --{option}.")
-    topics = _topics(found.topics)
-    seeds, digits = _seeds(found.seeds)
+    topics = _topics(options.topics)
+    seeds, digits = _seeds(options.seeds)
     posed, left_out = list[Posed](), list[str]()
     for topic, path in topics.items():
         exercises = list(_exercises(topic, path))
-        on_paper = [each for each in exercises if each.found.exercise.is_on_paper]
+        on_paper = [each for each in exercises if each.placed.exercise.is_on_paper]
         if not on_paper:
             raise CliError(f"--topics = {topic!r}: has no exercise that can be solved on paper.")
         posed += on_paper
-        left_out += (f"{topic}, {e.found.here.step.title}" for e in exercises if e not in on_paper)
+        left_out += (f"{topic}, {e.placed.here.step.title}" for e in exercises if e not in on_paper)
     name = "-".join(topics)
-    folder = _folder(found.out)
-    outs = [os.path.join(folder, f"test-{name}-{seed:0{digits}}.pdf") for seed in seeds]
+    folder = _folder(options.out)
+    files = [os.path.join(folder, f"test-{name}-{seed:0{digits}}.pdf") for seed in seeds]
     answers = os.path.join(folder, f"key-{name}.pdf")
-    for out in (*outs, *[answers] * found.key):
+    for out in (*files, *[answers] * options.key):
         check_out("--out", out)
     note = f"Left out, because it is done in the window: {'; '.join(left_out)}." if left_out else ""
     if note:
@@ -62,18 +62,18 @@ def print_tests(found: argparse.Namespace) -> int:
     title = ", ".join(topics)
     variants: list[tuple[int, Sequence[Numbered]]] = []
     with _cancel() as check:
-        for number, (seed, out) in enumerate(zip(seeds, outs, strict=True), 1):
+        for number, (seed, out) in enumerate(zip(seeds, files, strict=True), 1):
             numbered = with_numbers(posed, seed)
-            _write(out, exam(title, seed, numbered, check), f"{number} of {len(outs)}")
+            _write(out, exam(title, seed, numbered, check), f"{number} of {len(files)}")
             variants.append((seed, numbered))
-        if found.key:
+        if options.key:
             _write(answers, key(title, variants, note, check), "key")
     return 0
 
 
 def _topics(text: str) -> dict[str, os.PathLike[str]]:
     """Return the lessons of a test by their topics, or by their files' names."""
-    found = dict[str, os.PathLike[str]]()
+    paths = dict[str, os.PathLike[str]]()
     for word in (word.strip() for word in text.split(",")):
         path = file_of(word)
         if not os.path.isfile(path):
@@ -86,10 +86,10 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
                 "separated by commas."
             )
         name = word.upper() if re.fullmatch(r"[Ll]\d+", word) else path.stem
-        if name in found:
+        if name in paths:
             raise CliError(f"--topics = {text!r}: names {name} twice.")
-        found[name] = path
-    return found
+        paths[name] = path
+    return paths
 
 
 def _seeds(text: str) -> tuple[range, int]:
@@ -120,8 +120,8 @@ def _folder(out: str) -> str:
 
 def _exercises(topic: str, path: os.PathLike[str]) -> Iterator[Posed]:
     course = Course(read(path))
-    for found in exercises_of(course):
-        yield Posed(f"{topic}: {course.lesson.title}", found)
+    for placed in exercises_of(course):
+        yield Posed(f"{topic}: {course.lesson.title}", placed)
 
 
 def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
@@ -131,12 +131,12 @@ def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
     return [
         Numbered(
             title,
-            [part.text for part in found.words],
-            found.exercise.variant(found.here, seed),
-            found.exercise.hides,
-            found.here.document if "scale" in found.exercise.hides else None,
+            [part.text for part in placed.words],
+            placed.exercise.variant(placed.here, seed),
+            placed.exercise.hides,
+            placed.here.document if "scale" in placed.exercise.hides else None,
         )
-        for title, found in posed
+        for title, placed in posed
     ]
 
 

@@ -47,62 +47,62 @@ _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
-    found, (out, *files) = parser_of("export").read(arguments)
-    motions = sweep.motions(found)
-    if motions and (len(motions) > 1 or found.batch is not None):
+    options, (out, *files) = parser_of("export").read(arguments)
+    motions = sweep.motions(options)
+    if motions and (len(motions) > 1 or options.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
-    if found.batch is not None:
-        if found.step is not None:
+    if options.batch is not None:
+        if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
-        return batch.run(found, out, files, _draw)
+        return batch.run(options, out, files, _draw)
     moving = "--sweep, --orbit, --stages or --transition"
-    for options, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
-        for option in options:
-            if sweep.is_given(found, option):
+    for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
+        for option in names:
+            if sweep.is_given(options, option):
                 raise CliError(f"--{option}: needs {needed}.")
     draw = _draw_moving if motions else _draw
     if _ending(out) == ".html":
         draw = _draw_page
-    warning = draw(found, out, files[0] if files else None)
+    warning = draw(options, out, files[0] if files else None)
     if warning:
         complain(warning, 0)
     return 0
 
 
-def _draw(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
-    _choose_panes(found, file)
-    _check(found, out, _ENDINGS)
-    document = document_of(file, found.set, found.step)
+    _choose_panes(options, file)
+    _check(options, out, _ENDINGS)
+    document = document_of(file, options.set, options.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
-    _sizes(found, [document], sweep.panes(found))
+    _sizes(options, [document], sweep.panes(options))
     check_drawing()
-    _write(found, out, document, scene)
+    _write(options, out, document, scene)
     return warning
 
 
-def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a moving picture: a film, written whole or not at all, or a figure for each frame."""
-    _choose_panes(found, file)
-    found.loop = found.loop or sweep.usual_loop(found, numbered=bool(sweep.names(out, 1)))
-    order, _ = sweep.order(found), sweep.speed(found)
+    _choose_panes(options, file)
+    options.loop = options.loop or sweep.usual_loop(options, numbered=bool(sweep.names(out, 1)))
+    order, _ = sweep.order(options), sweep.speed(options)
     names = sweep.names(out, len(order))
     for name in names or [out]:
-        _check(found, name, _ENDINGS if names else _FILMS)
-    if not names and found.crop:
+        _check(options, name, _ENDINGS if names else _FILMS)
+    if not names and options.crop:
         raise CliError("--crop: is for single figures; frames of a film have one size.")
-    if found.transparent and _ending(out) in (".gif", ".mp4"):
+    if options.transparent and _ending(out) in (".gif", ".mp4"):
         lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
         raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
-    states = sweep.states(found, file)
+    states = sweep.states(options, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    sizes = _sizes(found, states, sweep.panes(found))
+    sizes = _sizes(options, states, sweep.panes(options))
     if not names:
-        _check_film(found, out, sizes)
+        _check_film(options, out, sizes)
     check_drawing()
-    states = sweep.with_views(found, file, states)
+    states = sweep.with_views(options, file, states)
     if names:
         first: dict[int, str] = {}
         for name, state in zip(names, _told(order), strict=True):
@@ -110,85 +110,87 @@ def _draw_moving(found: argparse.Namespace, out: str, file: str | None) -> str:
                 write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
             else:
                 first[state] = name
-                _write(found, name, states[state], scene)
+                _write(options, name, states[state], scene)
     else:
-        _write_film(found, out, [states[state] for state in order], scene, sizes.pop())
+        _write_film(options, out, [states[state] for state in order], scene, sizes.pop())
     return next(filter(None, warnings), "")
 
 
-def _draw_page(found: argparse.Namespace, out: str, file: str | None) -> str:
+def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Draw a page for phones, of one state or of a sweep."""
-    _choose_panes(found, file)
-    _check(found, out, (".html",))
-    page.check(found)
-    asked = page.asked(found)
+    _choose_panes(options, file)
+    _check(options, out, (".html",))
+    page.check(options)
+    asked = page.asked(options)
     states = sweep.states(asked, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    for pane in sweep.panes(found):
-        _sizes(found, states, [pane])
+    for pane in sweep.panes(options):
+        _sizes(options, states, [pane])
     check_drawing()
     states = sweep.with_views(asked, file, states)
-    with _of_options(found):
-        large = page.write(found, out, _told(states), states, scene, partial(_options, found))
+    with _of_options(options):
+        large = page.write(options, out, _told(states), states, scene, partial(_options, options))
     return next(filter(None, [large, *warnings]), "")
 
 
-def _choose_panes(found: argparse.Namespace, file: str | None) -> None:
+def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
     """Take all panes where none is asked for, and of a lesson's step those that a class sees."""
-    if found.panes is not None:
+    if options.panes is not None:
         return
     panes: Sequence[str] = PANES
-    is_step = file is not None and (found.step is not None or is_lesson(file))
-    if is_step and not found.stages and found.orbit is None:
+    is_step = file is not None and (options.step is not None or is_lesson(file))
+    if is_step and not options.stages and options.orbit is None:
         with importing():
             from app.lessons.course import panes_of
-        panes = panes_of(document_before(file, found.set, found.step))
-    found.panes = ",".join(panes)
+        panes = panes_of(document_before(file, options.set, options.step))
+    options.panes = ",".join(panes)
 
 
-def _check(found: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
+def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
-        if ending in _FILMS and not found.batch:
+        if ending in _FILMS and not options.batch:
             film = "; for a film add --sweep, --orbit, --stages or --transition"
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
-        if endings is _ENDINGS and not found.batch:
+        if endings is _ENDINGS and not options.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
     has_pixels = ending not in (*_SHAPES, ".html")
-    if not has_pixels and found.scale != 1.0:
+    if not has_pixels and options.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
-    if has_pixels and found.hidden:
+    if has_pixels and options.hidden:
         raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
-    if "/" in found.panes and "," in found.panes:
-        raise CliError(f"--panes = {found.panes!r}: must be a row or a column, not both.")
+    if "/" in options.panes and "," in options.panes:
+        raise CliError(f"--panes = {options.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
 
 
 def _sizes(
-    found: argparse.Namespace, states: Sequence[Document], panes: Sequence[str]
+    options: argparse.Namespace, states: Sequence[Document], panes: Sequence[str]
 ) -> set[tuple[int, int]]:
     """Return the sizes of figures in pixels; refuse impossible ones, also of letters."""
     from app.drawings.figure_size import checked_size, checked_text
 
-    column, sizes = "/" in found.panes and len(panes) > 1, set[tuple[int, int]]()
-    with _of_options(found):
+    column, sizes = "/" in options.panes and len(panes) > 1, set[tuple[int, int]]()
+    with _of_options(options):
         for image in {state.projection.image_size for state in states}:
-            sizes.add(checked_size(image, panes, found.size, found.scale, column))
-            checked_text(image, panes, found.size, found.text_size, column)
+            sizes.add(checked_size(image, panes, options.size, options.scale, column))
+            checked_text(image, panes, options.size, options.text_size, column)
     return sizes
 
 
-def _check_film(found: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
+def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
     """Refuse sizes that a film cannot have, and then a machine that cannot encode it."""
     with importing():
         from app.drawings.moving import WEBP_PX
         from app.drawings.mp4 import program
     if len(sizes) > 1:
-        raise CliError(f"--{sweep.motions(found)[0]}: frames of a film have one size; set --size.")
+        raise CliError(
+            f"--{sweep.motions(options)[0]}: frames of a film have one size; set --size."
+        )
     (size,) = sizes
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
@@ -209,24 +211,24 @@ def _ending(out: str) -> str:
 # --------------------------------------------------------------------------- drawing
 
 
-def _write(found: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
+def _write(options: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
     with importing():
         from app.drawings.describing import describe
         from app.drawings.figures import write_png, write_shapes
     if _ending(out) == ".png":
-        pixels = _pixels(found, document, scene)
-        about = describe(document, scene, sweep.panes(found))
-        write_png(out, pixels, picture_json(document), found.scale, about)
+        pixels = _pixels(options, document, scene)
+        about = describe(document, scene, sweep.panes(options))
+        write_png(out, pixels, picture_json(document), options.scale, about)
         return
-    options = _options(found, document)
-    with _of_options(found):
-        about = describe(document, scene, sweep.panes(found))
-        hidden = found.hidden or "none"
-        write_shapes(out, scene, document.projection, about, hidden=hidden, **options)
+    drawing = _options(options, document)
+    with _of_options(options):
+        about = describe(document, scene, sweep.panes(options))
+        hidden = options.hidden or "none"
+        write_shapes(out, scene, document.projection, about, hidden=hidden, **drawing)
 
 
 def _write_film(
-    found: argparse.Namespace,
+    options: argparse.Namespace,
     out: str,
     frames: Sequence[Document],
     scene: Scene,
@@ -238,11 +240,11 @@ def _write_film(
     done: dict[int, bytes] = {}
     for frame in _told(frames):
         if id(frame) not in done:
-            pixels = _pixels(found, frame, scene)
+            pixels = _pixels(options, frame, scene)
             json = picture_json(frame)
-            done[id(frame)] = encoded(pixels, _ending(out), json, found.scale)
+            done[id(frame)] = encoded(pixels, _ending(out), json, options.scale)
     parts = [done[id(frame)] for frame in frames]
-    once, fps = found.loop == "once", sweep.speed(found)
+    once, fps = options.loop == "once", sweep.speed(options)
     with blamed_on(out, UNWRITABLE):
         film = moving(parts, _ending(out), size, fps, once)
     write_bytes_atomically(out, film)
@@ -261,42 +263,42 @@ def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:
             print(file=terminal)
 
 
-def _pixels(found: argparse.Namespace, document: Document, scene: Scene) -> Pixels:
+def _pixels(options: argparse.Namespace, document: Document, scene: Scene) -> Pixels:
     with importing():
         from app.drawings.figures import render
-    options = _options(found, document)
-    with _of_options(found):
-        return render(scene, document.projection, scale=found.scale, **options)
+    drawing = _options(options, document)
+    with _of_options(options):
+        return render(scene, document.projection, scale=options.scale, **drawing)
 
 
 @contextlib.contextmanager
-def _of_options(found: argparse.Namespace) -> Iterator[None]:
+def _of_options(options: argparse.Namespace) -> Iterator[None]:
     """Make a refusal of the drawing name the option that it is about."""
     from app.drawings.figure_size import TEXT
 
     try:
         yield
     except Refusal as error:
-        of_size = found.size and error.file is None and str(error).startswith(("width", "height"))
+        of_size = options.size and error.file is None and str(error).startswith(("width", "height"))
         text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
         raise CliError(f"{'--size ' if of_size else ''}{text}") from error
 
 
-def _options(found: argparse.Namespace, document: Document) -> dict[str, Any]:
+def _options(options: argparse.Namespace, document: Document) -> dict[str, Any]:
     """Return the parameters that `render` and `write_shapes` share."""
     from app.drawings.style import PALETTES
 
     return {
-        "panes": sweep.panes(found),
-        "column": "/" in found.panes,
-        "crop": found.crop,
-        "size": found.size,
-        "transparent": found.transparent,
-        "style": PALETTES[found.palette],
+        "panes": sweep.panes(options),
+        "column": "/" in options.panes,
+        "crop": options.crop,
+        "size": options.size,
+        "transparent": options.transparent,
+        "style": PALETTES[options.palette],
         "view": document.view,
         "settings": document.settings,
         "quality": document.quality,
-        "text_pt": found.text_size,
+        "text_pt": options.text_size,
     }
 
 

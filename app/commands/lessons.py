@@ -19,19 +19,19 @@ from app.strangers import printable
 
 def lesson(arguments: Sequence[str]) -> int:
     """Do what the first argument says; return 1 if something is wrong with a lesson."""
-    found, (what, *names) = parser_of("lesson").read(arguments)
+    options, (what, *names) = parser_of("lesson").read(arguments)
     one_of("lesson", what, ("check", "list", "names", "print", "results"))
-    if found.csv and what != "results":
+    if options.csv and what != "results":
         raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")
     if what == "print":
         if names:
             raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
-        return print_tests(found)
+        return print_tests(options)
     for option in ("topics", "seeds", "out", "key"):
-        if getattr(found, option):
+        if getattr(options, option):
             raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
     if what == "results":
-        return results(found, names)
+        return results(options, names)
     if what == "names":
         write_out(page())
         return 0
@@ -45,11 +45,11 @@ def lesson(arguments: Sequence[str]) -> int:
 
 
 def _line(file: Path) -> str:
-    found = read(file)
-    steps = len(found.steps)
-    kind = "talk" if found.is_talk else "lesson"
-    topics = found.lecture if found.is_talk else ", ".join(found.topics)
-    return f"{kind:<7}{topics:<8}{counted(steps, 'step'):>9}  {found.title}  ({file.name})\n"
+    course = read(file)
+    steps = len(course.steps)
+    kind = "talk" if course.is_talk else "lesson"
+    topics = course.lecture if course.is_talk else ", ".join(course.topics)
+    return f"{kind:<7}{topics:<8}{counted(steps, 'step'):>9}  {course.title}  ({file.name})\n"
 
 
 def _checked(

@@ -28,27 +28,27 @@ NOTICED_PX = 1e-9
 
 def run(arguments: Sequence[str]) -> int:
     """Print every stage's matrix; return the exit status."""
-    found, words = parser_of("matrices").read(arguments)
-    if found.format != "latex":
+    options, words = parser_of("matrices").read(arguments)
+    if options.format != "latex":
         for option in ("digits", "letters", "symbols", "numbers", "width"):
-            if getattr(found, option):
+            if getattr(options, option):
                 raise CliError(f"--{option}: needs --format latex.")
-    if found.vectors and not found.convention:
+    if options.vectors and not options.convention:
         raise CliError("--vectors: needs --convention.")
-    alone = [option for option in ("planes", "convention") if getattr(found, option)]
-    if len(alone) + (found.format == "latex") > 1 and alone:
+    alone = [option for option in ("planes", "convention") if getattr(options, option)]
+    if len(alone) + (options.format == "latex") > 1 and alone:
         raise CliError(f"--{alone[0]}: stands alone, and needs --format text or json.")
-    document = document_of(words[0] if words else None, found.set)
+    document = document_of(words[0] if words else None, options.set)
     projection = document.projection
-    if found.convention:
-        write_out([_in_convention(projection, found)])
-    elif found.planes:
-        write_out([_planes(projection, found.format)])
-    elif found.format == "latex":
-        write_out([_latex(projection, found, found.letters or document.view.letters)])
+    if options.convention:
+        write_out([_in_convention(projection, options)])
+    elif options.planes:
+        write_out([_planes(projection, options.format)])
+    elif options.format == "latex":
+        write_out([_latex(projection, options, options.letters or document.view.letters)])
     else:
-        parts = _of_p(found.set) if found.format == "text" else ""
-        write_out([(_text if found.format == "text" else _json)(projection), parts])
+        parts = _of_p(options.set) if options.format == "text" else ""
+        write_out([(_text if options.format == "text" else _json)(projection), parts])
     return 0
 
 
@@ -114,14 +114,14 @@ def _object(values: Mapping[str, object]) -> str:
     return "{\n" + ",\n".join(lines) + "\n}\n"
 
 
-def _in_convention(projection: Projection, found: argparse.Namespace) -> str:
-    convention = CONVENTIONS[found.convention]
-    rows = convention.rows if found.vectors is None else found.vectors == "rows"
-    matrices = in_convention(projection, found.convention, rows=rows)
-    if found.format == "json":
+def _in_convention(projection: Projection, options: argparse.Namespace) -> str:
+    convention = CONVENTIONS[options.convention]
+    rows = convention.rows if options.vectors is None else options.vectors == "rows"
+    matrices = in_convention(projection, options.convention, rows=rows)
+    if options.format == "json":
         return _object({name: plain(matrix) for name, matrix in matrices.items()})
     vectors = "row vectors, p M" if rows else "column vectors, M p"
-    blocks = [f"{found.convention}: {convention.note}; {vectors}\n"]
+    blocks = [f"{options.convention}: {convention.note}; {vectors}\n"]
     blocks += [f"{name}\n{_rows(matrix)}" for name, matrix in matrices.items()]
     return "\n".join(blocks)
 
@@ -138,15 +138,15 @@ def _planes(projection: Projection, form: str) -> str:
     return "".join(["a x + b y + c z + d >= 0 in the view volume, in world space\n", *lines])
 
 
-def _latex(projection: Projection, found: argparse.Namespace, letters: Letters) -> str:
+def _latex(projection: Projection, options: argparse.Namespace, letters: Letters) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
-    numbers = found.numbers or not found.symbols
+    numbers = options.numbers or not options.symbols
     for matrix in matrices(projection, letters):
         notes = [matrix.note] if matrix.note else []
         notes += map(str, properties(projection, matrix.name))
-        if found.symbols and matrix.name == "clip_from_world":
+        if options.symbols and matrix.name == "clip_from_world":
             notes.append("p_ij are the cells of clip_from_view")
         note = "".join(f"% {note}\n" for note in notes)
-        digits, width = found.digits or _DIGITS, found.width or TEXT_WIDTH_PT
-        blocks.append(note + displayed(matrix, letters, found.symbols, numbers, digits, width))
+        digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
+        blocks.append(note + displayed(matrix, letters, options.symbols, numbers, digits, width))
     return "\n".join(blocks)

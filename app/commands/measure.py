@@ -32,22 +32,22 @@ from app.model.refusal import Cancelled
 
 def run(arguments: Sequence[str]) -> int:
     """Measure, print and write the results; return the exit status, or raise a `CliError`."""
-    found, words = parser_of("measure").read(arguments)
-    swept = dict(_range(name, ends) for name, ends in found.sweep or ())
-    if found.attended and sys.platform != "win32":
+    options, words = parser_of("measure").read(arguments)
+    swept = dict(_range(name, ends) for name, ends in options.sweep or ())
+    if options.attended and sys.platform != "win32":
         os.nice(10)  # the program that started this one draws meanwhile and has priority
-    options = {f"--{option}": getattr(found, option) for option in ("json", "csv", "chart")}
-    outs = {option: out for option, out in options.items() if out is not None}
-    if len(set(outs.values())) < len(outs):
-        raise CliError(f"{' and '.join(outs)} must go to different files.")
-    if found.chart is not None and not found.chart.lower().endswith(chart.ENDINGS):
-        raise CliError(f"--chart = {found.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+    asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
+    targets = {option: out for option, out in asked.items() if out is not None}
+    if len(set(targets.values())) < len(targets):
+        raise CliError(f"{' and '.join(targets)} must go to different files.")
+    if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
+        raise CliError(f"--chart = {options.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
     # Check now: the measurement takes long.
-    for option, out in outs.items():
+    for option, out in targets.items():
         if out != "-":
             check_out(option, out)
     standard_output()
-    settings = [*found.set, *([f"scene={found.scene}"] if found.scene else [])]
+    settings = [*options.set, *([f"scene={options.scene}"] if options.scene else [])]
     file = words[0] if words else None
     document = document_of(file, settings)
     scene = load_scene(document.scene, document.mesh, file)
@@ -56,8 +56,8 @@ def run(arguments: Sequence[str]) -> int:
             "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
             f" be one of {', '.join(LENSES)}."
         )
-    everything = not (found.trade or found.sweep)
-    trades = list(dict.fromkeys(found.trade or (measuring.TRADES if everything else ())))
+    everything = not (options.trade or options.sweep)
+    trades = list(dict.fromkeys(options.trade or (measuring.TRADES if everything else ())))
     if everything:
         swept = dict.fromkeys(SWEEPS, (None, None))
     opengl = True
@@ -71,23 +71,23 @@ def run(arguments: Sequence[str]) -> int:
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
             return CANNOT_DRAW
-    with _watched(found.attended) as watch:
+    with _watched(options.attended) as watch:
         results = measuring.measure_all(
-            document, scene, trades, swept, quick=found.quick, opengl=opengl, watch=watch
+            document, scene, trades, swept, quick=options.quick, opengl=opengl, watch=watch
         )
     texts = {
-        found.json: to_json(results),
-        found.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
+        options.json: to_json(results),
+        options.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
     }
     try:
-        write_out([texts["-"]] if "-" in texts else _measured(results, found.cost))
+        write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
     finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
-        if found.chart is not None:
-            drawn = chart.picture(results.by(found.cost), found.chart)
-            write_bytes_atomically(found.chart, drawn)
+        if options.chart is not None:
+            drawn = chart.picture(results.by(options.cost), options.chart)
+            write_bytes_atomically(options.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 
 

@@ -157,13 +157,13 @@ class Parser(argparse.ArgumentParser):
         """Parse options and words in any order; refuse too few words and too many."""
         # After -- all words are names; argparse loses that when options and names are mixed.
         end = arguments.index("--") if "--" in arguments else len(arguments)
-        found, extra = self.parse_known_intermixed_args(self._with_usual(arguments[:end]))
+        options, extra = self.parse_known_intermixed_args(self._with_usual(arguments[:end]))
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
             where = f"an option of {self._command}" if self._command else "an option of the window"
             raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
-        words: list[str] = [*found.words, *arguments[end + 1 :]]
+        words: list[str] = [*options.words, *arguments[end + 1 :]]
         command = self._command or "The window"
         if "" in words:
             raise CliError(f"{command} was given an empty name.")
@@ -173,17 +173,17 @@ class Parser(argparse.ArgumentParser):
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
             takes = self._names or "no names"
             raise CliError(f"{command} takes {takes}, and was given {counted(len(words), 'name')}.")
-        return found, words
+        return options, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
         """Give options whose number may be left out their usual one, and not the next word."""
         usual = {action.option_strings[0]: action.const for action in self.options()
                  if action.nargs == "?"}  # fmt: skip
-        found = list[str]()
+        words = list[str]()
         for word, after in zip(arguments, [*arguments, ""][1:], strict=True):
             is_bare = word in usual and not _is_number(after)
-            found.append(f"{word}={usual[word]:g}" if is_bare else word)
-        return found
+            words.append(f"{word}={usual[word]:g}" if is_bare else word)
+        return words
 
     def options(self) -> list[argparse.Action]:
         """Return what begins with dashes."""

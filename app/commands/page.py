@@ -28,44 +28,44 @@ FRAMES = 21
 """States under the slider, unless another number is asked for."""
 
 
-def check(found: Namespace) -> None:
+def check(options: Namespace) -> None:
     """Refuse options that are of other figures."""
     for option in ("crop", "transparent", "loop", "fps"):
-        if getattr(found, option) not in (None, False):
+        if getattr(options, option) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 
 
-def asked(found: Namespace) -> Namespace:
+def asked(options: Namespace) -> Namespace:
     """Return the options for the states of a page, which does not rest at stages."""
-    if found.stages:
-        sweep.check_stages(found)
-        found.sweep, found.stages = f"view.stage={WORLD}:{IMAGE}", False
+    if options.stages:
+        sweep.check_stages(options)
+        options.sweep, options.stages = f"view.stage={WORLD}:{IMAGE}", False
     # The page has each pane alone.
-    alone = "world" if "world" in sweep.panes(found) else found.panes
-    frames = FRAMES if found.frames is None else found.frames
-    return Namespace(**vars(found) | {"panes": alone, "frames": frames})
+    alone = "world" if "world" in sweep.panes(options) else options.panes
+    frames = FRAMES if options.frames is None else options.frames
+    return Namespace(**vars(options) | {"panes": alone, "frames": frames})
 
 
 def write(
-    found: Namespace,
+    options: Namespace,
     out: str,
     told: Iterable[Document],
     states: Sequence[Document],
     scene: Scene,
-    options: Callable[[Document], dict[str, Any]],
+    drawing: Callable[[Document], dict[str, Any]],
 ) -> str:
     """Write the page of states, which `told` yields too; return a warning if it is large."""
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, SliderPosition, drawn, page
-    values = _values(found, states, scene)
+    values = _values(options, states, scene)
     shown = []
     for value, state in zip(values, told, strict=True):
-        about = describe(state, scene, sweep.panes(found))
-        given = {**options(state), "hidden": found.hidden or "none"}
+        about = describe(state, scene, sweep.panes(options))
+        given = {**drawing(state), "hidden": options.hidden or "none"}
         panes = [drawn(pane, said, state, scene, **given) for pane, said in about.panes.items()]
         shown.append(SliderPosition(value, panes, about.general, (*about.cut, *about.risky)))
-    content = page(about.title, shown, "/" in found.panes)
+    content = page(about.title, shown, "/" in options.panes)
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
         return ""
@@ -76,14 +76,14 @@ def write(
     )
 
 
-def _values(found: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
+def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
-    if found.orbit is not None:
-        turns_deg = [found.orbit * k / (len(states) - 1) for k in range(len(states))]
+    if options.orbit is not None:
+        turns_deg = [options.orbit * k / (len(states) - 1) for k in range(len(states))]
         return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
-    if found.transition:
+    if options.transition:
         return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
-    path, letters = (found.sweep or "").partition("=")[0].strip(), states[0].view.letters
+    path, letters = (options.sweep or "").partition("=")[0].strip(), states[0].view.letters
 
     def named(field: str) -> str:
         letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")

@@ -237,8 +237,8 @@ def _number(cell: str, separator: str) -> float | None:
 
 def _point(cells: list[str], where: str, separator: str) -> Row:
     if len(cells) < 3:
-        found = counted(len(cells), "column")
-        raise CliError(f"{where}: has {found}, must have three: x,y,z, or w too.")
+        columns = counted(len(cells), "column")
+        raise CliError(f"{where}: has {columns}, must have three: x,y,z, or w too.")
     values = []
     for name, cell in zip("xyzw", cells, strict=False):
         value = _number(cell, separator)

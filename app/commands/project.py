@@ -31,22 +31,24 @@ from app.precision.levels import (
 def run(arguments: Sequence[str]) -> int:
     """Print points at every stage; return the exit status."""
     points.check_typed(arguments)
-    found, (*file, source) = parser_of("project").read(arguments)
+    options, (*file, source) = parser_of("project").read(arguments)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} gives the camera only.")
-    projection = document_of(file[0] if file else None, found.set).projection
+    projection = document_of(file[0] if file else None, options.set).projection
     read = points.read(source)
     rows, has_w = np.array(read.points), read.has_w
-    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=found.space)
-    precision = found.rung or precision_for_reading(predictions)
+    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=options.space)
+    precision = options.rung or precision_for_reading(predictions)
     if has_w:
-        traced = trace_homogeneous(projection, rows, precision, found.space)
+        traced = trace_homogeneous(projection, rows, precision, options.space)
     else:
-        traced = trace(projection, rows[:, :3], precision, space=found.space)
-    answer = _ProjectedPoints(projection, traced, precision, predictions, found.space, read.columns)
-    if found.format == "table":
+        traced = trace(projection, rows[:, :3], precision, space=options.space)
+    answer = _ProjectedPoints(
+        projection, traced, precision, predictions, options.space, read.columns
+    )
+    if options.format == "table":
         write_out([f"{lens_line(projection)}\n\n"])
-    write_out(_PROJECT_FORMATS[found.format](answer))
+    write_out(_PROJECT_FORMATS[options.format](answer))
     return 0
 
 

@@ -31,12 +31,12 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 """A cell that begins so would be computed by a spreadsheet."""
 
 
-def results(found: argparse.Namespace, files: Sequence[str]) -> int:
+def results(options: argparse.Namespace, files: Sequence[str]) -> int:
     """Mark the results of a class; return `BAD_INPUT` if a file cannot be read."""
     if not files:
         raise CliError("lesson results needs a FILE.")
-    if found.csv:
-        check_out("--csv", found.csv)
+    if options.csv:
+        check_out("--csv", options.csv)
     read_files: list[tuple[str, StudentResults]] = []
     for file in files:
         try:
@@ -45,9 +45,9 @@ def results(found: argparse.Namespace, files: Sequence[str]) -> int:
             complain(str(error), BAD_INPUT)
     marker = Marker()
     marks = [(name, each, list(map(marker.marked, each.attempts))) for name, each in read_files]
-    if found.csv:
+    if options.csv:
         rows = (row for name, each, answers in marks for row in _rows(name, each, answers, marker))
-        write_bytes_atomically(found.csv, _csv(rows))
+        write_bytes_atomically(options.csv, _csv(rows))
     write_out(f"{printable(line)}\n" for line in _summary([answers for _, _, answers in marks]))
     return BAD_INPUT if len(read_files) < len(files) else 0
 

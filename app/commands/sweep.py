@@ -41,25 +41,25 @@ FASTEST = 50
 _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 
-def motions(found: argparse.Namespace) -> list[str]:
+def motions(options: argparse.Namespace) -> list[str]:
     """Return which of `MOTIONS` are asked for."""
-    return [name for name in MOTIONS if is_given(found, name)]
+    return [name for name in MOTIONS if is_given(options, name)]
 
 
-def is_given(found: argparse.Namespace, option: str) -> bool:
+def is_given(options: argparse.Namespace, option: str) -> bool:
     """Whether an option is there, even with the number 0."""
-    value = getattr(found, option)
+    value = getattr(options, option)
     return value is not None and value is not False
 
 
-def order(found: argparse.Namespace) -> list[int]:
+def order(options: argparse.Namespace) -> list[int]:
     """Return the number of the state that each frame shows; refuse impossible frames.
 
     There and back, neither the first nor the last state comes twice in a row.
     """
-    usual = next((FRAMES[name] for name in motions(found)), FRAMES["sweep"])
-    frames = usual if found.frames is None else found.frames
-    is_back = found.loop == "back-and-forth"
+    usual = next((FRAMES[name] for name in motions(options)), FRAMES["sweep"])
+    frames = usual if options.frames is None else options.frames
+    is_back = options.loop == "back-and-forth"
     if not 2 <= frames <= MOST_FRAMES:
         raise CliError(f"--frames = {frames}: must be a whole number from 2 to {MOST_FRAMES}.")
     if is_back and frames % 2:
@@ -67,69 +67,69 @@ def order(found: argparse.Namespace) -> list[int]:
     return [min(frame, frames - frame) if is_back else frame for frame in range(frames)]
 
 
-def speed(found: argparse.Namespace) -> float:
+def speed(options: argparse.Namespace) -> float:
     """Return the frames a second."""
-    fps: float = FPS if found.fps is None else found.fps
+    fps: float = FPS if options.fps is None else options.fps
     if not 1.0 <= fps <= FASTEST:
         raise CliError(f"--fps = {fps:g}: must be from 1 to {FASTEST}.")
     return fps
 
 
-def states(found: argparse.Namespace, file: str | None) -> list[Document]:
+def states(options: argparse.Namespace, file: str | None) -> list[Document]:
     """Return the states, from the first value to the last; a `Refusal` if one is impossible.
 
     They still lack the place from which the world is seen. Without a motion there is one state.
     """
-    count = max(order(found)) + 1
-    if found.transition:
-        return _transition(found, file, count)
-    before = document_before(file, found.set, found.step)
-    if found.orbit is not None:
-        _check_orbit(found)
-        return [with_values(before, found.set)] * count
-    if not motions(found):
-        return [with_values(before, found.set)]
+    count = max(order(options)) + 1
+    if options.transition:
+        return _transition(options, file, count)
+    before = document_before(file, options.set, options.step)
+    if options.orbit is not None:
+        _check_orbit(options)
+        return [with_values(before, options.set)] * count
+    if not motions(options):
+        return [with_values(before, options.set)]
     parts = [step / (count - 1) for step in range(count)]
-    if found.stages:
-        check_stages(found)
+    if options.stages:
+        check_stages(options)
         values = [f"view.stage={_position(part)!r}" for part in parts]
-        return [with_values(before, [*found.set, value]) for value in values]
-    path, first, last = _ends(found.sweep)
+        return [with_values(before, [*options.set, value]) for value in values]
+    path, first, last = _ends(options.sweep)
     values = []
     for part in parts:
         numbers = [a * (1.0 - part) + b * part for a, b in zip(first, last, strict=True)]
         values.append(f"{path}={','.join(map(_written, numbers))}")
-    return [with_values(before, [*found.set, value]) for value in values]
+    return [with_values(before, [*options.set, value]) for value in values]
 
 
 def with_views(
-    found: argparse.Namespace, file: str | None, states: list[Document]
+    options: argparse.Namespace, file: str | None, states: list[Document]
 ) -> list[Document]:
     """Return states with the places from which their worlds are seen, on a machine that draws."""
-    if found.transition:
-        return _along(found, file, states)
-    if found.orbit is not None:
-        return _round(found, file, states)
-    return _still(found, file, states) if found.sweep else states
+    if options.transition:
+        return _along(options, file, states)
+    if options.orbit is not None:
+        return _round(options, file, states)
+    return _still(options, file, states) if options.sweep else states
 
 
-def check_stages(found: argparse.Namespace) -> None:
+def check_stages(options: argparse.Namespace) -> None:
     """Refuse panes that look the same at every stage."""
-    if "ndc" not in panes(found):
-        raise CliError(f"--stages: needs the pane ndc, and --panes = {found.panes!r}.")
+    if "ndc" not in panes(options):
+        raise CliError(f"--stages: needs the pane ndc, and --panes = {options.panes!r}.")
 
 
-def panes(found: argparse.Namespace) -> list[str]:
+def panes(options: argparse.Namespace) -> list[str]:
     """Return the panes of ``--panes``, in their order."""
-    return re.split("[,/]", found.panes)
+    return re.split("[,/]", options.panes)
 
 
-def usual_loop(found: argparse.Namespace, *, numbered: bool) -> str:
+def usual_loop(options: argparse.Namespace, *, numbered: bool) -> str:
     """Return the loop where nobody asked for one: without a jump, and numbered files only once."""
-    goes_round = found.orbit is not None and abs(found.orbit) == FULL_TURN
-    if found.sweep or goes_round:
+    goes_round = options.orbit is not None and abs(options.orbit) == FULL_TURN
+    if options.sweep or goes_round:
         return "repeat"
-    return "once" if numbered or found.transition else "back-and-forth"
+    return "once" if numbered or options.transition else "back-and-forth"
 
 
 def _position(part: float) -> float:
@@ -144,14 +144,14 @@ def _eased(part: float) -> float:
     return 0.5 - 0.5 * math.cos(math.pi * part)
 
 
-def _transition(found: argparse.Namespace, file: str | None, count: int) -> list[Document]:
+def _transition(options: argparse.Namespace, file: str | None, count: int) -> list[Document]:
     """Return the states on the way to a step from the one before it.
 
     Where the straight way leads through an impossible state, the last possible one stays.
     """
     from app.lessons import transition
 
-    place, start, end = _steps(found, file)
+    place, start, end = _steps(options, file)
     moves = transition.can_move(start, end)
     if not moves and start != end:
         raise CliError(
@@ -168,26 +168,26 @@ def _transition(found: argparse.Namespace, file: str | None, count: int) -> list
     return states
 
 
-def _steps(found: argparse.Namespace, file: str | None) -> tuple[int, Document, Document]:
+def _steps(options: argparse.Namespace, file: str | None) -> tuple[int, Document, Document]:
     """Return the number of the step that a transition leads to, and both ends of it."""
-    if file is None or found.step is None:
+    if file is None or options.step is None:
         raise CliError("--transition: needs a lesson or a talk as FILE, and --step.")
     course = course_of(file)
-    place = place_of(course, found.step)
+    place = place_of(course, options.step)
     if not place:
-        raise CliError(f"--transition: no step comes before --step {found.step}.")
-    start, end = (with_values(state_at(course, at), found.set) for at in (place - 1, place))
+        raise CliError(f"--transition: no step comes before --step {options.step}.")
+    start, end = (with_values(state_at(course, at), options.set) for at in (place - 1, place))
     return place + 1, start, end
 
 
-def _along(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+def _along(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
     """Return states whose world is seen on the way from the view of one step to that of another."""
     from app.lessons.transition import camera_between
 
-    place, *ends = _steps(found, file)
+    place, *ends = _steps(options, file)
     views: list[Camera | None] = [None, None]
     if not any(_is_fixed(end, file) for end in ends):
-        views = [_still(found, file, [end])[0].view.panes.get("world") for end in ends]
+        views = [_still(options, file, [end])[0].view.panes.get("world") for end in ends]
     first, last = views
     stages = {end.view.stage for end in ends}
     if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
@@ -204,12 +204,12 @@ def _along(found: argparse.Namespace, file: str | None, states: list[Document]) 
 # --------------------------------------------------------------------------- the world's view
 
 
-def _still(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+def _still(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
     """Return states whose world is seen from one place, as in the window while a value changes."""
     first = states[0]
-    if "world" not in panes(found) or "world" in first.view.panes or _is_fixed(first, file):
+    if "world" not in panes(options) or "world" in first.view.panes or _is_fixed(first, file):
         return states
-    (view,) = _standing(found, file, states, [0.0])
+    (view,) = _standing(options, file, states, [0.0])
     return [_seen(state, view) for state in states]
 
 
@@ -221,24 +221,24 @@ def _is_fixed(state: Document, file: str | None) -> bool:
     return bool(seen_from(state.view, scene))
 
 
-def _check_orbit(found: argparse.Namespace) -> None:
-    if not 0.0 < abs(found.orbit) <= FULL_TURN:
+def _check_orbit(options: argparse.Namespace) -> None:
+    if not 0.0 < abs(options.orbit) <= FULL_TURN:
         raise CliError(
-            f"--orbit = {found.orbit:g}: must be from -{FULL_TURN:g} to {FULL_TURN:g} degrees, not"
-            " 0."
+            f"--orbit = {options.orbit:g}: must be from -{FULL_TURN:g} to {FULL_TURN:g} degrees,"
+            " not 0."
         )
-    if "world" not in panes(found):
-        raise CliError(f"--orbit: needs the pane world, and --panes = {found.panes!r}.")
+    if "world" not in panes(options):
+        raise CliError(f"--orbit: needs the pane world, and --panes = {options.panes!r}.")
 
 
-def _round(found: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
+def _round(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
     """Return states whose world is seen from places around it; the camera stays where it is."""
     document, count = states[0], len(states)
     # Round and round, the step after the last one leads to the first.
-    steps = count if found.loop == "repeat" and abs(found.orbit) == FULL_TURN else count - 1
-    turns_deg = [found.orbit * step / steps for step in range(count)]
+    steps = count if options.loop == "repeat" and abs(options.orbit) == FULL_TURN else count - 1
+    turns_deg = [options.orbit * step / steps for step in range(count)]
     if (view := document.view.panes.get("world")) is None:
-        views = _standing(found, file, [document], turns_deg)
+        views = _standing(options, file, [document], turns_deg)
     else:
         at = view.orbit
         views = [view]  # to the last bit
@@ -255,14 +255,14 @@ def _seen(state: Document, view: Camera) -> Document:
 
 
 def _standing(
-    found: argparse.Namespace, file: str | None, states: Sequence[Document], turns: list[float]
+    options: argparse.Namespace, file: str | None, states: Sequence[Document], turns: list[float]
 ) -> list[Camera]:
     scene = load_scene(states[0].scene, states[0].mesh, file)
     with importing():
         from app.drawings.standing import standing
     return standing(
-        scene, states, turns, panes=panes(found), column="/" in found.panes, size=found.size,
-        scale=found.scale, text_pt=found.text_size,
+        scene, states, turns, panes=panes(options), column="/" in options.panes, size=options.size,
+        scale=options.scale, text_pt=options.text_size,
     )  # fmt: skip
 
 
@@ -290,8 +290,8 @@ def _written(value: float) -> str:
 def names(out: str, frames: int) -> list[str]:
     """Return the name of each frame; nothing if `out` has no number such as ``%03d``."""
     folder, name = os.path.split(out)
-    found = list(_NUMBER.finditer(name))
-    if len(found) != 1:
+    digits = list(_NUMBER.finditer(name))
+    if len(digits) != 1:
         return []
-    before, after = name[: found[0].start()], name[found[0].end() :]
-    return [os.path.join(folder, f"{before}{found[0][0] % k}{after}") for k in range(frames)]
+    before, after = name[: digits[0].start()], name[digits[0].end() :]
+    return [os.path.join(folder, f"{before}{digits[0][0] % k}{after}") for k in range(frames)]

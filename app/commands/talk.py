@@ -22,26 +22,26 @@ READERS = ("teacher", "students")
 
 def talk(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
-    found, (name,) = parser_of("talk").read(arguments)
-    if not found.check and found.handout is None:
+    options, (name,) = parser_of("talk").read(arguments)
+    if not options.check and options.handout is None:
         raise CliError(
             f"talk needs --check or --handout OUT.pdf; {bootstrap.PROGRAM} {name} opens the talk."
         )
-    if found.handout is not None:
-        if not found.handout.lower().endswith((".pdf", ".html")):
-            raise CliError(f"--handout = {found.handout!r}: must end in .pdf or .html.")
-        check_out("--handout", found.handout)
-    readers = found.readers or READERS[0]
+    if options.handout is not None:
+        if not options.handout.lower().endswith((".pdf", ".html")):
+            raise CliError(f"--handout = {options.handout!r}: must end in .pdf or .html.")
+        check_out("--handout", options.handout)
+    readers = options.readers or READERS[0]
     one_of("--for", readers, READERS)
-    if found.readers and found.handout is None:
+    if options.readers and options.handout is None:
         raise CliError("--for: needs --handout OUT.pdf.")
     status = 0
-    if found.check:
+    if options.check:
         wrong, sums = _tried(file_of(name))
         write_out(f"{printable(line)}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
-    if found.handout is not None and not status:
-        _print(read(file_of(name)), found.handout, answers=readers == READERS[0])
+    if options.handout is not None and not status:
+        _print(read(file_of(name)), options.handout, answers=readers == READERS[0])
     return status
 
 

@@ -165,10 +165,10 @@ def seen_through(p: Any, projection: Projection, *, is_sized: bool = False) -> P
 
     A skew that the rounding of P explains is left out.
     """
-    found = taken_apart(p)
-    k = found.k.copy()
+    parts = taken_apart(p)
+    k = parts.k.copy()
     k[0, 1] = 0.0 if abs(k[0, 1]) <= MOST_SKEW_PX else k[0, 1]
-    pose = world_from_opencv(found.rotation, found.translation)
+    pose = world_from_opencv(parts.rotation, parts.translation)
     return _seen({"k": ("P", k.tolist())}, pose, 0.0, projection, is_sized)
 
 
@@ -278,11 +278,11 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
         return []
     tokens = _tokens(node)
     values = [number(str(token)) for token in tokens]
-    found = [value for value in values if value is not None]
-    if len(found) < len(values) or (counts and len(values) not in counts):
+    given = [value for value in values if value is not None]
+    if len(given) < len(values) or (counts and len(values) not in counts):
         shown, least = " ".join(map(str, tokens)), counts[0] if counts else len(values)
         raise Refusal.in_document(NUMBERS, least, field=key, value=shown)
-    return found
+    return given
 
 
 # --------------------------------------------------------------------------- NeRF and OpenCV
@@ -319,8 +319,8 @@ def _poses(group: Group) -> list[Array]:
     """Return the poses of the views of a camera; none if the file has none."""
     rows = np.reshape(_numbers(group, _POSES, 16, 12)[:12], (-1, 4))
     pairs = [(rows[:, :3].ravel().tolist(), rows[:, 3].tolist())] if len(rows) else []
-    found = _numbers(group, ["extrinsicparameters"])
-    pairs += [(found[i : i + 3], found[i + 3 : i + 6]) for i in range(0, len(found) - 5, 6)]
+    poses = _numbers(group, ["extrinsicparameters"])
+    pairs += [(poses[i : i + 3], poses[i + 3 : i + 6]) for i in range(0, len(poses) - 5, 6)]
     moves, turns = _numbers(group, _MOVES), _numbers(group, _ROTATIONS)
     # A camera_info of ROS has a rectification R.
     if not pairs and (moves or (turns and "p" not in group)):

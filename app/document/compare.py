@@ -116,11 +116,11 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
     Settings come first. ``camera.distance`` stands for the eye if only that differs, and ``image``
     is (width, height). For lenses of several kinds only common fields are compared.
     """
-    found: list[tuple[str, tuple[Any, ...]]] = []
+    differing: list[tuple[str, tuple[Any, ...]]] = []
 
     def compared(path: str, values: Sequence[Any]) -> None:
         if any(value != values[0] for value in values):
-            found.append((path, tuple(values)))
+            differing.append((path, tuple(values)))
 
     for name in states[0].settings:
         compared(f"settings.{name}", [state.settings[name] for state in states])
@@ -143,7 +143,7 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
             [getattr(projection.placement, each.name) for projection in shown],
         )
     compared("depth", [projection.depth for projection in shown])
-    return found
+    return differing
 
 
 @dataclass(frozen=True)
@@ -168,11 +168,11 @@ def in_words(
 
     Omit values that a picture's name already describes, unless nothing else differs.
     """
-    found = differences(states)
+    differing = differences(states)
     named = {change.partition("=")[0] for each in pictures for change in each.changes}
-    found = [each for each in found if each[0] not in named] or found
+    differing = [each for each in differing if each[0] not in named] or differing
     by_path = {setting.path: setting for setting in settings}
-    return [_in_words(path, values, by_path.get(path), written) for path, values in found]
+    return [_in_words(path, values, by_path.get(path), written) for path, values in differing]
 
 
 def names_in(
@@ -188,9 +188,9 @@ def names_in(
     nothing differs, the name is empty.
     """
     by_path = {setting.path: setting for setting in settings}
-    found = sorted(differences(states), key=lambda each: _NAMING.index(each[0].partition(".")[0]))
+    ranked = sorted(differences(states), key=lambda each: _NAMING.index(each[0].partition(".")[0]))
     values: list[tuple[str, ...]] = [() for _ in states]
-    for path, differing in found:
+    for path, differing in ranked:
         setting = by_path.get(path)
         label, texts = _written(path, differing, setting, written)
         if not all(texts) or all(own):

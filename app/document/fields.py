@@ -81,7 +81,7 @@ class Field(NamedTuple):
         """Convert a text to the field's JSON value; return None if that is impossible."""
         assert self.kind is not None
         if self.unit and self.kind in (NUMBER, VECTOR, PIXELS, NUMBER_OR_WORD):
-            text = _UNIT.sub(lambda found: "" if found[1] == self.unit else found[0], text)
+            text = _UNIT.sub(lambda match: "" if match[1] == self.unit else match[0], text)
         return self.kind.read(text)
 
 
@@ -98,15 +98,15 @@ def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] |
 
 def _looks(text: str) -> dict[str, Any] | None:
     """Parse where panes look from: ``ndc: 1.3,0.2,0.3``, the panes separated by ``|``."""
-    found = {}
+    looks = {}
     for part in text.split("|") if text else ():
         pane, _, places = (word.strip() for word in part.partition(":"))
         rows = _rows(places, 3, 1, 2)
         if pane not in ("world", "ndc") or rows is None:
             return None
         eye, target = (*rows, [0.0, 0.0, 0.0])[:2]
-        found[pane] = {"eye": eye, "target": target, "up": [0.0, 1.0, 0.0]}
-    return found
+        looks[pane] = {"eye": eye, "target": target, "up": [0.0, 1.0, 0.0]}
+    return looks
 
 
 def _matrix(text: str) -> list[list[float]] | None:
@@ -153,13 +153,13 @@ def _fields(
     section: str, owner: type, required: bool, **kinds: FieldKind | None
 ) -> tuple[Field, ...]:
     """Return the fields of a section that is a dataclass; texts and options are never required."""
-    found = []
+    described = []
     for each in fields(owner):
         kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
         needed = required and each.type in _BY_TYPE
         unit = "°" if each.name.endswith("_deg") else "units"
-        found.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
-    return tuple(found)
+        described.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
+    return tuple(described)
 
 
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
@@ -220,13 +220,13 @@ LENS_CONTROLS = tuple(field.path for field in ANGLES)
 
 def controls_of(scene: str) -> tuple[str, ...]:
     """Return the paths of the values for which there are controls, of any lens."""
-    found = {
+    paths = {
         field.path: None
         for kind in kinds()
         for field in fields_of(scene, kind)
         if field.section in ("settings", "object", "camera", "lens", "image")
     }
-    return (*found, *CAMERA_CONTROLS, *LENS_CONTROLS, "depth")
+    return (*paths, *CAMERA_CONTROLS, *LENS_CONTROLS, "depth")
 
 
 def model_paths() -> dict[str, str]:

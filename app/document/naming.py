@@ -41,10 +41,10 @@ def inks(document: Document, scene: Scene, shown: Illustration | None) -> dict[s
     The keys are letters in the document's lettering, as a formula has them: ``z_min``, ``y_p``.
     """
     letters = document.view.letters
-    found = {name: in_letters(f"{{{name}_distance}}", letters).strip("−") for name in _CUBE}
-    found |= {axis: in_letters(f"{{axis_{axis}}}", letters) + ARROW for axis in AXES}
+    letter_of = {name: in_letters(f"{{{name}_distance}}", letters).strip("−") for name in _CUBE}
+    letter_of |= {axis: in_letters(f"{{axis_{axis}}}", letters) + ARROW for axis in AXES}
     named = scene.names if document.view.names is None else document.view.names
-    colours = {found[name]: name for name in named if name in found}
+    colours = {letter_of[name]: name for name in named if name in letter_of}
     colours |= {name: scene.inks[name] for name in named if name in scene.inks}
     for marks in (shown.world, shown.ndc, shown.image) if shown is not None else ():
         colours |= {text.name: text.colour for text in marks.texts if text.name in named}
@@ -72,18 +72,18 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()
         return stop.union(axes, numbers, (text.name for text in texts))
-    found = planes.union(AXES, FRAMES, ("eye", "target"))
-    found |= {text.name for text in shown.world.texts}
+    names = planes.union(AXES, FRAMES, ("eye", "target"))
+    names |= {text.name for text in shown.world.texts}
     if planes:
-        found |= WINDOW.keys()
+        names |= WINDOW.keys()
     if view.step is not None:
-        found |= frozenset(STEPS) & {"look", "up"}
+        names |= frozenset(STEPS) & {"look", "up"}
     if not projection.placement.is_identity or FRAMES.keys() & set(view.names or ()):
-        found |= {"x", "y", "z"}
+        names |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):
-        found |= {"d", "e", "height", "angle", *(name for name, _ in shown.measured)}
-        found |= {length.name for length in shown.lengths if length.view == fixed}
+        names |= {"d", "e", "height", "angle", *(name for name, _ in shown.measured)}
+        names |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
-        found |= {"height", "width", *(("interval",) if planes else ())}
-    return found
+        names |= {"height", "width", *(("interval",) if planes else ())}
+    return names

@@ -298,15 +298,15 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
         document = compared(document, pictures)
     elif pictures is not None:
         with document_paths("view.compare"):
-            found = [_picture(part) for part in (pictures.split("|") if pictures else ())]
-        states = [pictured(document, picture) for picture in found]
-        if len(found) > 1 and document in states:
+            others = [_picture(part) for part in (pictures.split("|") if pictures else ())]
+        states = [pictured(document, picture) for picture in others]
+        if len(others) > 1 and document in states:
             own = states.index(document)
-            found[own] = replace(found[own], live=True)
-        elif found:
-            found.append(ComparedPicture(live=True))
+            others[own] = replace(others[own], live=True)
+        elif others:
+            others.append(ComparedPicture(live=True))
         with document_paths("view"):
-            view = replace(document.view, compare=tuple(found), dividers=())
+            view = replace(document.view, compare=tuple(others), dividers=())
             document = replace(document, view=view)
     if dividers is not None:
         with document_paths("view"):

@@ -197,12 +197,12 @@ def read_view(
     Missing fields get their defaults, and unknown ones are ignored. The panes' cameras and the
     compared pictures are passed in, already read. An invalid value raises a `Refusal`.
     """
-    found = {
+    values_read = {
         name: _AS_READ.get(name, _same)(values[name])
         for name in FIELDS
         if name in values and name not in ("panes", "compare")
     }
-    return View(**found, panes=panes, compare=compare)
+    return View(**values_read, panes=panes, compare=compare)
 
 
 def view_tree(view: View) -> dict[str, Any]:

@@ -142,31 +142,31 @@ def compared_shapes(
     style: Style,
 ) -> list[Shape]:
     """The shapes of `compared_pixels`."""
-    (width, height), found = compared.size, list[Shape]()
+    (width, height), drawn = compared.size, list[Shape]()
     line_px = _line_px(style)
     if compared.dividers:
         layers = _layers(compared, draw)
         edges = _edges(compared, layers[compared.live][1])
         for (part, _), (left, right) in zip(layers, pairwise(edges), strict=True):
-            found += within(part, left, right)
+            drawn += within(part, left, right)
         for x in edges[1:-1]:
             ends = [(float(x), 0.0), (float(x), float(height))]
-            found.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
+            drawn.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
     for (*each, name), (left, top, wide, high) in zip(
         compared.shown, compared.places, strict=False
     ):
         part = draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
         if compared.pane == "world":
             part.append(_line_of_text(name, wide / 2.0, line_px / 2.0, style))
-        found += (moved(shape, left, top) for shape in part)
-    ground = next((each for each in found if isinstance(each, Area)), None)
+        drawn += (moved(shape, left, top) for shape in part)
+    ground = next((each for each in drawn if isinstance(each, Area)), None)
     if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
         low = height + line_px * len(compared.lines)
         corners = [(0.0, 0.0), (float(width), 0.0), (float(width), low), (0.0, low)]
-        found.insert(0, ground._replace(rings=[corners]))
+        drawn.insert(0, ground._replace(rings=[corners]))
     for number, text in enumerate(compared.lines):
-        found.append(_line_of_text(text, width / 2.0, height + (number + 0.5) * line_px, style))
-    return found
+        drawn.append(_line_of_text(text, width / 2.0, height + (number + 0.5) * line_px, style))
+    return drawn
 
 
 def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:

@@ -186,12 +186,12 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
     for probe in probes:
         if probe.direction is not None:
             places.append(probe.direction)
-            found = trace_at_infinity(document.projection, probe.direction)
+            trace = trace_at_infinity(document.projection, probe.direction)
         else:
             assert probe.point is not None
             places.append(probe.point)
-            found = document.projection.trace(probe.point)
-        pixels.append(found.image.tolist())
+            trace = document.projection.trace(probe.point)
+        pixels.append(trace.image.tolist())
     for probe, place, pixel in zip(probes, _rows(*places), _rows(*pixels), strict=True):
         template = POINT if probe.direction is None else DIRECTION
         template = NOWHERE if "nan" in pixel else template

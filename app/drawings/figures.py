@@ -207,10 +207,10 @@ def _cropped(whole: Pixels, style: Style, margin: int) -> Pixels:
     ink = whole[..., 3] > 0 if whole.shape[2] > 3 else (whole != empty).any(axis=2)
     sides = []
     for axis in (1, 0):
-        found = np.flatnonzero(ink.any(axis=axis))
-        if not len(found):
+        inked = np.flatnonzero(ink.any(axis=axis))
+        if not len(inked):
             return whole
-        sides.append(slice(max(0, int(found[0]) - margin), int(found[-1]) + 1 + margin))
+        sides.append(slice(max(0, int(inked[0]) - margin), int(inked[-1]) + 1 + margin))
     return np.ascontiguousarray(whole[sides[0], sides[1]])
 
 
@@ -243,17 +243,17 @@ def shapes(
         projection, panes, size, 1.0, transparent, style, words, view, settings, quality, text_pt,
         column,
     )  # fmt: skip
-    found = [moved(shape, *place) for part, place in drawn for shape in part]
+    joined = [moved(shape, *place) for part, place in drawn for shape in part]
     width, height = Size(*(size or own_size(projection.image_size, panes, column))).px
-    box = box_of(found, style.background) if crop else None
+    box = box_of(joined, style.background) if crop else None
     if box is not None:
         x, y = (max(0.0, side - CROP_PX) for side in box[:2])
         width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
-        found = [moved(shape, -x, -y) for shape in found]
+        joined = [moved(shape, -x, -y) for shape in joined]
     if not transparent:  # or a seam would show between panes on a page of another colour
         page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
-        found.insert(0, Area([page], rgb(style.background), 1.0))
-    return (width, height), found
+        joined.insert(0, Area([page], rgb(style.background), 1.0))
+    return (width, height), joined
 
 
 def write_shapes(
@@ -271,7 +271,7 @@ def write_shapes(
     tell = progress or (lambda _part: True)
     name, ending = os.path.splitext(os.path.basename(path))
     try:
-        size, found = shapes(scene, projection, progress=lambda part: tell(part / 2.0), **options)
+        size, drawn = shapes(scene, projection, progress=lambda part: tell(part / 2.0), **options)
     except Refusal as error:
         if error.bound != TOO_MANY:
             raise
@@ -281,7 +281,7 @@ def write_shapes(
     watch.begin(0)
     said = (scene.title, "") if about is None else (about.title, about.text)
     if ending.lower() == ".tex":
-        content, pictures = tikz(found, size, *said, name)
+        content, pictures = tikz(drawn, size, *said, name)
         if pictures and not re.fullmatch(r"[\w.+=-]+", name, re.ASCII):
             raise Refusal.saying(NOT_FOUND_BY_TEX, path)
         if len(content) > LARGEST:
@@ -294,7 +294,7 @@ def write_shapes(
             write_bytes_atomically(place, pictures[each])
     else:
         write = partial(pdf, watch=watch) if ending.lower() == ".pdf" else svg
-        content = write(found, size, *said)
+        content = write(drawn, size, *said)
     write_bytes_atomically(path, content)
 
 

@@ -146,10 +146,10 @@ class ObjectAxes:
         return origin
 
     @property
-    def ways(self) -> Array:
-        """The vectors from the origin to the tips, (3, 3), one axis a row."""
-        ways: Array = self.reach * self._local_from_object[:3, :3].T
-        return ways
+    def ends(self) -> Array:
+        """The tips of the axes, scene-local, (3, 3), one axis a row."""
+        ends: Array = self.origin + self.reach * self._local_from_object[:3, :3].T
+        return ends
 
 
 def axes_reach(size: float) -> float:

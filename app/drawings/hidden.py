@@ -72,16 +72,16 @@ def cut(points: Array, plane: Array, closed: bool) -> Array:
     sides = points @ plane
     if (sides >= 0.0).all():
         return points
-    found, count = [], len(points)
+    ends, count = [], len(points)
     for i in range(count if closed else count - 1):
         j = (i + 1) % count
         if sides[i] >= 0.0:
-            found.append(points[i])
+            ends.append(points[i])
         if (sides[i] >= 0.0) != (sides[j] >= 0.0):
-            found.append(points[i] + sides[i] / (sides[i] - sides[j]) * (points[j] - points[i]))
+            ends.append(points[i] + sides[i] / (sides[i] - sides[j]) * (points[j] - points[i]))
     if not closed and sides[-1] >= 0.0:
-        found.append(points[-1])
-    return np.array(found) if found else np.empty((0, points.shape[1]))
+        ends.append(points[-1])
+    return np.array(ends) if ends else np.empty((0, points.shape[1]))
 
 
 # --------------------------------------------------------------------------- faces
@@ -196,14 +196,14 @@ def _pairs(faces: Sequence[ScreenCell], fresh: Any) -> Iterator[tuple[int, int]]
     last = np.floor(high / _GRID_PX).astype(np.int64)
     spans = (last - first + 1).prod(axis=1)
     wide = np.flatnonzero(spans > _MOST_SQUARES)
-    found = [np.empty((0, 2), dtype=np.int64)]
+    blocks = [np.empty((0, 2), dtype=np.int64)]
     rank = np.full(len(faces), -1)
     rank[wide] = np.arange(len(wide))
     for i in wide.tolist():  # with all that are not wide, and with the wide ones after it
         meet = (low < high[i]).all(axis=1) & (high > low[i]).all(axis=1)
         meet &= (rank < 0) | (rank > rank[i])
         others = np.flatnonzero(meet)
-        found.append(np.stack([np.full(len(others), i), others], axis=1))
+        blocks.append(np.stack([np.full(len(others), i), others], axis=1))
     squares: dict[tuple[int, int], list[int]] = {}
     for i in np.flatnonzero(spans <= _MOST_SQUARES).tolist():
         (x, y), (to_x, to_y) = first[i].tolist(), last[i].tolist()
@@ -217,8 +217,8 @@ def _pairs(faces: Sequence[ScreenCell], fresh: Any) -> Iterator[tuple[int, int]]
         corner = np.maximum(first[here][:, None], first[here])
         meet &= (corner == square).all(axis=2)
         ones, others = np.nonzero(np.triu(meet, 1))
-        found.append(np.stack([here[ones], here[others]], axis=1))
-    pairs = np.concatenate(found)
+        blocks.append(np.stack([here[ones], here[others]], axis=1))
+    pairs = np.concatenate(blocks)
     pairs = pairs[fresh[pairs].any(axis=1)]
     for begin in range(0, len(pairs), _AT_ONCE):
         some = pairs[begin : begin + _AT_ONCE]
@@ -465,17 +465,17 @@ def _half(part: Points, begin: tuple[float, float], end: tuple[float, float]) ->
         return part
     if max(sides) <= 0.0:
         return []
-    found = []
+    kept = []
     for j, here in enumerate(sides):
         k = (j + 1) % len(sides)
         there = sides[k]
         if here >= 0.0:
-            found.append(part[j])
+            kept.append(part[j])
         if (here >= 0.0) != (there >= 0.0):
             t = here / (here - there)
             (p, q), (r, s) = part[j], part[k]
-            found.append((p + t * (r - p), q + t * (s - q)))
-    return found
+            kept.append((p + t * (r - p), q + t * (s - q)))
+    return kept
 
 
 def _middle(face: ScreenCell) -> float:

@@ -76,21 +76,21 @@ class LabelLayout(NamedTuple):
 
 def pieces_of(text: str) -> list[tuple[str, bool]]:
     """Split a label into words and formulas, each with whether it is TeX."""
-    found: list[tuple[str, bool]] = []
+    pieces: list[tuple[str, bool]] = []
     for token in _TOKEN.finditer(
-        _LOWERED.sub(lambda found: "_" + found[0].translate(_LEVEL), text)
+        _LOWERED.sub(lambda match: "_" + match[0].translate(_LEVEL), text)
     ):
         if token["tex"]:
-            found.append((token["tex"], True))
+            pieces.append((token["tex"], True))
         elif token["letter"]:
-            found.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
+            pieces.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
         elif token["word"] in _FUNCTIONS:
-            found.append((rf"\{token['word']} ", True))
+            pieces.append((rf"\{token['word']} ", True))
         elif token["word"] == "fov":  # as in fov_x
-            found.append((_tex("fov", ""), True))
+            pieces.append((_tex("fov", ""), True))
         else:
-            found.append((token["word"] or token["sign"], False))
-    return found
+            pieces.append((token["word"] or token["sign"], False))
+    return pieces
 
 
 def _tex(letter: str, sub: str) -> str:

@@ -227,8 +227,8 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
     inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
     parts = np.stack([begin, starts + spans * last[:, None]], axis=1)
-    found: Floats = parts[inside]
-    return found
+    seen: Floats = parts[inside]
+    return seen
 
 
 # --------------------------------------------------------------------------- what is there
@@ -357,7 +357,7 @@ def _stay(
     wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool
 ) -> dict[Hashable, PlacedLabel]:
     """The labels whose kept places are still free, or all; no other label may overlap them."""
-    found: dict[Hashable, PlacedLabel] = {}
+    stayed: dict[Hashable, PlacedLabel] = {}
     taken = ground.taken
     left_most, lowest, right_most, highest = ground.limits
     for wish in sorted(wishes, key=lambda each: each.rank):
@@ -381,8 +381,8 @@ def _stay(
         centre, leader = (x + to_right, y + up), None
         if was.leads:
             leader = _leader((x, y), centre, wish.size, ground.em)
-        found[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
-    return found
+        stayed[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
+    return stayed
 
 
 def _costs(
@@ -589,12 +589,12 @@ def beside(
             places = partial(around, point, (wide, high), em, gap - 0.3 * em)
             wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
     placed = place(wishes, ground)
-    found = (placed.get(i) for i in range(len(points)))
+    labels = (placed.get(i) for i in range(len(points)))
     return [
         None
         if each is None
         else np.concatenate([each.centre - size / 2.0, each.centre + size / 2.0])
-        for each, size in zip(found, sizes, strict=True)
+        for each, size in zip(labels, sizes, strict=True)
     ]
 
 

@@ -83,13 +83,13 @@ class Board:
 
         Left, low, right and high, in pixels.
         """
-        found, rim = [], DOT_EM * self.em
+        boxes, rim = [], DOT_EM * self.em
         for label, _ in self._labels.values():
             if label.actor.GetVisibility():
                 left, right, low, high = label.box_px
-                found.append((left, low, right, high))
-        found += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
-        return found
+                boxes.append((left, low, right, high))
+        boxes += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
+        return boxes
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
@@ -270,11 +270,11 @@ def want_plane(
         ends = np.array(spots)
         edges = np.stack([ends, np.roll(ends, -1, axis=0)], axis=1)
         seen = clipped(edges[np.isfinite(edges).all(axis=(1, 2))], ground.limits)
-        found = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
+        possible = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
         if len(seen):
             x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
-            found.insert(0, along(seen, (x, y), size, board.em))
-        return joined(*found) if found else NOWHERE
+            possible.insert(0, along(seen, (x, y), size, board.em))
+        return joined(*possible) if possible else NOWHERE
 
     board.want(key, spots, places, PLANE)
 

@@ -373,14 +373,14 @@ class MarksDrawing(Layer):
 
     def _rgba(self, colour: str, opacity: float = 1.0, *, quiet: bool = False) -> NDArray[np.uint8]:
         key = colour, round(255.0 * opacity), quiet
-        found = self._colours.get(key)
-        if found is None:
+        rgba = self._colours.get(key)
+        if rgba is None:
             shown = self._named(colour)
             if quiet:
                 shown = mixed(shown, self._style.background, QUIET)
             parts = [round(255.0 * part) for part in rgb(shown)]
-            found = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
-        return found
+            rgba = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
+        return rgba
 
     def _batches(
         self, batches: list[_Batch], kind: Literal["Lines", "Verts"], sizes: Array

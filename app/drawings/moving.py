@@ -55,9 +55,9 @@ def _indexed(pixels: Pixels) -> Image.Image:
     if image.getcolors(_GIF_COLOURS) is None:
         return image.quantize(_GIF_COLOURS, kmeans=1, dither=Image.Dither.NONE)
     colours, index = np.unique(pixels.reshape(-1, 3), axis=0, return_inverse=True)
-    found = Image.fromarray(index.reshape(pixels.shape[:2]).astype(np.uint8), "P")
-    found.putpalette(colours.tobytes())
-    return found
+    picture = Image.fromarray(index.reshape(pixels.shape[:2]).astype(np.uint8), "P")
+    picture.putpalette(colours.tobytes())
+    return picture
 
 
 def _gif(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool) -> bytes:
@@ -74,20 +74,20 @@ def _apng(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool
         )
 
     head = [(kind, bytes(body)) for kind, body in chunks(frames[0])]
-    found, number = [frames[0][:8]], 0
-    found += [chunk(*each) for each in head if each[0] not in (b"IDAT", b"IEND")]
-    found.insert(2, chunk(b"acTL", struct.pack(">II", len(frames), int(once))))
+    parts, number = [frames[0][:8]], 0
+    parts += [chunk(*each) for each in head if each[0] not in (b"IDAT", b"IEND")]
+    parts.insert(2, chunk(b"acTL", struct.pack(">II", len(frames), int(once))))
     for first, frame in enumerate(frames):
         wait = struct.pack(">HHBB", round(1000.0 / fps), 1000, 0, 0)
-        found.append(chunk(b"fcTL", struct.pack(">5I", number, *size, 0, 0) + wait))
+        parts.append(chunk(b"fcTL", struct.pack(">5I", number, *size, 0, 0) + wait))
         number += 1
         for kind, body in chunks(frame):
             if kind == b"IDAT" and not first:
-                found.append(chunk(kind, bytes(body)))
+                parts.append(chunk(kind, bytes(body)))
             elif kind == b"IDAT":
-                found.append(chunk(b"fdAT", struct.pack(">I", number) + bytes(body)))
+                parts.append(chunk(b"fdAT", struct.pack(">I", number) + bytes(body)))
                 number += 1
-    return b"".join([*found, chunk(b"IEND", b"")])
+    return b"".join([*parts, chunk(b"IEND", b"")])
 
 
 def _webp(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool) -> bytes:

@@ -30,10 +30,10 @@ _QUALITY = ("-c:v", "libx264", "-crf", "18")
 
 def program() -> str:
     """Return the path of ffmpeg; a `Refusal` if this machine has none."""
-    found = shutil.which(PROGRAM)
-    if found is None:
+    path = shutil.which(PROGRAM)
+    if path is None:
         raise Refusal.in_document(NO_PROGRAM, PROGRAM)
-    return os.path.abspath(found)
+    return os.path.abspath(path)
 
 
 def mp4(frames: Sequence[bytes], fps: float) -> bytes:

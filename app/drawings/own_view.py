@@ -265,8 +265,8 @@ class OwnView(PaneCamera):
         """Return the middle of what is framed, and the places around it that show all of it."""
         points = framed.shared(1.0)
         focus = (points.min(axis=0) + points.max(axis=0)) / 2.0
-        ways = [_turned(self._direction, turn_deg) for turn_deg in turns_deg]
-        all_axes = [_axes_from(way) for way in ways]
+        directions = [_turned(self._direction, turn_deg) for turn_deg in turns_deg]
+        all_axes = [_axes_from(way) for way in directions]
         (across, up), lower = self._slopes()
 
         def needed() -> tuple[float, float, float]:
@@ -282,7 +282,7 @@ class OwnView(PaneCamera):
         for _ in range(4):  # as high as makes it nearest
             _, above, below = needed()
             focus[1] += 0.5 * up * (above - below)
-        return focus, [focus + max(needed()) * way for way in ways]
+        return focus, [focus + max(needed()) * way for way in directions]
 
     # -- fixed views
 
@@ -496,15 +496,15 @@ def _clearest(moments: Sequence[Framed]) -> Array:
     that all of them take together. The result does not depend on the pane's proportions. Of several
     moments the worst decides.
     """
-    best, found = -math.inf, None
+    best, direction = -math.inf, None
     for framed in moments:
         sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
         for out in _directions(framed.camera.frame, sides):
             shown = min(_parts_shown(each, out) for each in moments)
             if shown > best:
-                best, found = shown, out
-    assert found is not None
-    return found
+                best, direction = shown, out
+    assert direction is not None
+    return direction
 
 
 def _parts_shown(framed: Framed, out: Array) -> float:
@@ -545,5 +545,5 @@ def _inside(faces: Array) -> NDArray[np.bool_]:
     normals = np.stack([-along[..., 1], along[..., 0]], axis=-1)
     offsets = (normals * faces).sum(axis=-1, keepdims=True)
     turns = normals @ _SPOTS.T - offsets
-    found: NDArray[np.bool_] = np.logical_or(turns.min(axis=1) >= 0.0, turns.max(axis=1) <= 0.0)
-    return found
+    is_inside: NDArray[np.bool_] = np.logical_or(turns.min(axis=1) >= 0.0, turns.max(axis=1) <= 0.0)
+    return is_inside

@@ -264,15 +264,15 @@ def _stored(slots: Sequence[Sequence[Sequence[str]]]) -> list[str]:
 
 
 def _runs(places: Sequence[int]) -> str:
-    found: list[list[int]] = []
+    runs: list[list[int]] = []
     for place in places:
-        if found and found[-1][1] == place - 1:
-            found[-1][1] = place
+        if runs and runs[-1][1] == place - 1:
+            runs[-1][1] = place
         else:
-            found.append([place, place])
+            runs.append([place, place])
     return ",".join(
         _base_36(first) if first == last else f"{_base_36(first)}-{_base_36(last)}"
-        for first, last in found
+        for first, last in runs
     )
 
 

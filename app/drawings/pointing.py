@@ -195,9 +195,9 @@ def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]
     for names, spot in chain.from_iterable(each.points for each in targets):
         away = math.dist(spot[:2], place)
         if away < best:  # never for NaN
-            best, found = away, names
-    if found:
-        return found
+            best, pointed = away, names
+    if pointed:
+        return pointed
     best = _LINE_EM * em
     for names, start, end in chain.from_iterable(each.segments for each in targets):
         away = _from_segment(place, start, end)

@@ -476,7 +476,7 @@ def counted_wrong_share(
         return pixels_of(window)[..., [0, 2]] > 127
 
     both = drawn(True, False)[..., 0] & drawn(False, True)[..., 1]
-    found = drawn(True, True)[..., 1]
+    picture = drawn(True, True)[..., 1]
     # A gap that is too fine for this buffer is replaced by a larger one, in a finer buffer.
     if even:
         rasteriser.show(Rendering(), seen)
@@ -492,7 +492,7 @@ def counted_wrong_share(
         clip_from_local = _over_the_scene(clip_from_local, scene.corners - origin, apart)
     actors[0][1].set_projective(clip_from_local)
     actors[1][1].set_projective(clip_from_local @ apart)
-    wrong = found != drawn(True, True)[..., 1]
+    wrong = picture != drawn(True, True)[..., 1]
     for actor, _ in actors:
         renderer.RemoveViewProp(actor)
     if rasteriser.refused:

@@ -19,8 +19,8 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
     if kept is None or kept[0] != projection:
         bounds: list[float] = []
         for part, space in scene.parts(projection.placement):
-            found = iter(drawing_bounds_px(projection, part.boxes.together, scene.origin, space))
-            bounds += [max(islice(found, len(boxes)), default=0.0) for boxes in part.boxes]
+            errors = iter(drawing_bounds_px(projection, part.boxes.together, scene.origin, space))
+            bounds += [max(islice(errors, len(boxes)), default=0.0) for boxes in part.boxes]
         del bounds[3:5]  # the ground has no faces and no dots
         kept = _bounds[scene] = projection, tuple(bounds)
     return kept[1]
@@ -28,15 +28,15 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
 
 def predictions(projection: Projection, scene: Scene) -> dict[Precision, Prediction] | None:
     """Return bounds of every precision's largest error over a scene's vertices."""
-    found: dict[Precision, Prediction] | None = None
+    predicted: dict[Precision, Prediction] | None = None
     for part, space in scene.parts(projection.placement):
         if part.has_vertices:
             bounds = predict(projection, part.vertices, scene.origin, space)
-            if found is not None and bounds is not None:
-                for level, bound in found.items():
+            if predicted is not None and bounds is not None:
+                for level, bound in predicted.items():
                     bounds[level] = Prediction(*map(max, bound, bounds[level]))
-            found = bounds or found
-    return found
+            predicted = bounds or predicted
+    return predicted
 
 
 _bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, ...]]] = WeakKeyDictionary()

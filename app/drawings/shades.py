@@ -55,8 +55,8 @@ def with_lightness(rgb: Any, lightness: Any) -> NDArray[np.uint8]:
     least, most = np.zeros((len(wanted), 1)), np.ones((len(wanted), 1))
     for _ in range(12):
         middle = (least + most) / 2.0
-        found = _of_lab(grey + middle * (wanted - grey))
-        fits = ((found > -0.5) & (found < 255.5)).all(axis=1, keepdims=True)
+        colours = _of_lab(grey + middle * (wanted - grey))
+        fits = ((colours > -0.5) & (colours < 255.5)).all(axis=1, keepdims=True)
         least, most = np.where(fits, middle, least), np.where(fits, most, middle)
     return np.clip(np.rint(_of_lab(grey + least * (wanted - grey))), 0, 255).astype(np.uint8)
 
@@ -104,9 +104,9 @@ def meeting(scene: Scene) -> set[tuple[int, int]]:
             kinds_at.setdefault((min(one, other), max(one, other)), set()).add(kind)
     return {
         (i, j)
-        for found in kinds_at.values()
-        for i in found
-        for j in found
+        for together in kinds_at.values()
+        for i in together
+        for j in together
         if i < j and np.abs(hues[i] - hues[j]).max() > _SAME_HUE
     }
 

@@ -43,17 +43,17 @@ def cells(
     picture = max(high(rows), _LEAST_PX)
     wanted = [[across + picture * aspect for aspect in row] for row in rows]
     fullest = max(map(sum, wanted))
-    found, height = [], height_px // len(rows)
+    rectangles, height = [], height_px // len(rows)
     for top, row in enumerate(wanted):
         # A picture that is alone in its row gets all of it, if no row is fuller.
         room = width_px / (sum(row) if len(rows) == len(aspects) else fullest)
         widths = [int(room * each) for each in row]
         first = int((width_px - room * sum(row)) / 2.0)
         lefts = accumulate(widths, initial=first)
-        found += [
+        rectangles += [
             (left, top * height, width, height) for left, width in zip(lefts, widths, strict=False)
         ]
-    return found
+    return rectangles
 
 
 def places_of(
@@ -94,8 +94,8 @@ def panes_in(
     if images and others:
         most = (along - _LEAST_SHARE * equal * others) / len(images)
         wanted = [across / aspect if column else across * aspect for aspect in images]
-        found = iter([min(max(equal, _FILLED * full), full / _FILLED, most) for full in wanted])
-        shares = [equal if aspect is None else next(found) for aspect in aspects]
+        widths = iter([min(max(equal, _FILLED * full), full / _FILLED, most) for full in wanted])
+        shares = [equal if aspect is None else next(widths) for aspect in aspects]
         kept = sum(s for s, aspect in zip(shares, aspects, strict=True) if aspect is not None)
         shares = [
             (along - kept) / others if aspect is None else share

@@ -27,7 +27,7 @@ def standing(
 
     `options` are those of `render`, as far as they matter for the size of the panes.
     """
-    found: list[list[Camera]] = []
+    cameras: list[list[Camera]] = []
     last = len(states) - 1
     chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
     shown = [states[place] for place in chosen]
@@ -35,7 +35,7 @@ def standing(
 
     def seen(drawing: Drawing, _factor: int) -> None:
         if isinstance(drawing, WorldDrawing):
-            found.append(drawing.views(moments, turns_deg))
+            cameras.append(drawing.views(moments, turns_deg))
 
     first = states[0]
     render(

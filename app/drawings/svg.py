@@ -179,24 +179,24 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
             font = "" if is_set_in_words(piece) else f' font-family="{SIGNS_FONT}"'
             spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
             continue
-        found = TEX.fullmatch(piece)
-        base = "" if found is None else found["letter"] or found["word"] or ""
-        if found is not None and found["sign"]:
-            base = GREEK.get(found["sign"], found["sign"] if found["sign"] in FUNCTIONS else "")
-        if found is None or not base:
+        match = TEX.fullmatch(piece)
+        base = "" if match is None else match["letter"] or match["word"] or ""
+        if match is not None and match["sign"]:
+            base = GREEK.get(match["sign"], match["sign"] if match["sign"] in FUNCTIONS else "")
+        if match is None or not base:
             spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
             outlines.append(outlined(piece, at * em, size * em))
             continue
         style = ' font-style="italic"' if len(base) == 1 else ""
-        arrow = "\u20d7" if found["arrow"] else ""
-        primes = found["prime"].replace("'", "\u2032")
+        arrow = "\u20d7" if match["arrow"] else ""
+        primes = match["prime"].replace("'", "\u2032")
         spans.append(
-            f"<tspan {where}{'' if found['sub'] or found['low'] or primes else wide}"
+            f"<tspan {where}{'' if match['sub'] or match['low'] or primes else wide}"
             f' font-family="{SIGNS_FONT}"{style}>{escape(base + arrow)}</tspan>'
         )
-        if found["sub"] or found["low"]:
-            sub, down = found["sub"] or found["low"], _LOWER_EM * size * em
-            slanted = "" if found["sub"] or sub.isdigit() else style
+        if match["sub"] or match["low"]:
+            sub, down = match["sub"] or match["low"], _LOWER_EM * size * em
+            slanted = "" if match["sub"] or sub.isdigit() else style
             spans.append(
                 f'<tspan dy="{_n(down)}" font-size="{_n(_LOWERED * size * em)}"'
                 f' font-family="{SIGNS_FONT}"{slanted}>{escape(sub)}</tspan>'
@@ -228,15 +228,15 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
 
 def outlined(tex: str, x: float, em: float) -> str:
     """A formula as a path; words' em in pixels."""
-    found = outline(tex)
+    shape = outline(tex)
     letters = {1: "M", 2: "L", 3: "Q", 4: "C"}
     counts = {3: 2, 4: 3}
     data, place = "", 0
-    while place < len(found.codes):
-        code = int(found.codes[place])
+    while place < len(shape.codes):
+        code = int(shape.codes[place])
         count = counts.get(code, 1)
         if code in letters:
-            points = found.vertices[place : place + count]
+            points = shape.vertices[place : place + count]
             data += letters[code] + " ".join(f"{_n(x + em * p)} {_n(-em * q)}" for p, q in points)
         else:
             data += "Z"

@@ -202,25 +202,25 @@ def _faint(what: str, opacity: float) -> str:
 
 def _tex(pieces: Iterable[tuple[str, bool]]) -> str:
     """The pieces of a label as words and formulas; numbers beside a letter are in its formula."""
-    found = ""
+    text = ""
     for is_math, group in groupby(pieces, key=lambda piece: _is_math(*piece)):
         parts = [*group]
         formulas = [_grouped(piece) for piece, is_tex in parts if is_tex]
         if not is_math:
-            found += "".join(_in_words(*part) for part in parts)
+            text += "".join(_in_words(*part) for part in parts)
             continue
         numbers = count()
         line = "".join(chr(_HELD + next(numbers)) if is_tex else piece for piece, is_tex in parts)
         bare = line.strip(" ")
         if not re.search(rf"[{chr(_HELD)}-\uf8ff0-9=+<>%|\u00b0-\uffff]", bare):
-            found += "".join(_IN_WORDS.get(sign, sign) for sign in line)
+            text += "".join(_IN_WORDS.get(sign, sign) for sign in line)
             continue
         before, after = line[: line.index(bare)], line[line.index(bare) + len(bare) :]
         signs = {chr(_HELD + number): tex for number, tex in enumerate(formulas)}
         signs |= {" ": r"\ ", **_IN_MATH}
         tex = "".join(signs[sign] for sign in _SPACED.sub("", bare))
-        found += f"{before}${tex.strip()}${after}"
-    return found
+        text += f"{before}${tex.strip()}${after}"
+    return text
 
 
 def _grouped(tex: str) -> str:
@@ -235,10 +235,10 @@ def _is_math(piece: str, is_tex: bool) -> bool:
 
 
 def _in_words(piece: str, is_tex: bool) -> str:
-    found = TEX.fullmatch(piece) if is_tex else None
-    base = None if found is None else found["word"] or found["letter"]
-    if found is not None and base:  # in another script, which formulas have not
-        low = _in_words(found["sub"] or found["low"] or "", False)
-        return rf"{_in_words(base, False)}\textsubscript{{{low}}}{found['prime']}"
+    match = TEX.fullmatch(piece) if is_tex else None
+    base = None if match is None else match["word"] or match["letter"]
+    if match is not None and base:  # in another script, which formulas have not
+        low = _in_words(match["sub"] or match["low"] or "", False)
+        return rf"{_in_words(base, False)}\textsubscript{{{low}}}{match['prime']}"
     text = printable(f"${piece}$" if is_tex else piece)
     return "".join(_IN_WORDS.get(sign, sign) for sign in text)

@@ -214,10 +214,10 @@ def shapes_of(
         if each.GetDraw() and all(each.GetSize())
     ]
     # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.
-    found: list[Shape] = [area for pane in panes for area in pane.background()]
+    shapes: list[Shape] = [area for pane in panes for area in pane.background()]
     for pane in panes:
-        found += pane.shapes(window)
-    return found
+        shapes += pane.shapes(window)
+    return shapes
 
 
 def refuse_too_many(window: Any) -> None:

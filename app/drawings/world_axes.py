@@ -125,14 +125,14 @@ class WorldAxes(Layer):
             return (), np.empty((0, 2, 3))
         is_named = [name in names or name.removeprefix("object_") in names for name in axes.shafts]
         start = np.tile(axes.origin, (3, 1))
-        ends = np.stack([start, start + axes.ways], axis=1)
+        ends = np.stack([start, axes.ends], axis=1)
         return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def core(self) -> list[Array]:
         """The points of the named frames and axes, (n, 3) each."""
         wanted = self._names.wanted or frozenset()
         whole = [
-            axes.origin + np.vstack([np.zeros(3), axes.ways])
+            np.vstack([axes.origin, axes.ends])
             for axes, is_named in (
                 (self._object, "frame-o" in wanted),
                 (self._world, "frame-w" in wanted),

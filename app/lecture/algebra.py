@@ -131,8 +131,8 @@ class Letters(dict[str, Ratio]):
 
 def ratio(formula: Formula) -> Ratio:
     """A formula as one quotient."""
-    found: Ratio = formula.value(Letters(), SYMBOLS)
-    return found
+    fraction: Ratio = formula.value(Letters(), SYMBOLS)
+    return fraction
 
 
 # --------------------------------------------------------------------------- sums of products

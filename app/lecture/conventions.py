@@ -69,8 +69,8 @@ def in_convention(projection: Projection, name: str, *, rows: bool) -> dict[str,
     else:
         names = view_stage.name, clip_stage.name
     whole = f"{names[1].partition('_')[0]}_from_world"
-    found = {names[0]: view, names[1]: clip, whole: product(clip, view)}
-    arrays = {name: np.array(matrix, dtype=np.float64) for name, matrix in found.items()}
+    matrices = {names[0]: view, names[1]: clip, whole: product(clip, view)}
+    arrays = {name: np.array(matrix, dtype=np.float64) for name, matrix in matrices.items()}
     return {name: array.T if rows else array for name, array in arrays.items()}
 
 
@@ -95,8 +95,8 @@ def world_planes(projection: Projection) -> dict[str, list[float] | None]:
 
     sides = [combined(s, row, 1) for row in (x, y) for s in (1, -1)]
     rows = [combined(sign, z, -sign * z_near), combined(-sign, z, sign * z_far), *sides]
-    found: dict[str, list[float] | None] = {}
+    planes: dict[str, list[float] | None] = {}
     for name, row in zip(PLANES, rows, strict=True):
         length = math.hypot(*map(float, row[:3]))
-        found[name] = [float(part) / length + 0.0 for part in row] if length else None
-    return found
+        planes[name] = [float(part) / length + 0.0 for part in row] if length else None
+    return planes

@@ -73,7 +73,7 @@ class Influence(NamedTuple):
     is_zero: bool
 
 
-_Found: TypeAlias = tuple[dict[str, None], bool]
+_FieldsAndZero: TypeAlias = tuple[dict[str, None], bool]
 
 
 def state_of(projection: Projection) -> ProjectionState:
@@ -113,7 +113,7 @@ def reach(formula: str, state: ProjectionState) -> Influence:
     return Influence(tuple(fields), is_zero)
 
 
-def _of(node: Formula, state: ProjectionState) -> _Found:
+def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
     if isinstance(node, Number):
         return {}, node.number == 0
     if isinstance(node, Letter):
@@ -125,8 +125,8 @@ def _of(node: Formula, state: ProjectionState) -> _Found:
         if node.name == "dot":
             assert isinstance(first, Letter)
             return _of_dot(first.name, state)
-        found, _ = _of(first, state)
-        return found, node.text in state.zeros
+        fields, _ = _of(first, state)
+        return fields, node.text in state.zeros
     assert isinstance(node, Pair)
     if isinstance(node.left, Letter) and isinstance(node.right, Letter):
         across = _SIDES.get((node.left.name, node.right.name))
@@ -160,7 +160,7 @@ def _what_is_left(node: Formula, state: ProjectionState) -> str:
     return ""
 
 
-def _of_name(name: str, state: ProjectionState) -> _Found:
+def _of_name(name: str, state: ProjectionState) -> _FieldsAndZero:
     if name in dict(state.held):
         return dict.fromkeys(dict(state.held)[name]), True
     stem, _, part = name.partition("_")
@@ -172,7 +172,7 @@ def _of_name(name: str, state: ProjectionState) -> _Found:
     return dict.fromkeys(fields), name in state.zeros
 
 
-def _of_dot(axis: str, state: ProjectionState) -> _Found:
+def _of_dot(axis: str, state: ProjectionState) -> _FieldsAndZero:
     """Return the reach of the eye's component along an axis.
 
     Along u and v the target has the same component. Only fields that change the products with both
@@ -188,7 +188,7 @@ def _of_dot(axis: str, state: ProjectionState) -> _Found:
     return {field: None for field in by_eye if field in by_target}, is_zero
 
 
-def _of_window(across: str, is_sum: bool, state: ProjectionState) -> _Found:
+def _of_window(across: str, is_sum: bool, state: ProjectionState) -> _FieldsAndZero:
     """Return the reach of ``r + l`` or ``r - l``, or the same of y: only extents are fitted."""
     pair = {"x": ("right", "left"), "y": ("top", "bottom")}
     if is_sum:

@@ -109,13 +109,13 @@ def equation_of(
         raise _refused(text, text)
     distance: Any = (settings or {}).get(_PLANE)
     planes = ONTO_PLANE if isinstance(distance, float) and distance else {}
-    found = _found(projection, letters, [word for word in words if word not in planes])
-    lecture = next((term.letters for term in found.values()), letters)
-    found |= {word: _onto_plane(word, distance, lecture) for word in planes}
-    missing = [word for word in words if word not in found]
+    term_of = _terms_of(projection, letters, [word for word in words if word not in planes])
+    lecture = next((term.letters for term in term_of.values()), letters)
+    term_of |= {word: _onto_plane(word, distance, lecture) for word in planes}
+    missing = [word for word in words if word not in term_of]
     if missing:
         raise _refused(text, missing[0])
-    terms = [found[word] for word in words]
+    terms = [term_of[word] for word in words]
     if len(terms) == 1:
         name = terms[0].name or "M"
         return Equation((), terms[0]._replace(name=name), is_in_numbers)
@@ -138,7 +138,7 @@ def _refused(text: str, word: str) -> Refusal:
     return Refusal("equation", text, SOME_MATRICES, MOST_FACTORS, ", ".join(USUAL), repr(word))
 
 
-def _found(projection: Projection, letters: Letters, words: Sequence[str]) -> dict[str, Term]:
+def _terms_of(projection: Projection, letters: Letters, words: Sequence[str]) -> dict[str, Term]:
     """Return the matrices of words in the letters of one lecture, the chosen one if it has all.
 
     Words of several lectures are the matrices of the first lecture that has them, whatever it calls
@@ -168,23 +168,23 @@ def _named(
     projection: Projection, letters: Letters, words: Sequence[str]
 ) -> dict[str, tuple[str, str]]:
     """Return the keys of those words that a lecture has, and the names of their matrices."""
-    names, found = names_of(projection, letters), dict[str, tuple[str, str]]()
+    names, symbols = names_of(projection, letters), dict[str, tuple[str, str]]()
     for word, key in itertools.product(words, _by_key(projection, letters)):
         called = names.get(key, "")
         own = (key, key.partition("/")[2])
         if word in (called, called.removesuffix(" I")) or USUAL.get(word, word) in own:
-            found.setdefault(word, (key, latex_called(called)))
-    return found
+            symbols.setdefault(word, (key, latex_called(called)))
+    return symbols
 
 
 @lru_cache(maxsize=len(LETTERS))
 def _by_key(projection: Projection, letters: Letters) -> Mapping[str, WrittenMatrix]:
     """Return the matrices by their names, and their factors by ``matrix/factor``."""
-    found = dict[str, WrittenMatrix]()
+    by_key = dict[str, WrittenMatrix]()
     for matrix in matrices(projection, letters):
-        found[matrix.name] = matrix
-        found |= {f"{matrix.name}/{factor.name}": factor for factor in matrix.factors}
-    return found
+        by_key[matrix.name] = matrix
+        by_key |= {f"{matrix.name}/{factor.name}": factor for factor in matrix.factors}
+    return by_key
 
 
 def _own_result(projection: Projection, terms: Sequence[Term]) -> Term | None:
@@ -237,7 +237,7 @@ def latex_cell(formula: str, letters: Letters) -> str:
     tex = latex_formula(formula, letters)
     if re.match(r"-?\\frac", tex):
         tex = tex.replace("\\frac", "\\dfrac", 1)
-    found = re.fullmatch(r"\\dfrac\{-((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}(\{.*\})", tex)
-    if found is None or re.search("[+-]", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", found[1])):
+    match = re.fullmatch(r"\\dfrac\{-((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}(\{.*\})", tex)
+    if match is None or re.search("[+-]", re.sub(r"\([^()]*\)|\{[^{}]*\}", "", match[1])):
         return tex
-    return rf"-\dfrac{{{found[1]}}}{found[2]}"
+    return rf"-\dfrac{{{match[1]}}}{match[2]}"

@@ -192,8 +192,8 @@ def kind_of(projection: Projection) -> str | None:
         drawn = (
             k for k in KINDS.values() if k.receding is not None and _same(receding, k.receding)
         )
-        found = next(drawn, None)
-        return found.name if found is not None and has_face else "oblique"
+        kind = next(drawn, None)
+        return kind.name if kind is not None and has_face else "oblique"
     if has_face:
         faces = {(0, True): "side", (1, True): "top", (2, True): "front"}
         axis = through.index(True)

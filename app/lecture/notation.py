@@ -129,10 +129,10 @@ def frame_letters(letters: Letters) -> dict[str, str]:
     symbols = _SYMBOLS[letters]
     points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
     symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
-    found = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
+    letter_of = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
     names = _CHAINS.get(letters, {})
-    found["T"] = names.get("view_from_world/translation", "T")
-    return {**found, "M": names.get("view_from_world", "M")}
+    letter_of["T"] = names.get("view_from_world/translation", "T")
+    return {**letter_of, "M": names.get("view_from_world", "M")}
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:
@@ -141,15 +141,15 @@ def axis_letters(letters: Letters) -> dict[str, str]:
     Lecture 003 also has letters for the object's axes. The dictionary omits the points and
     directions without a letter, which keep their names.
     """
-    found = frame_letters(letters)
-    found |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
-    found = {
-        name: found[name]
+    letter_of = frame_letters(letters)
+    letter_of |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
+    letter_of = {
+        name: letter_of[name]
         for name in ("u", "v", "n", "up", "eye", "target")
-        if found[name] != name or len(name) == 1
+        if letter_of[name] != name or len(name) == 1
     }
     axes = {name: _SYMBOLS[letters].get(name, "") for name in OBJECT_AXES}
-    return found | {name: letter for name, letter in axes.items() if letter}
+    return letter_of | {name: letter for name, letter in axes.items() if letter}
 
 
 def in_letters(text: str, letters: Letters) -> str:
@@ -158,8 +158,8 @@ def in_letters(text: str, letters: Letters) -> str:
     ``{l}, {r}`` becomes ``x_min, x_max`` for lecture 000, and ``{axis_n}`` ``w`` for lecture 001.
     """
 
-    def letter(found: re.Match[str]) -> str:
-        return _SYMBOLS[letters].get(found[1], found[1]).replace(ARROW, "")
+    def letter(match: re.Match[str]) -> str:
+        return _SYMBOLS[letters].get(match[1], match[1]).replace(ARROW, "")
 
     return re.sub(r"\{([a-z]\w*)\}", letter, text)
 
@@ -308,12 +308,12 @@ def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
     names = _CHAINS.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, letters).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
-    found = {name: called.format(kind=kind, w=w) for name, called in names.items()}
+    texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
     if letters == "002" and not lens.table.steps:
-        found["clip_from_view"] = "P"
+        texts["clip_from_view"] = "P"
     elif letters == "002" and _steps(lens.table, letters):
-        found["clip_from_view"] = "" if lens.is_central else "P_obl"
-    return found
+        texts["clip_from_view"] = "" if lens.is_central else "P_obl"
+    return texts
 
 
 def names_of(projection: Projection, letters: Letters) -> dict[str, str]:
@@ -337,7 +337,7 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         for matrix in whole
         if matrix.formulas != _IDENTITY or (matrix.name == FROM_OBJECT and FROM_OBJECT in names)
     }
-    found, shown = [], dict[str, str]()
+    whole_chain, shown = [], dict[str, str]()
     for matrix in whole:
         if matrix.name not in kept:
             continue
@@ -350,10 +350,10 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         called = [*filter(None, (names.get(matrix.name, ""), _chain(names, of)))]
         shown[matrix.name] = called[0] if called else matrix.name
         chain = tuple(_chain(shown, [name]) for name in parts)
-        found.append(
+        whole_chain.append(
             matrix._replace(product=parts, factors=factors, called=" = ".join(called), chain=chain)
         )
-    return tuple(found)
+    return tuple(whole_chain)
 
 
 def letters_in(matrix: WrittenMatrix, row: int, column: int) -> Highlight:
@@ -492,12 +492,12 @@ def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _Fi
     def cell(key: str, i: int, j: int) -> tuple[str, ...]:
         formula = _spelled(own[key][i][j], own["clip_from_view"])
         mine = reach(formula, state)
-        found = dict.fromkeys(mine.fields)
+        fields = dict.fromkeys(mine.fields)
         for field, table in others if key != FROM_OBJECT else ():
             other = _spelled(table[key][i][j], table["clip_from_view"])
             if other != formula and not (mine.is_zero and reach(other, state).is_zero):
-                found[field] = None
-        return tuple(found)
+                fields[field] = None
+        return tuple(fields)
 
     return {key: tuple(tuple(cell(key, i, j) for j in range(4)) for i in range(4)) for key in own}
 

@@ -62,7 +62,7 @@ def pasted(
     if len(rows) < 4 or len(rows[0]) < 4:
         raise Refusal(name, tuple(map(tuple, rows)), NO_CAMERA)
     cells, former = finite_matrix(name, rows), projection.lens.former
-    found = []
+    possible = []
     for reading in readings(cells, projection.image_size, projection.depth, former):
         shown = replace(projection, lens=reading.lens, depth=reading.depth)
         if not projection.has_camera:
@@ -73,15 +73,15 @@ def pasted(
             said.append(MatrixProperty(IS_TURNED, ("3" if reading.y > 0 else "2, 3",)))
         elif reading.y < 0:
             said.append(MatrixProperty(IS_UPRIGHT))
-        found.append(Pasted(shown, said))
-    return found or [Pasted(with_matrix(projection, name, cells), [])]
+        possible.append(Pasted(shown, said))
+    return possible or [Pasted(with_matrix(projection, name, cells), [])]
 
 
 def _views(projection: Projection, rows: Sequence[Sequence[float]], write: Write) -> list[Pasted]:
     given = np.array(rows)
     is_alike = given.shape[0] != given.shape[1] or np.array_equal(given, given.T)
     matrices = [_affine(each, projection) for each in ((given,) if is_alike else (given, given.T))]
-    matrix, found = matrices[0], []
+    matrix, possible = matrices[0], []
     for turned in matrices:
         cells = finite_matrix("view_from_world", turned.tolist())
         if recognised_camera(cells, projection.camera) is None:
@@ -90,11 +90,11 @@ def _views(projection: Projection, rows: Sequence[Sequence[float]], write: Write
         ahead = (-shown.camera.frame[2] + 0.0).tolist()
         eye, along = (", ".join(write(part) for part in p) for p in (shown.camera.eye, ahead))
         said = [MatrixProperty(OF_A_CAMERA, (eye, along)), *rounded_view(shown, cells, write)]
-        found.append(
+        possible.append(
             Pasted(shown, [MatrixProperty(FOR_ROWS), *said] if turned is not matrix else said)
         )
-    if found:
-        return found
+    if possible:
+        return possible
     is_for_rows = bool(matrix[3, :3].any()) and not matrix[:3, 3].any()
     cells = finite_matrix("view_from_world", (matrix.T if is_for_rows else matrix).tolist())
     shown = with_matrix(projection, "view_from_world", cells)

@@ -97,8 +97,8 @@ def with_matrix(
     clip_from_view = shown(projection, "clip_from_view")
     view_from_world = lens.own_view
     if name == "view_from_world":
-        found = recognised_camera(cells, camera)
-        camera, view_from_world = (camera, cells) if found is None else (found, None)
+        recognised = recognised_camera(cells, camera)
+        camera, view_from_world = (camera, cells) if recognised is None else (recognised, None)
     else:
         clip_from_view = cells
     if view_from_world is None:
@@ -151,13 +151,13 @@ def _shortened(lens: Lens, has: Callable[[Lens], bool], projection: Projection) 
             try:
                 if names[0] in ("near", "far"):  # the window stays the same in degrees
                     planes = {"near": lens.near, "far": lens.far, **short}
-                    found = lens.cut(lens.window(aspect), **planes)
+                    shortened = lens.cut(lens.window(aspect), **planes)
                 else:
-                    found = lens.but(**short)
+                    shortened = lens.but(**short)
             except Refusal:
                 continue
-            if has(found):
-                lens = found
+            if has(shortened):
+                lens = shortened
                 break
     return lens
 
@@ -259,7 +259,7 @@ def readings(
     along -z if c < 0 and along +z if c > 0. The picture's y points up if the entry of y is
     positive. The depth range is the one in which near and far have few digits.
     """
-    found: list[tuple[bool, MatrixReading]] = []
+    ranked: list[tuple[bool, MatrixReading]] = []
     ranges = sorted(DEPTH_RANGES, key=lambda name: name != depth)
     for is_transposed in (False, True):
         rows: Any = tuple(zip(*cells, strict=True)) if is_transposed else cells
@@ -280,13 +280,13 @@ def readings(
                 shown_by = Projection(camera, in_hand, image_size, range_)
                 lens = recognised_lens(ours, shown_by, whole=True)
                 if lens is not None and lens.near >= 0.0:
-                    found.append(
+                    ranked.append(
                         (is_unit, MatrixReading(lens, range_, y_sign, z_sign, is_transposed))
                     )
         if rows == tuple(zip(*rows, strict=True)):
             break
-    units = any(is_unit for is_unit, _ in found)
-    possible = [reading for is_unit, reading in found if is_unit == units]
+    units = any(is_unit for is_unit, _ in ranked)
+    possible = [reading for is_unit, reading in ranked if is_unit == units]
     least = min((reading.digits for reading in possible), default=0)
     return [reading for reading in possible if reading.digits <= least + 2]
 
@@ -454,19 +454,19 @@ def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Ma
         return [MatrixProperty(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
     lens: Any = projection.lens
     described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
-    found: list[MatrixProperty] = []
+    stated: list[MatrixProperty] = []
     if described and described[0][1:] != (projection.depth, 1, 1, False):
-        found += convention(described[0], projection, write)
+        stated += convention(described[0], projection, write)
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
     if (determinant > 0) == (z_near < z_far):
-        found.append(MatrixProperty(MIRRORED_CLIP))
+        stated.append(MatrixProperty(MIRRORED_CLIP))
     if projection.frustum_sign < 0 and any(matrix[3][:3]):
-        found.append(MatrixProperty(ALL_BEHIND))
+        stated.append(MatrixProperty(ALL_BEHIND))
     # A view matrix without an inverse is a property of its own.
     if projection.frustum_sign == 0 and eliminate(projection.exact_from_eye[0]).rank == 4:
-        found.append(MatrixProperty(THROUGH_INFINITY))
-    return found + _of_last_row(matrix[3], write)
+        stated.append(MatrixProperty(THROUGH_INFINITY))
+    return stated + _of_last_row(matrix[3], write)
 
 
 def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> list[MatrixProperty]:
@@ -483,14 +483,14 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
         return []
     rounding = nearest.rounding
     how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
-    found = [MatrixProperty(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
+    stated = [MatrixProperty(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera
-        found.append(
+        stated.append(
             MatrixProperty(NEAREST_IS_USED if is_used else NEAREST, (write(float(f"{px:.2g}")),))
         )
-    return found
+    return stated
 
 
 def convention(
@@ -504,8 +504,8 @@ def convention(
         shows = f"fov {2.0 * math.degrees(math.atan2(top, lens.near)):.4g}°"
     z_near, z_far = (write(z) for z in DEPTH_RANGES[reading.depth])
     figures = (z_near, z_far, shows, write(lens.near), write(lens.far))
-    found = [MatrixProperty(CONVENTIONS[reading.y, reading.z], figures)]
-    return [MatrixProperty(FOR_ROWS), *found] if reading.is_transposed else found
+    stated = [MatrixProperty(CONVENTIONS[reading.y, reading.z], figures)]
+    return [MatrixProperty(FOR_ROWS), *stated] if reading.is_transposed else stated
 
 
 def _of_view(projection: Projection, cells: Cells, write: Write) -> list[MatrixProperty]:
@@ -513,12 +513,12 @@ def _of_view(projection: Projection, cells: Cells, write: Write) -> list[MatrixP
     rank = eliminate(matrix).rank
     rows = [row[:3] for row in matrix[:3]]
     turning = eliminate(rows).determinant
-    found = [MatrixProperty(SINGULAR, (str(rank),))] if rank < 4 else []
+    stated = [MatrixProperty(SINGULAR, (str(rank),))] if rank < 4 else []
     if turning < 0:
-        found.append(MatrixProperty(MIRRORED_VIEW, (write(float(turning)),)))
+        stated.append(MatrixProperty(MIRRORED_VIEW, (write(float(turning)),)))
     if not _is_rigid(rows):
-        found += rounded_view(projection, cells, write) or [MatrixProperty(NOT_RIGID)]
-    return found + _of_last_row(matrix[3], write)
+        stated += rounded_view(projection, cells, write) or [MatrixProperty(NOT_RIGID)]
+    return stated + _of_last_row(matrix[3], write)
 
 
 def _of_last_row(last: list[Fraction], write: Write) -> list[MatrixProperty]:

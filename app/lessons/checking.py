@@ -24,6 +24,7 @@ from app.lessons.record import RIGHT, WRONG
 from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in, outline
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
+from app.scenes.mesh import Progress, report
 
 MOST_STEPS, MOST_PRACTICE = 7, 3
 """Most steps of a lesson without an exercise, and most with one."""
@@ -73,32 +74,33 @@ class CheckReport:
             f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong{warnings}"
         )
 
-    def read(self, path: Path) -> None:
+    def read(self, path: Path, progress: Progress | None = None) -> None:
         """Read a lesson from its file, check it, and add its faults."""
         try:
             lesson = read(path, self.wrong.append)
         except Refusal as error:
             self.wrong.append(error)
         else:
-            self.take(lesson)
+            self.take(lesson, progress)
 
-    def take(self, lesson: Lesson) -> Course:
+    def take(self, lesson: Lesson, progress: Progress | None = None) -> Course:
         self.lessons += not lesson.is_talk
         self.talks += lesson.is_talk
         course, trial = Course(lesson), Trial(lesson.path)
-        _check(course, trial)
+        _check(course, trial, progress)
         self.checks += trial.checks
         self.wrong += trial.wrong.values()
         self.warnings += trial.warnings
         return course
 
 
-def _check(course: Course, trial: Trial) -> None:
+def _check(course: Course, trial: Trial, progress: Progress | None) -> None:
     lesson = course.lesson
     is_lesson = not lesson.is_talk and any(step.asked for step in lesson.steps)
     if is_lesson:  # a collection of ideas may have more
         _count(lesson.steps, trial)
     for place, step in enumerate(lesson.steps):
+        report(progress, place / len(lesson.steps))
         is_possible = False
         with trial.kept():
             course.shown(place)

@@ -99,17 +99,17 @@ class Course:
     @property
     def files(self) -> list[str]:
         """Return the names of the documents and meshes beside the lesson that its steps use."""
-        found = []
+        needed = []
         for step in self.lesson.steps:
             if step.state is not None:
-                found.append(step.state.document)
+                needed.append(step.state.document)
                 parts = (text.partition("=") for _, text in step.state.values)
-                found += (
+                needed += (
                     value.strip()
                     for path, _, value in parts
                     if path.strip() in ("scene", "mesh") and is_mesh(value.strip())
                 )
-        return list(filter(None, found))
+        return list(filter(None, needed))
 
     def shown(self, place: int) -> ShownStep:
         """Return what a step shows, counted from 0; a `Refusal` names the line."""

@@ -237,7 +237,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
     """Read the front matter; return the fields of `Lesson`, and how many lines it takes."""
     if not lines or lines[0].strip() != "---":
         raise refused(1, TOP, value=lines[0][:60] if lines else "")
-    found: dict[str, str] = {}
+    values: dict[str, str] = {}
     for number, line in enumerate(lines[1:], 2):
         if line.strip() == "---":
             break
@@ -248,24 +248,24 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
             raise refused(number, TOP_UNCLOSED, value=line[:60])
         if not colon or key not in _TOP_KEYS:
             raise refused(number, UNEXPECTED, ", ".join(_TOP_KEYS), value=line[:60])
-        if key in found:
+        if key in values:
             raise refused(number, ONLY_ONCE, key)
-        found[key] = value
+        values[key] = value
         _check_top(key, value, number)
     else:
         raise refused(len(lines), TOP)
-    title = found.get("title", "")
+    title = values.get("title", "")
     if not title:
         raise refused(1, NO_TITLE)
     if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as in YAML
         title = title[1:-1]
     return {
         "title": title,
-        "lecture": found.get("lecture", ""),
-        "topics": tuple(_parted(found.get("topic", ""))),
-        "language": found.get("language", "en"),
-        "letters": found.get("letters"),
-        "minutes": float(found.get("minutes", 0.0)),
+        "lecture": values.get("lecture", ""),
+        "topics": tuple(_parted(values.get("topic", ""))),
+        "language": values.get("language", "en"),
+        "letters": values.get("letters"),
+        "minutes": float(values.get("minutes", 0.0)),
     }, number
 
 
@@ -373,9 +373,9 @@ def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refus
         try:
             block = kind.read(body._replace(lines=lines))
         except Refusal as error:
-            found = re.match(r"line (\d+)", error.field)
+            match = re.match(r"line (\d+)", error.field)
             numbers = [number for number, _ in lines]
-            at = numbers.index(int(found[1])) if found and int(found[1]) in numbers else None
+            at = numbers.index(int(match[1])) if match and int(match[1]) in numbers else None
             if at is None:
                 return None, faults or [error]
             faults.append(error)
@@ -437,11 +437,11 @@ class _StepReader:
         text = self._lines[line - 1]
         mark, *rest = text.split(None, 1)
         whole = "".join(rest).rstrip().rstrip("#").rstrip()  # a title may end with #
-        found = _OWN_NAME.search(whole)
-        title = whole[: found.start()].rstrip() if found is not None else whole
+        match = _OWN_NAME.search(whole)
+        title = whole[: match.start()].rstrip() if match is not None else whole
         if heading.type != "heading_open" or heading.tag != "h1" or mark != "#" or not title:
             raise refused(line, NO_HEADING, value=text[:60])
-        name = found[1].strip() if found is not None else slug(title)
+        name = match[1].strip() if match is not None else slug(title)
         if not _NAME.fullmatch(name):
             raise refused(line, BAD_NAME, value=name)
         return name, title, line

@@ -117,15 +117,15 @@ class Items(tuple[LineItem, ...]):
 
     def single(self, key: str) -> LineItem | None:
         """Return the item of a key; refuse a second one."""
-        found = [item for item in self if item.key == key]
-        if len(found) > 1:
-            raise refused(found[1].line, ONLY_ONCE, key)
-        return found[0] if found else None
+        same = [item for item in self if item.key == key]
+        if len(same) > 1:
+            raise refused(same[1].line, ONLY_ONCE, key)
+        return same[0] if same else None
 
     def text(self, key: str) -> str:
         """Return the text of a single key; empty if it is missing."""
-        found = self.single(key)
-        return found.text if found else ""
+        item = self.single(key)
+        return item.text if item else ""
 
     def texts(self, key: str) -> tuple[str, ...]:
         """Return every text of a key that may be repeated."""
@@ -133,22 +133,22 @@ class Items(tuple[LineItem, ...]):
 
     def conditions(self, key: str) -> tuple[tuple[int, Condition], ...]:
         """Read every condition of a key, each with its line."""
-        found = []
+        conditions = []
         for item in self:
             if item.key == key:
                 with on_line(item.line, key):
-                    found.append((item.line, Condition.read(item.text)))
-        return tuple(found)
+                    conditions.append((item.line, Condition.read(item.text)))
+        return tuple(conditions)
 
     def sentences(self) -> tuple[tuple[int, str], ...]:
         """Return every sentence for the student that may contain formulas, with its line."""
         own = [(item.line, item.text) for item in self if item.key in ("why", "hint", "done")]
         below = [each for item in self for each in item.below if each.key == "says"]
-        found = *own, *((each.line, each.text) for each in below)
-        for line, text in found:
+        sentences = *own, *((each.line, each.text) for each in below)
+        for line, text in sentences:
             if not text:
                 raise refused(line, LACKS, "a text")
-        return found
+        return sentences
 
 
 class Body(NamedTuple):
@@ -213,9 +213,9 @@ def _continued(
 
 def _mistyped(text: str, keys: Sequence[str]) -> bool:
     """Whether a line of free text looks like a misspelt key."""
-    found = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
-    if found is None:
+    match = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
+    if match is None:
         return False
-    near = difflib.get_close_matches(found[1].lower(), keys, n=1, cutoff=0.8)
+    near = difflib.get_close_matches(match[1].lower(), keys, n=1, cutoff=0.8)
     # Only `wrong` is followed by a word: “Check this:” is a sentence.
-    return bool(near) and near[0][0] == text[0].lower() and (not found[2] or near[0] == "wrong")
+    return bool(near) and near[0][0] == text[0].lower() and (not match[2] or near[0] == "wrong")

@@ -191,8 +191,8 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     is_endless = end - len(plain) > 1
     if not plain:
         raise Refusal.in_document(EMPTY, field="answer", value=text.strip() or ...)
-    found = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
-    if found is None:
+    match = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
+    if match is None:
         value, is_rounded, gives_angle = _value(text, plain)
         if is_angle and gives_angle:
             factor = 1 / _UNITS[unit.lower()][1]
@@ -200,12 +200,12 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
         return TypedNumber(value, DIGITS, last).times(factor)
     if _MAYBE_GROUPED.fullmatch(plain) and abs(near) >= 1000.0:
         raise Refusal("answer", text, AMBIGUOUS, plain, f"{plain}0", plain.replace(".", ""))
-    power = int((found[3] or "0")[:6])
+    power = int((match[3] or "0")[:6])
     if abs(power) > _LARGEST_EXPONENT:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
-    _, _, places = found[2].partition(".")
-    value = Fraction(found[1] + found[2]) * Fraction(10) ** power
-    digits = len(found[2].replace(".", "").lstrip("0"))
+    _, _, places = match[2].partition(".")
+    value = Fraction(match[1] + match[2]) * Fraction(10) ** power
+    digits = len(match[2].replace(".", "").lstrip("0"))
     if is_endless and digits < DIGITS:
         raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
     return _bounded(text, TypedNumber(value, digits, Fraction(10) ** (power - len(places)))).times(
@@ -243,36 +243,36 @@ def _plain(letter: str) -> str:
     return like
 
 
-def _vulgar(found: re.Match[str]) -> str:
+def _vulgar(match: re.Match[str]) -> str:
     """Write a fraction of one letter, and the whole number before it, in brackets."""
-    part = unicodedata.normalize("NFKC", found[2]).translate(_SAME)
-    return f"({found[1]}+{part})" if found[1] else f"({part})"
+    part = unicodedata.normalize("NFKC", match[2]).translate(_SAME)
+    return f"({match[1]}+{part})" if match[1] else f"({part})"
 
 
 def _with_brackets(text: str, plain: str) -> str:
     """Write the brackets of functions of one number, and drop the degrees of their angles."""
     parts, at = list[str](), 0
-    while found := _BARE.search(plain, at):
-        name, number = found.groups()
-        degrees = _DEGREES.match(plain, found.end()) if not name.startswith("a") else None
-        end = degrees.end() if degrees else found.end()
+    while match := _BARE.search(plain, at):
+        name, number = match.groups()
+        degrees = _DEGREES.match(plain, match.end()) if not name.startswith("a") else None
+        end = degrees.end() if degrees else match.end()
         more = _MAY_BELONG.match(plain, end)
         if more is not None:
-            inside, rest = f"{number}{plain[found.end() : end].strip()}", more[0]
-            ways = f"{name}({inside}){rest}", f"{name}({inside}{rest})"
-            raise Refusal("answer", text, AMBIGUOUS, plain[found.start() : more.end()], *ways)
-        parts.append(f"{plain[at : found.start()]}{name}({number})")
+            inside, rest = f"{number}{plain[match.end() : end].strip()}", more[0]
+            readings = f"{name}({inside}){rest}", f"{name}({inside}{rest})"
+            raise Refusal("answer", text, AMBIGUOUS, plain[match.start() : more.end()], *readings)
+        parts.append(f"{plain[at : match.start()]}{name}({number})")
         at = end
     plain = "".join(parts) + plain[at:]
-    for found in reversed([*re.finditer(rf"{_OF_ANGLES} *\(", plain)]):
-        end = _closing(plain, found.end())
-        inside = plain[found.end() : end]
+    for match in reversed([*re.finditer(rf"{_OF_ANGLES} *\(", plain)]):
+        end = _closing(plain, match.end())
+        inside = plain[match.end() : end]
         angle = _RADIANS.sub("", _DEGREES.sub("", inside))
         if _DEGREES.search(inside) and re.search("pi|π|rad", inside):
-            raise Refusal("answer", text, TWO_ANGLES, f"{found[0]}{inside})")
+            raise Refusal("answer", text, TWO_ANGLES, f"{match[0]}{inside})")
         if _RADIANS.search(inside):
             angle = f"({angle})*180/pi"
-        plain = plain[: found.end()] + angle + plain[end:]
+        plain = plain[: match.end()] + angle + plain[end:]
     return plain
 
 
@@ -310,11 +310,10 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
     if mixed and int(mixed[3]) < int(mixed[4]):
         part = Fraction(int(mixed[3]), int(mixed[4]))
         return (-1 if mixed[1] else 1) * (int(mixed[2]) + part), False, False
-    for pattern, ways in _TWO_READINGS:
-        if found := pattern.search(plain):
-            raise Refusal(
-                "answer", text, AMBIGUOUS, found[0], *(way.format(*found.groups()) for way in ways)
-            )
+    for pattern, readings in _TWO_READINGS:
+        if match := pattern.search(plain):
+            possible = (reading.format(*match.groups()) for reading in readings)
+            raise Refusal("answer", text, AMBIGUOUS, match[0], *possible)
     for pattern, written in _REWRITTEN:
         plain = pattern.sub(written, plain)
     plain = _with_roots(plain)
@@ -348,8 +347,8 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
 
 def _with_roots(plain: str) -> str:
     """Write powers that are no whole numbers, ``3^(1/2)`` and ``2^0.5``, as a function."""
-    while found := _ROOT.search(plain):
-        before = plain[: found.start()].rstrip()
+    while match := _ROOT.search(plain):
+        before = plain[: match.start()].rstrip()
         base = _BASE.search(before)
         if base is not None:
             at = base.start()
@@ -359,8 +358,8 @@ def _with_roots(plain: str) -> str:
             at = len(before[:at].rstrip("acinopqrst"))
         else:
             break
-        power = found[1] or found[2]
-        plain = f"{before[:at]}pow({before[at:]},{power}){plain[found.end() :]}"
+        power = match[1] or match[2]
+        plain = f"{before[:at]}pow({before[at:]},{power}){plain[match.end() :]}"
     return plain
 
 
@@ -387,8 +386,8 @@ def _is_angle(formula: Formula) -> bool:
 def _typed_function(name: str, arguments: Sequence[Fraction]) -> Fraction:
     if name == "pow":
         return Fraction(math.pow(*map(float, arguments)))
-    found: Fraction = RATIONAL.call(name, arguments)
-    return found
+    value: Fraction = RATIONAL.call(name, arguments)
+    return value
 
 
 _TYPED = Arithmetic(Fraction, _typed_function)

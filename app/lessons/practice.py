@@ -29,7 +29,7 @@ _DRAWS = 20
 """How many seeds are tried until the numbers of an exercise suit."""
 
 
-class Found(NamedTuple):
+class PlacedExercise(NamedTuple):
     """An exercise in the step of its lesson."""
 
     course: Course
@@ -55,12 +55,12 @@ class Found(NamedTuple):
 class SheetItem(NamedTuple):
     """An exercise of a sheet, and the seed of its numbers."""
 
-    found: Found
+    placed: PlacedExercise
     seed: int
 
     @property
     def variant(self) -> Variant:
-        return self.found.exercise.variant(self.found.here, self.seed)
+        return self.placed.exercise.variant(self.placed.here, self.seed)
 
 
 class Sheet(Course):
@@ -79,8 +79,8 @@ class Sheet(Course):
 
     def __init__(self, name: str, title: str, items: Sequence[SheetItem], *, is_test: bool) -> None:
         steps = (
-            Step(str(number), found.course.lesson.title, 1, (*found.words, found.exercise))
-            for number, (found, _) in enumerate(items, 1)
+            Step(str(number), placed.course.lesson.title, 1, (*placed.words, placed.exercise))
+            for number, (placed, _) in enumerate(items, 1)
         )
         super().__init__(Lesson(Path(title), title, tuple(steps)))
         self._name, self.items, self.is_test = name, tuple(items), is_test
@@ -95,12 +95,12 @@ class Sheet(Course):
         return None
 
     def at(self, place: int) -> AtStep:
-        return self.items[place].found.here
+        return self.items[place].placed.here
 
     @cached_property
     def managed(self) -> frozenset[str]:
         fields = frozenset({"panel"}) if self.is_test else frozenset()
-        return fields.union(*(item.found.course.managed for item in self.items))
+        return fields.union(*(item.placed.course.managed for item in self.items))
 
     def variant(self, place: int) -> Variant:
         """Return the exercise of a step with its numbers; a `Refusal` if they do not suit."""
@@ -118,12 +118,12 @@ class Sheet(Course):
 # --------------------------------------------------------------------------- what there is
 
 
-def exercises_of(course: Course) -> Iterator[Found]:
+def exercises_of(course: Course) -> Iterator[PlacedExercise]:
     """Yield the exercises of a lesson in order."""
     for place, step in enumerate(course.lesson.steps):
         for part in step.asked:
             if isinstance(part, Exercise):
-                yield Found(course, place, part)
+                yield PlacedExercise(course, place, part)
 
 
 @cache
@@ -140,28 +140,28 @@ def topics() -> Mapping[str, Course]:
 
 def practised(names: Iterable[str]) -> dict[str, Course]:
     """Return the lessons of all topics, and those of one's own with these names that are there."""
-    found = dict(topics())
-    own = {course.name for course in found.values()}
+    courses = dict(topics())
+    own = {course.name for course in courses.values()}
     for name in sorted(set(names) - own):
         course = course_named(name)
         if course is not None and course.name == name and any(exercises_of(course)):
-            found[Path(name).stem] = course
-    return found
+            courses[Path(name).stem] = course
+    return courses
 
 
-def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], Found]:
+def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], PlacedExercise]:
     """Return the exercises of a record's keys that their lessons still have."""
     wanted = set(keys)
     courses = (course_named(name) for name in sorted({lesson for lesson, _ in wanted}))
-    found = (each for course in courses if course is not None for each in exercises_of(course))
-    return {each.key: each for each in found if each.key in wanted}
+    exercises = (each for course in courses if course is not None for each in exercises_of(course))
+    return {each.key: each for each in exercises if each.key in wanted}
 
 
 def hints_of(key: tuple[str, str]) -> int:
     """Return how many hints an exercise of the program has; 0 of a lesson of one's own."""
     courses = (course for course in topics().values() if course.name == key[0])
-    found = (each for course in courses for each in exercises_of(course) if each.key == key)
-    return next((len(each.exercise.first.hints) for each in found), 0)
+    exercises = (each for course in courses for each in exercises_of(course) if each.key == key)
+    return next((len(each.exercise.first.hints) for each in exercises), 0)
 
 
 def course_named(name: str) -> Course | None:
@@ -185,8 +185,8 @@ def name_of_test(names: Iterable[str], number: int) -> str:
 
 def named_test(name: str) -> tuple[list[str], int] | None:
     """Return topics and number of a test from its name; None if it is no test's."""
-    found = _TEST.fullmatch(name)
-    return None if found is None else (found[1].split(), int(found[2]))
+    match = _TEST.fullmatch(name)
+    return None if match is None else (match[1].split(), int(match[2]))
 
 
 def drawn(names: Collection[str], number: int) -> list[SheetItem]:
@@ -200,21 +200,21 @@ def drawn(names: Collection[str], number: int) -> list[SheetItem]:
     for pool in pools:
         chance.shuffle(pool)
     chance.shuffle(pools)
-    found: list[SheetItem] = []
-    while any(pools) and len(found) < MOST:
+    sheet: list[SheetItem] = []
+    while any(pools) and len(sheet) < MOST:
         for pool in filter(None, pools):
             seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
             item = _suited(pool.pop(), seeds)
-            if item is not None and len(found) < MOST:
-                found.append(item)
-    chance.shuffle(found)
-    return found
+            if item is not None and len(sheet) < MOST:
+                sheet.append(item)
+    chance.shuffle(sheet)
+    return sheet
 
 
-def _suited(found: Found, seeds: Iterable[int]) -> SheetItem | None:
+def _suited(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
-        item = SheetItem(found, seed)
+        item = SheetItem(placed, seed)
         try:
             _ = item.variant
         except Refusal:
@@ -228,7 +228,7 @@ class Waiting(NamedTuple):
 
     Attributes
     ----------
-    due : tuple of Found
+    due : tuple of PlacedExercise
         The exercises that have come back, the longest waiting ones first.
     minutes : int
         How long a review of them will take, of `MOST` at once.
@@ -236,7 +236,7 @@ class Waiting(NamedTuple):
         When the next ones come back.
     """
 
-    due: tuple[Found, ...]
+    due: tuple[PlacedExercise, ...]
     minutes: int
     following: date | None
 
@@ -248,29 +248,29 @@ def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Wait
     there = existing(key for key, each in known.items() if each.due)
     come_back = due(known, today)
     later = (known[key].due or today for key in there.keys() - {*come_back})
-    found = tuple(there[key] for key in come_back if key in there)
-    minutes = round(min(MOST, len(found)) * minutes_each(attempts))
-    return Waiting(found, max(1, minutes), min(later, default=None))
+    waiting = tuple(there[key] for key in come_back if key in there)
+    minutes = round(min(MOST, len(waiting)) * minutes_each(attempts))
+    return Waiting(waiting, max(1, minutes), min(later, default=None))
 
 
 def to_review(
-    come_back: Sequence[Found], known: Mapping[tuple[str, str], Standing]
+    come_back: Sequence[PlacedExercise], known: Mapping[tuple[str, str], Standing]
 ) -> list[SheetItem]:
     """Return exercises that have come back, each with numbers that the student has not seen.
 
     Their lessons are mixed: none comes twice in a row as long as there is another one.
     """
     items: dict[str, list[SheetItem]] = {}
-    for found in come_back:
-        seen = known[found.key].seeds
+    for placed in come_back:
+        seen = known[placed.key].seeds
         if sum(map(len, items.values())) < MOST:
             # After the largest one comes 1 again.
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
-            item = _suited(found, islice((n for n in numbers if n not in seen), _DRAWS))
-            items.setdefault(found.course.name, []).extend([] if item is None else [item])
+            item = _suited(placed, islice((n for n in numbers if n not in seen), _DRAWS))
+            items.setdefault(placed.course.name, []).extend([] if item is None else [item])
     mixed: list[SheetItem] = []
     while any(items.values()):
-        last = mixed[-1].found.course.name if mixed else ""
+        last = mixed[-1].placed.course.name if mixed else ""
         name = max(items, key=lambda name: (bool(items[name]) and name != last, len(items[name])))
         mixed.append(items[name].pop(0))
     return mixed
@@ -294,15 +294,15 @@ class ExerciseMark(NamedTuple):
 
 def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:
     """Mark a test, whose answers are kept by ``step/block`` as the seed and what was typed."""
-    found = []
+    marks = []
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
-        kept = answers.get(f"{step.name}/{item.found.exercise.name}", "")
+        kept = answers.get(f"{step.name}/{item.placed.exercise.name}", "")
         (seed, _, typed), variant = kept.partition(" "), item.variant
         word = None if seed != str(item.seed) else _verdict(variant.question, variant.here, typed)
         if word is None:  # the lessons have changed since, or the file is damaged
             typed = ""
-        found.append(ExerciseMark(item, typed, word or WRONG))
-    return found
+        marks.append(ExerciseMark(item, typed, word or WRONG))
+    return marks
 
 
 def verdict_on(question: Asked, here: Here, typed: str) -> str:

@@ -142,12 +142,12 @@ def _evaluated(
     infinite: bool = False,
 ) -> float:
     with _of(asked):
-        found = float(asked.evaluate(known, Arithmetic(float, call)))
-    if math.isnan(found):
+        value = float(asked.evaluate(known, Arithmetic(float, call)))
+    if math.isnan(value):
         raise _refused(asked, NO_NUMBER)
-    if abs(found) > LARGEST and not (infinite and math.isinf(found)):
+    if abs(value) > LARGEST and not (infinite and math.isinf(value)):
         raise _refused(asked, TOO_LARGE, LARGEST)
-    return found if abs(found) >= NEGLIGIBLE else 0.0
+    return value if abs(value) >= NEGLIGIBLE else 0.0
 
 
 def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
@@ -156,10 +156,10 @@ def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
     Raise a `Refusal` as `Quantities.value` does.
     """
     with _of(asked):
-        found: Fraction = asked.evaluate(numbers, RATIONAL)
-    if abs(found) > LARGEST:
+        value: Fraction = asked.evaluate(numbers, RATIONAL)
+    if abs(value) > LARGEST:
         raise _refused(asked, TOO_LARGE, LARGEST)
-    return found if abs(found) >= NEGLIGIBLE else Fraction(0)
+    return value if abs(value) >= NEGLIGIBLE else Fraction(0)
 
 
 @lru_cache(maxsize=4096)
@@ -172,11 +172,11 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
     infinite : bool
         Whether its value may be infinite.
     """
-    found = formula.parse(text)
-    for part in found:
+    parsed = formula.parse(text)
+    for part in parsed:
         with contextlib.suppress(KeyError):  # a name has a value only in a state
-            _evaluated(part, _CONSTANTS, infinite=infinite or part is not found)
-    return found
+            _evaluated(part, _CONSTANTS, infinite=infinite or part is not parsed)
+    return parsed
 
 
 class Quantities:
@@ -254,13 +254,13 @@ class Quantities:
     def _number(self, name: str, places: tuple[float, ...]) -> float:
         if name.startswith("was_") and self._before is not None:
             return self._before._number(name.removeprefix("was_"), places)
-        found = self._looked_up(name)
-        if found is None:
+        value = self._looked_up(name)
+        if value is None:
             known = [*self.names, *(() if places == () else FUNCTIONS)]
             near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
             bound = NO_FUNCTION if places else NO_NAME
             raise Refusal("formula", name, bound, name, near[0])
-        return _part(name, found, places)
+        return _part(name, value, places)
 
     def _looked_up(self, name: str) -> Any:
         """Return a number, several, or a function for a probe's coordinate; None if unknown."""
@@ -347,10 +347,10 @@ class Quantities:
             )
         trace = self._traces[number]
         of_space: Array = trace.depth if part == "depth" else getattr(trace, space)
-        found = float(of_space if part == "depth" else of_space[(*XYZ, "w").index(part)])
-        if math.isnan(found):
+        value = float(of_space if part == "depth" else of_space[(*XYZ, "w").index(part)])
+        if math.isnan(value):
             raise NotThere(f"{space}_{part}")
-        return found
+        return value
 
     def _row(self, number: int) -> Row:
         """Return the homogeneous coordinates of a probe."""
@@ -408,10 +408,10 @@ def _window(side: int) -> Callable[[Quantities], float]:
 
 
 def _lens_number(known: Quantities, name: str) -> float:
-    found = getattr(known.projection.lens, name, None)
-    if found is None:
+    value = getattr(known.projection.lens, name, None)
+    if value is None:
         raise NotThere(name)
-    return float(found)
+    return float(value)
 
 
 def _angle_of_view(first: int, last: int) -> Callable[[Quantities], float]:
@@ -437,10 +437,10 @@ def _at(path: str, *places: int) -> Callable[[Quantities], float]:
     get = operator.attrgetter(path)
 
     def number(known: Quantities) -> float:
-        found = get(known.projection)
+        value = get(known.projection)
         for place in places:
-            found = found[place]
-        return float(found)
+            value = value[place]
+        return float(value)
 
     return number
 

@@ -181,19 +181,19 @@ class Record:
 
     def read(self) -> list[Attempt]:
         """Return all attempts in order; what cannot be read is left out, and `problem` says so."""
-        self.problem, found = None, list[Attempt]()
+        self.problem, attempts = None, list[Attempt]()
         for path in (self._old, self._path):
             bad = 0
             try:
                 for line in _lines(path):
                     attempt = _attempt(line)
                     bad += attempt is None
-                    found += [] if attempt is None else [attempt]
+                    attempts += [] if attempt is None else [attempt]
                 if bad:
                     raise Refusal.in_document(DAMAGED, bad, file=str(path))
             except Refusal as error:
                 self.problem = error
-        return found
+        return attempts
 
 
 def _lines(path: Path) -> list[bytes]:
@@ -235,7 +235,7 @@ def mended(
         Returns how many hints the exercise of a key has, if tests ask it, else 0.
     """
     seen: dict[tuple[str, str], set[int]] = {}
-    found = []
+    without_hints = []
     for attempt in attempts:
         seeds = seen.setdefault(attempt.key, {0})
         if (
@@ -245,8 +245,8 @@ def mended(
         ):  # fmt: skip
             attempt = attempt._replace(hints=0, is_test=True)
         seeds.add(attempt.seed)
-        found.append(attempt)
-    return found
+        without_hints.append(attempt)
+    return without_hints
 
 
 class Standing(NamedTuple):
@@ -300,12 +300,12 @@ class _QuestionHistory:
 
 def standings(attempts: Iterable[Attempt]) -> dict[tuple[str, str], Standing]:
     """Return the standing of each question that was answered, by lesson and ``step/block``."""
-    ways: dict[tuple[str, str], _QuestionHistory] = {}
+    histories: dict[tuple[str, str], _QuestionHistory] = {}
     for attempt in attempts:
-        ways.setdefault(attempt.key, _QuestionHistory()).take(attempt)
+        histories.setdefault(attempt.key, _QuestionHistory()).take(attempt)
     return {
         key: Standing(way.outcome, None if 0 in way.tried else way.due, frozenset(way.tried))
-        for key, way in ways.items()
+        for key, way in histories.items()
     }
 
 
@@ -342,10 +342,10 @@ def met(
     attempts: Iterable[Attempt], known: Mapping[tuple[str, str], Standing]
 ) -> dict[tuple[str, str], Met]:
     """Return the wrong ideas behind a student's answers, by lesson and name of the idea."""
-    found: dict[tuple[str, str], Met] = {}
+    times_met: dict[tuple[str, str], Met] = {}
     for attempt in attempts:
         if attempt.idea:
             key = attempt.lesson, attempt.idea
-            before = found[key].times if key in found else 0
-            found[key] = Met(before + 1, known[attempt.key].outcome)
-    return found
+            before = times_met[key].times if key in times_met else 0
+            times_met[key] = Met(before + 1, known[attempt.key].outcome)
+    return times_met

@@ -85,10 +85,10 @@ def to_json(student: str, attempts: Sequence[Attempt], program: str) -> str:
     """Write a file of results; lessons of one's own lose their folders."""
     attempts = attempts[-MOST:]
     names = {each.lesson: bare(each.lesson) for each in attempts}
-    found = {name: course_named(lesson) for lesson, name in names.items()}
+    courses = {name: course_named(lesson) for lesson, name in names.items()}
     tree = {
         "format": FORMAT, "version": VERSION, "program": program, "student": student,
-        "lessons": {name: digest(course) for name, course in found.items() if course is not None},
+        "lessons": {name: digest(course) for name, course in courses.items() if course is not None},
         "answers": [each._replace(lesson=names[each.lesson])._asdict() for each in attempts],
     }  # fmt: skip
     return json.dumps(tree, ensure_ascii=False, indent=1)
@@ -135,13 +135,13 @@ def read(path: AnyPath) -> StudentResults:
 
 def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:
     """Return the answers of a test, the missing ones too."""
-    found = []
+    attempts = []
     for mark in marks:
         verdict = RIGHT if mark.word == RIGHT else WRONG
         idea = "" if mark.word in (RIGHT, WRONG) else mark.word
-        key, seed = mark.item.found.key, mark.item.seed
-        found.append(Attempt(now, *key, seed, mark.typed, verdict, idea, is_test=True))
-    return found
+        key, seed = mark.item.placed.key, mark.item.seed
+        attempts.append(Attempt(now, *key, seed, mark.typed, verdict, idea, is_test=True))
+    return attempts
 
 
 # --------------------------------------------------------------------------- marks
@@ -160,12 +160,12 @@ class Marker:
         key = attempt.lesson, attempt.exercise, attempt.seed
         if key not in self._posed:
             course = self._course(attempt.lesson)
-            found = None if course is None else _posed(course, attempt.exercise, attempt.seed)
-            self._posed[key] = found
-        found = self._posed[key]
-        if found is None:
+            posed = None if course is None else _posed(course, attempt.exercise, attempt.seed)
+            self._posed[key] = posed
+        posed = self._posed[key]
+        if posed is None:
             return RemarkedAnswer(attempt, "", "")
-        question, here = found
+        question, here = posed
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
         return RemarkedAnswer(attempt, word, _right(question, here), _says(question, word))

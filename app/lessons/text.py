@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import logging
 import re
+import threading
 from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -27,6 +28,8 @@ DEEPEST = 12
 WIDEST = 400
 """Largest width of a formula, in em."""
 _EM = 100.0
+_ONE_READER = threading.RLock()
+"""matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _SCRIPTS = re.compile(r"([_^]?\{|\}|\\frac)")
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
@@ -55,13 +58,13 @@ def markdown() -> MarkdownIt:
 
 
 def _math(state: StateInline, silent: bool) -> bool:
-    found = MATH.match(state.src, state.pos)
-    if found is None:
+    match = MATH.match(state.src, state.pos)
+    if match is None:
         return False
     if not silent:
         token = state.push("math", "", 0)
-        token.content, token.markup = found[2], found[1]
-    state.pos = found.end()
+        token.content, token.markup = match[2], match[1]
+    state.pos = match.end()
     return True
 
 
@@ -104,6 +107,11 @@ def outline(tex: str) -> Outline:
         depth += bool(opened) - bool(closed)
         if depth > DEEPEST:
             raise ValueError(f"has more than {DEEPEST} levels of braces")
+    with _ONE_READER:
+        return _read(tex)
+
+
+def _read(tex: str) -> Outline:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 
@@ -168,11 +176,11 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     ``\\quad``: then it counts as several. A table without headings, such as a matrix, has no
     heading row.
     """
-    found: list[str] = []
+    formulas: list[str] = []
 
     def math(tokens: Any, place: int, _options: Any, _environment: Any) -> str:
         pieces = _pieces(tokens[place].content, tokens[place].markup == "$$")
-        found.extend(pieces)
+        formulas.extend(pieces)
         return " ".join((DISPLAYED if tokens[place].markup == "$$" else FORMULA) for _ in pieces)
 
     reader = markdown()
@@ -180,7 +188,7 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     reader.add_render_rule("text", lambda _self, tokens, place, *_: _words(tokens[place].content))
     text = re.sub(f"[{FORMULA}{DISPLAYED}]", "\ufffd", text)
     whole = _parted(_NO_HEAD.sub("", str(reader.render(text))))
-    return _ALONE.sub(r'<p align="center">\1</p>', whole.strip()), tuple(found)
+    return _ALONE.sub(r'<p align="center">\1</p>', whole.strip()), tuple(formulas)
 
 
 def _words(text: str) -> str:
@@ -190,15 +198,15 @@ def _words(text: str) -> str:
 
 def _parted(whole: str) -> str:
     """Give the displayed formulas of each paragraph lines of their own."""
-    found, *paragraphs = whole.split("<p>")
+    parted, *paragraphs = whole.split("<p>")
     for paragraph in paragraphs:
         inside, end, behind = paragraph.partition("</p>")
         is_whole = DISPLAYED not in inside
         for part in [inside] if is_whole else filter(None, map(str.strip, _ROW.split(inside))):
             align = ' align="center"' * (DISPLAYED in part)
-            found += f"<p{align}>{part}{end}"
-        found += behind
-    return found
+            parted += f"<p{align}>{part}{end}"
+        parted += behind
+    return parted
 
 
 def readable(tex: str) -> str:
@@ -260,10 +268,10 @@ def spoken(tex: str) -> str:
         before = tex
         for pattern, words in _OF_BRACES:
             tex = re.sub(pattern, words, tex)
-    tex = re.sub(r"\\([a-zA-Z]+|.)", lambda found: f" {_WORDS.get(found[1], found[1])} ", tex)
+    tex = re.sub(r"\\([a-zA-Z]+|.)", lambda match: f" {_WORDS.get(match[1], match[1])} ", tex)
     tex = re.sub(r"\((\s*\w+\s*)\)(?=\s*/)|(?<=/)\s*\((\s*\w+\s*)\)", r" \1\2 ", tex)
     tex = re.sub(r"\b([A-Z](?: [a-z0-9]+)?) (?=[A-Z]\b)", r"\1 times ", " ".join(tex.split()))
-    tex = re.sub("[=+\\-/'\u00b0]", lambda found: f" {_SPOKEN[found[0]]} ", tex)
+    tex = re.sub("[=+\\-/'\u00b0]", lambda match: f" {_SPOKEN[match[0]]} ", tex)
     return " ".join(tex.split()).replace(" ,", ",").replace("( ", "(").replace(" )", ")")
 
 
@@ -295,8 +303,8 @@ _SIGNS = {
 def in_line(text: str) -> str:
     """Return a text without markup for a list or a button, with signs for what has one."""
     text = _MINUS.sub("\N{MINUS SIGN}", plain_of(text))
-    text = re.sub(r"\\([a-z]+)", lambda found: _SIGNS.get(found[1], found[0]), text)
-    return re.sub(r"_\{?(\w+)\}?", lambda found: found[1].translate(_LOWERED), text)
+    text = re.sub(r"\\([a-z]+)", lambda match: _SIGNS.get(match[1], match[0]), text)
+    return re.sub(r"_\{?(\w+)\}?", lambda match: match[1].translate(_LOWERED), text)
 
 
 def escaped(text: str) -> str:

@@ -63,15 +63,15 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
 def changes(before: Document, after: Document) -> list[str]:
     """Return what turned one document into another, as in a sample of a task."""
     given, texts = _texts(before), _texts(after)
-    found = [f"scene={after.scene}"] if after.scene != before.scene else []
-    found += [
+    lines = [f"scene={after.scene}"] if after.scene != before.scene else []
+    lines += [
         f"{path}={text}"
         for path, text in texts.items()
         if given.get(path) != text and " " not in text  # a sample separates them by spaces
     ]
     turned = [name for name, camera in after.view.panes.items()
               if before.view.panes.get(name) != camera]  # fmt: skip
-    return [*found, *([f"view.panes={','.join(turned)}"] if turned else [])]
+    return [*lines, *([f"view.panes={','.join(turned)}"] if turned else [])]
 
 
 def _said(document: Document) -> Document:
@@ -85,14 +85,14 @@ def _said(document: Document) -> Document:
 def _texts(document: Document) -> dict[str, str]:
     """Return the values of a document that ``--set`` accepts, by path."""
     tree = json.loads(to_json(document))
-    found = {"depth": str(tree["depth"])}
+    texts = {"depth": str(tree["depth"])}
     for section in ("lens", "camera", "object", "image", "quality", "settings"):
         for key, value in tree.get(section, {}).items():
-            found[f"{section}.{key}"] = _text(value)
+            texts[f"{section}.{key}"] = _text(value)
     ever = {"layout": "pictures", "large": "", "stage": "ndc", "letters": "own", "layers": "",
             "fixed": ""}  # fmt: skip
-    found |= {f"view.{key}": text for key, text in ever.items()}
-    found |= {f"view.{key}": _text(value) for key, value in tree.get("view", {}).items()}
+    texts |= {f"view.{key}": text for key, text in ever.items()}
+    texts |= {f"view.{key}": _text(value) for key, value in tree.get("view", {}).items()}
     pictures = document.view.compare
     if pictures:
         phenomenon = PHENOMENA.get(document.scene)
@@ -103,8 +103,8 @@ def _texts(document: Document) -> dict[str, str]:
             if [picture[0] for picture in each.pictures] == names
         ]
         others = [picture_text(each) for each in pictures if each.changes]
-        found["view.compare"] = ready[0] if ready else "|".join(others)
-    return found
+        texts["view.compare"] = ready[0] if ready else "|".join(others)
+    return texts
 
 
 def _text(value: object) -> str:
@@ -281,11 +281,11 @@ def _beside(file: str, folder: Path, field: str) -> str:
 
 def _free(name: str, is_taken: Callable[[str], bool], ending: str = "") -> str:
     """Return a name, with a number appended if it is taken."""
-    number, found = 1, name + ending
-    while is_taken(found):
+    number, free = 1, name + ending
+    while is_taken(free):
         number += 1
-        found = f"{name}-{number}{ending}"
-    return found
+        free = f"{name}-{number}{ending}"
+    return free
 
 
 def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
@@ -303,12 +303,12 @@ def _with_lines(text: str, end: int, step: Sequence[str]) -> str:
 def _following(lesson: Lesson, place: int) -> list[Document | str]:
     """Return the states of the steps that continue the one before a place."""
     course = Course(lesson)
-    found: list[Document | str] = []
+    states: list[Document | str] = []
     for number, step in enumerate(lesson.steps[place:], place):
         if step.state is not None and step.state.begins_anew:
             break
         try:
-            found.append(course.shown(number).document)
+            states.append(course.shown(number).document)
         except Refusal as error:
-            found.append(str(error.bound))  # it is faulty before and after
-    return found
+            states.append(str(error.bound))  # it is faulty before and after
+    return states

@@ -103,37 +103,39 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
     """
     traced = projection.trace(points_world)
     inside = traced.in_front & ~traced.outside.any(axis=1)
-    found = points_world[inside if inside.any() else traced.in_front]
-    if not len(found):
-        return found
-    chosen: Array = np.resize(found[:: max(1, len(found) // MOST_POINTS)], (MOST_POINTS, 3))
+    points = points_world[inside if inside.any() else traced.in_front]
+    if not len(points):
+        return points
+    chosen: Array = np.resize(points[:: max(1, len(points) // MOST_POINTS)], (MOST_POINTS, 3))
     return chosen
 
 
-def ways(projection: Projection, world: Array, origin: Vector) -> dict[str, TimedProjection]:
-    """Return our own ways, from float32 to the exact one; `origin` as for `summed`."""
+def timed_projections(
+    projection: Projection, world: Array, origin: Vector
+) -> dict[str, TimedProjection]:
+    """Return our own projections, from float32 to the exact one; `origin` as for `summed`."""
 
     def same(rows: Rows) -> Rows:
         return rows
 
-    found = {
+    ours = {
         kind: TimedProjection(
             summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize
         )
         for kind in ("float32", "float64")
     }
     for kind in ("float32", "float64"):  # moved in float64, so every point keeps its 24 bytes
-        found[f"{kind}, eye first"] = TimedProjection(
+        ours[f"{kind}, eye first"] = TimedProjection(
             summed(projection, world, None, kind), same, 24.0
         )
     for name, precision in _PRECISIONS.items():
         if precision != "float32":  # which is above, without unused results
-            found[name] = TimedProjection(
+            ours[name] = TimedProjection(
                 partial(trace, projection, world, precision),
                 lambda traced: np.vstack([traced.image.T, traced.depth]),
                 24.0,
             )
-    return found
+    return ours
 
 
 def summed(
@@ -195,7 +197,7 @@ def peers(
 
     Each library gets the matrix and the points in its own kind of array; numpy does what it lacks.
     """
-    found: dict[str, TimedProjection] = {}
+    projections: dict[str, TimedProjection] = {}
     missing: dict[str, str] = {}
     with np.errstate(all="ignore"):  # an overflow is a result
         matrix = np.array(projection.clip_from_world)
@@ -257,12 +259,12 @@ def peers(
         ("PyGLM", "pyglm.glm", pyglm),
     ):
         try:
-            found[name] = make(importlib.import_module(module))
+            projections[name] = make(importlib.import_module(module))
         except ModuleNotFoundError:
             missing[name] = NOT_INSTALLED
         except Exception as error:  # whatever a library does when it is imported
             missing[name] = f"{type(error).__name__}: {error}"
-    return found, missing
+    return projections, missing
 
 
 def measure(
@@ -288,18 +290,18 @@ def measure(
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}
     others, missing = peers(projection, world)
-    all_ways = ways(projection, world, origin) | others
+    every = timed_projections(projection, world, origin) | others
     with np.errstate(all="ignore"):
-        found = {
+        largest = {
             name: _largest(reference, np.asarray(way.rows(way.run()), dtype=np.float64).T[where])
-            for name, way in all_ways.items()
+            for name, way in every.items()
         }
     choices = []
-    for name, (errors, note) in found.items():
+    for name, (errors, note) in largest.items():
         precision = _PRECISIONS.get(name)
         expected = None if precision is None else predicted.get(precision)
         use = {} if precision in (None, "exact") else {"rung": str(precision)}
-        choice = _choice(name, errors, expected, note, use, all_ways[name].bytes)
+        choice = _choice(name, errors, expected, note, use, every[name].bytes)
         choices.append(replace(choice, library=name in others))
     box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
     for name, (hardware, drawn) in CHEAP.items():
@@ -318,7 +320,7 @@ def measure(
     ]
     choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
-    runs = {name: way.run for name, way in all_ways.items()}
+    runs = {name: way.run for name, way in every.items()}
     with np.errstate(all="ignore"):
         return timed(trade, runs, seconds, 1e9 / len(world), watch)
 
@@ -462,7 +464,7 @@ def sweep(
     Cancelled
         By `watch`; with the values done.
     """
-    found: dict[str, list[Answer]] = {}
+    by_choice: dict[str, list[Answer]] = {}
     complete, done = True, 0
     for done, value in enumerate(values):
         try:
@@ -471,8 +473,8 @@ def sweep(
             complete = False
             break
         for name, answer in (at or errors)(parameter, projection, points_world, value).items():
-            found.setdefault(name, []).append(answer)
-    curves = {name: _curve(answers) for name, answers in found.items()}
+            by_choice.setdefault(name, []).append(answer)
+    curves = {name: _curve(answers) for name, answers in by_choice.items()}
     measured = tuple(values) if complete else tuple(values[:done])
     swept = Sweep(parameter, SWEEPS[parameter].unit, measured, curves, complete)
     if not complete:
@@ -512,17 +514,17 @@ def errors(
     origins = {name: (precision, origin) for name, precision in _PRECISIONS.items()}
     if parameter == "distance":
         origins[WORLD] = "float32", (0.0, 0.0, 0.0)
-    found: dict[str, Answer] = {}
+    answers: dict[str, Answer] = {}
     with np.errstate(all="ignore"):
         for name, (precision, start) in origins.items():
             traced = trace(there, world, precision, start)
             largest, note = _largest(reference, np.column_stack([traced.image, traced.depth]))
             predicted = predict(there, world, start) or {}
-            found[name] = (largest, predicted.get(precision), note)
-        found["VTK's camera"] = _vtk_camera(there, world, reference)
-    if WORLD in found:  # last, so that the others have the same colours in every chart
-        found[WORLD] = found.pop(WORLD)
-    return found
+            answers[name] = (largest, predicted.get(precision), note)
+        answers["VTK's camera"] = _vtk_camera(there, world, reference)
+    if WORLD in answers:  # last, so that the others have the same colours in every chart
+        answers[WORLD] = answers.pop(WORLD)
+    return answers
 
 
 def in_view(projection: Projection, points_world: Array) -> Array:

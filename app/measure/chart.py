@@ -132,8 +132,8 @@ def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
     """Name the scene and the camera of results."""
 
     def tree(section: str) -> dict[str, Any]:
-        found = results.document.get(section)
-        return found if isinstance(found, dict) else {}
+        part = results.document.get(section)
+        return part if isinstance(part, dict) else {}
 
     def short(value: object) -> str:
         return f"{value:.6g}" if isinstance(value, float) else str(value)
@@ -184,8 +184,8 @@ def diagrams(
 
 def in_use(trade: Trade, current: Mapping[str, str]) -> ChartPoint | None:
     """Return the choice that says most of what is in use; None if none does."""
-    found = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
-    return max(found, key=lambda choice: len(choice.use), default=None)
+    matching = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
+    return max(matching, key=lambda choice: len(choice.use), default=None)
 
 
 def _ends(values: Iterable[float | None], pad: float) -> tuple[float, float] | None:
@@ -307,7 +307,7 @@ def _of_sweep(
             (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
             (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
         ]
-    found = []
+    charts = []
     for of_value, inside, label in sides:
         if len(set(inside)) < 2:
             continue
@@ -336,14 +336,14 @@ def _of_sweep(
                     curves += bars
                     spots += crosses
         text = title(sweep, translate)
-        found.append(
+        charts.append(
             Diagram(
                 text, tuple(curves), *across, *up, translate(label),
                 translate(_UP["depth"] if gaps else ERROR_PX),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip
-    return tuple(found)
+    return tuple(charts)
 
 
 def _breaks(

@@ -64,8 +64,8 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
             choices.append(ChartPoint(name, memory, memory, None, None, values, BEYOND, use))
             continue
         predicted = float(buffer.gap(distance))
-        found = smallest_gap(buffer, distance)
-        choices.append(ChartPoint(name, memory, memory, found, predicted, values, "", use))
+        gap = smallest_gap(buffer, distance)
+        choices.append(ChartPoint(name, memory, memory, gap, predicted, values, "", use))
     return _trade(choices)
 
 
@@ -84,13 +84,13 @@ def gaps(
     lens = SWEEPS[parameter].set(projection, value)[0].lens
     distance = distance if distance < lens.far else lens.far / 2.0
     distance = distance if distance > lens.near else 2.0 * lens.near
-    found: dict[str, Answer] = {}
+    answers: dict[str, Answer] = {}
     for name, drawn in BUFFERS.items():
         buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         told = Prediction(gap, gap) if math.isfinite(gap) else None
-        found[name] = told, Prediction(predicted, predicted), "" if told else NOT_TOLD
-    return found
+        answers[name] = told, Prediction(predicted, predicted), "" if told else NOT_TOLD
+    return answers
 
 
 def _shares(buffer: DepthBuffer) -> dict[str, float]:

@@ -84,13 +84,13 @@ def correct(edge: ClipEdge, s: Array) -> Callable[[], Array]:
     Set up for screen places s (n,), from 0 to 1. A pixel costs two interpolations and a division.
     """
     one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
-    found, below = np.empty_like(s), np.empty_like(s)
+    values, below = np.empty_like(s), np.empty_like(s)
 
     def run() -> Array:
         np.multiply(s, other - one, out=below)
         np.add(below, one, out=below)
-        np.multiply(s, other, out=found)
-        return np.divide(found, below, out=found)
+        np.multiply(s, other, out=values)
+        return np.divide(values, below, out=values)
 
     return run
 
@@ -102,8 +102,8 @@ def tabled(edge: ClipEdge, s: Array, steps: int) -> tuple[Array, float]:
     """
     one, other = 1.0 / float(edge.start[3]), 1.0 / float(edge.end[3])
     inverse, relative = reciprocal(s * (other - one) + one, FORMATS["float64"], steps)
-    found: Array = s * other * inverse
-    return found, float(relative.max())
+    values: Array = s * other * inverse
+    return values, float(relative.max())
 
 
 def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
@@ -117,11 +117,11 @@ def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
     steps = (1.0 / splits) / np.diff(breaks)
     piece = np.searchsorted(breaks[1:-1], s)
     slopes, starts = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
-    found = np.empty_like(s)
+    values = np.empty_like(s)
 
     def run() -> Array:
-        np.multiply(s, slopes, out=found)
-        return np.add(found, starts, out=found)
+        np.multiply(s, slopes, out=values)
+        return np.add(values, starts, out=values)
 
     return run
 
@@ -152,8 +152,8 @@ def truth(edge: ClipEdge, s: Array) -> Array:
     low, high = p[axis] / p[3], q[axis] / q[3]
     x = low + s.astype(np.longdouble) * (high - low)
     t = (x * p[3] - p[axis]) / ((q[axis] - p[axis]) - x * (q[3] - p[3]))
-    found: Array = t.astype(np.float64)
-    return found
+    values: Array = t.astype(np.float64)
+    return values
 
 
 def measure(
@@ -192,8 +192,8 @@ def measure(
         choices.append(ChartPoint(name, None, None, error, predicted, triangles, note, use, size))
     for name, steps in RECIPROCALS.items():
         if steps is not None:
-            found, off = tabled(edge, s, steps)
-            error = TEXELS * float(np.abs(found - right).max())
+            values, off = tabled(edge, s, steps)
+            error = TEXELS * float(np.abs(values - right).max())
             choices.append(
                 ChartPoint(
                     f"perspective-correct, reciprocal {name}", None, None, error,

@@ -222,11 +222,11 @@ class Trade:
             if not better or (choice.error or 0.0) < (better[-1].error or 0.0):
                 better.append(choice)
         same = 1.0 if self.cost_unit == "B" else 1.0 + STEADY
-        found: list[ChartPoint] = []
+        best: list[ChartPoint] = []
         for choice in reversed(better):
-            if not found or (found[0].cost or 0.0) > same * (choice.cost or 0.0):
-                found.insert(0, choice)
-        return tuple(found)
+            if not best or (best[0].cost or 0.0) > same * (choice.cost or 0.0):
+                best.insert(0, choice)
+        return tuple(best)
 
     def is_beaten(self, choice: ChartPoint) -> bool:
         """Whether another of the program's choices is no worse in both; such a choice is grey."""

@@ -137,10 +137,10 @@ def timed(
             choice = replace(choice, cost=per_second * least, cost_p95=per_second * p95)
         choices.append(choice)
     rounds = min((each.rounds for each in times.values()), default=0)
-    found = replace(trade, choices=tuple(choices), rounds=rounds, complete=complete)
+    measured = replace(trade, choices=tuple(choices), rounds=rounds, complete=complete)
     if not complete:
-        raise Cancelled(found)
-    return found
+        raise Cancelled(measured)
+    return measured
 
 
 def percentile95(times: list[float]) -> float:

@@ -113,13 +113,13 @@ def pictures() -> list[tuple[Smoothing, str]]:
     This OpenGL may draw several with the same number of samples. Of these, keep the one that
     requests this number, or else the first.
     """
-    found: dict[Smoothing, list[Smoothing]] = {}
+    groups: dict[Smoothing, list[Smoothing]] = {}
     for smoothing in SMOOTHINGS:
         samples = samples_given(smoothing.samples) if smoothing.samples else 1
         drawn = smoothing._replace(name="", samples=0 if samples == 1 else samples)
-        found.setdefault(drawn, []).append(smoothing)
+        groups.setdefault(drawn, []).append(smoothing)
     kept = []
-    for drawn, alike in found.items():
+    for drawn, alike in groups.items():
         one = next((each for each in alike if each.samples == drawn.samples), alike[0])
         others = [each.name for each in alike if each is not one]
         as_asked = one.samples == drawn.samples

@@ -78,7 +78,7 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
     elif shape != (4,):
         raise Refusal("intrinsics", given, NOT_K)
     parts = zip(Intrinsics._fields, given, strict=True)
-    fx, fy, cx, cy = found = Intrinsics(*(finite(name, value) for name, value in parts))
+    fx, fy, cx, cy = intrinsics = Intrinsics(*(finite(name, value) for name, value in parts))
     width, height = image_size
     for name, value, bound in (("fx", fx, X_LEFT), ("fy", fy, Y_UP)):
         if value < 0.0:
@@ -90,7 +90,7 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
     for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
         least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
         within(name, value, least, side / (2.0 * SMALLEST_OPENING))
-    return found
+    return intrinsics
 
 
 # --------------------------------------------------------------------------- poses

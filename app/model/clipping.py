@@ -228,8 +228,8 @@ def clip_segments(
     t_rest = np.ones((len(starts), 2))  # 1 - t, which has digits of its own
     cut_by = np.full((len(starts), 2), NOT_CUT)
     points = np.stack([starts, ends], axis=1)
-    ways = ((starts, ends, b_starts, b_ends), (ends, starts, b_ends, b_starts))
-    for side, (here, there, b_here, b_there) in enumerate(ways):
+    directions = ((starts, ends, b_starts, b_ends), (ends, starts, b_ends, b_starts))
+    for side, (here, there, b_here, b_there) in enumerate(directions):
         crossing = (b_here < 0.0) & (b_there >= 0.0)
         (rows,) = np.nonzero(crossing.any(axis=1))
         b_out, b_in = b_here[rows], b_there[rows]

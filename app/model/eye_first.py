@@ -326,10 +326,10 @@ class EyeFirst:
         if not self._lens.central:
             return [((0.0, 0.0, 1.0, 0.0), 1.0), ((0.0, 0.0, -1.0, 0.0), 1.0)]
         # Compare w itself: if far/near is large, z and w have too few digits left.
-        found: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]
+        planes: HalfSpaces = [((0.0, 0.0, 0.0, 1.0), -self._lens.near)]
         if self._lens.far != np.inf:
-            found.append(((0.0, 0.0, 0.0, -1.0), self._lens.far))
-        return found
+            planes.append(((0.0, 0.0, 0.0, -1.0), self._lens.far))
+        return planes
 
     def nearer(self, share: float, length: float, least: float) -> tuple[float, float]:
         """Change of clip z when things come nearer: a constant, and a factor of w.

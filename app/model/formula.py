@@ -115,8 +115,8 @@ class Formula:
 
     def where(self, terms: Mapping[str, Formula]) -> Formula:
         """Replace letters or terms, given by their text, with other formulas."""
-        found = terms.get(self.text)
-        return self.with_parts(part.where(terms) for part in self.parts) if found is None else found
+        term = terms.get(self.text)
+        return self.with_parts(part.where(terms) for part in self.parts) if term is None else term
 
     def with_parts(self, parts: Iterable[Formula]) -> Formula:
         """The same kind of formula with other parts."""
@@ -310,14 +310,14 @@ class _FormulaParser:
         at = 0
         end = len(self._text.rstrip())
         while at < end:
-            found = _TOKEN.match(self._text, at)
-            if found is None:
+            match = _TOKEN.match(self._text, at)
+            if match is None:
                 at += len(self._text[at:]) - len(self._text[at:].lstrip())
                 raise _refused(self._text, at, UNKNOWN, self._text[at])
-            assert found.lastgroup is not None
-            token = found[found.lastgroup]
-            yield _Token(found.lastgroup, _ALIKE.get(token, token), found.start(found.lastgroup))
-            at = found.end()
+            assert match.lastgroup is not None
+            token = match[match.lastgroup]
+            yield _Token(match.lastgroup, _ALIKE.get(token, token), match.start(match.lastgroup))
+            at = match.end()
         yield _Token("end", "the end", end)
 
     def whole(self) -> Formula:
@@ -413,14 +413,14 @@ def _degree(formula: Formula, text: str) -> int:
     """
     below = [_degree(part, text) for part in formula.parts]
     if isinstance(formula, Power):
-        found = below[0] * max(1, abs(formula.exponent))
+        degree = below[0] * max(1, abs(formula.exponent))
     elif isinstance(formula, Pair):  # a sum of quotients becomes one quotient over their product
-        found = sum(below)
+        degree = sum(below)
     else:
-        found = 1
-    if found > LARGEST_DEGREE and any(isinstance(part, Power) for part in formula):
+        degree = 1
+    if degree > LARGEST_DEGREE and any(isinstance(part, Power) for part in formula):
         raise _refused(text, text.find("^"), TOO_LARGE, LARGEST_DEGREE)
-    return found
+    return degree
 
 
 # --------------------------------------------------------------------------- writing

@@ -44,6 +44,6 @@ def numbers(text: str) -> list[float] | None:
             return None
         text = text.replace(begin, " ").replace(end, " ")
     text = re.sub(r" ?([,/]) ?", r"\1", " ".join(text.split()))
-    found = [number(part) for part in re.split("[, ]", text)] if text else []
-    values = [value for value in found if value is not None]
-    return values if len(values) == len(found) else None
+    parts = [number(part) for part in re.split("[, ]", text)] if text else []
+    values = [value for value in parts if value is not None]
+    return values if len(values) == len(parts) else None

@@ -189,9 +189,9 @@ class Projection(Pipeline):
         if space == "world":
             world = checked_points(points)
         else:
-            found = self.placed(points, space)
-            world = found.world.reshape(np.shape(points))
-            rest = None if found.rest is None else found.rest.reshape(np.shape(points))
+            view = self.placed(points, space)
+            world = view.world.reshape(np.shape(points))
+            rest = None if view.rest is None else view.rest.reshape(np.shape(points))
         with np.errstate(divide="ignore", invalid="ignore", over="ignore", under="ignore"):
             return self.passage.trace(world, rest)
 

@@ -45,11 +45,11 @@ def rounded(matrix: Rationals) -> Array:
 
 def inverse(field: str, matrix: Rationals) -> Rationals:
     """The inverse of a matrix of rationals, or a `Refusal` that names the field."""
-    rank, _, found = eliminate(matrix)
-    if found is None:
+    rank, _, inverted = eliminate(matrix)
+    if inverted is None:
         cells = tuple(map(tuple, rounded(matrix).tolist()))
         raise Refusal(field, cells, INVERTIBLE, rank)
-    return found
+    return inverted
 
 
 class PipelineStep(NamedTuple):

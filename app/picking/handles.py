@@ -118,21 +118,21 @@ def shown(
         places = np.vstack([places, _places(projection, drawn)])
     spots |= zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False)
     width_px, height_px = size_px
-    found: list[tuple[Handle, Spot]] = []
+    visible: list[tuple[Handle, Spot]] = []
 
     def take(handle: Handle) -> bool:
         x, y = spot = spots[handle]
         if not (0.0 <= x < width_px and 0.0 <= y < height_px):  # nor NaN, behind the pane's camera
             return False
-        if any(math.dist(spot, other) < apart_px for _, other in found):
+        if any(math.dist(spot, other) < apart_px for _, other in visible):
             return False
-        found.append((handle, (x, y)))
+        visible.append((handle, (x, y)))
         return True
 
     if kept is not None and kept.name in without:
         kept = None
     if kept is not None and kept in spots:
-        found.append((kept, spots[kept]))
+        visible.append((kept, spots[kept]))
     single = [[handle] for handle in (*held, *cameras)]
     planes = [plane for plane in (_NEAR, _FAR) if plane[0].name not in without]
     for alternatives in (*single, *planes) if has_faces else single:
@@ -141,7 +141,7 @@ def shown(
         if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
     if not has_faces or "corner" in without:
-        return found
+        return visible
     corners = [spots[handle] for handle in _NEAR_CORNERS]
     sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
     face = _NEAR_CORNERS if min(sides) >= 2.0 * apart_px else _FAR_CORNERS
@@ -150,7 +150,7 @@ def shown(
     for handle in face:
         if handle != kept:
             take(handle)
-    return found
+    return visible
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:

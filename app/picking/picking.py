@@ -276,11 +276,11 @@ class PickSurface:
         if vertex is not None:
             number, order = vertex
             return Hit(_vector(self._points[number] + self._origin), number, order)
-        found = _cast(sight, pixel, corners, seen)
-        if found is None:
+        cast = _cast(sight, pixel, corners, seen)
+        if cast is None:
             return None
         # Computed from the corners, not by way of the eye, which may be far away.
-        which, weights, order = found
+        which, weights, order = cast
         point = weights @ self._points[triangles[which]].astype(np.float64)
         plane = np.linalg.lstsq(seen[which][:, [0, 1, 3]], seen[which][:, 2])[0]
         return Hit(_vector(point + self._origin), None, order, plane)
@@ -330,8 +330,8 @@ class PickSurface:
         away = np.hypot(x - pixel[0], y - pixel[1])
         usable = np.flatnonzero((w > 0.0) & (drawn >= 0.0).all(axis=1) & (away <= within_px))
         for i in usable[np.argsort(away[usable], kind="stable")][:_TRIED]:
-            found = _cast(sight, (x[i], y[i]), corners, seen)
-            if found is None or order[i] <= found[2] + _SAME_DEPTH * abs(found[2]):
+            cast = _cast(sight, (x[i], y[i]), corners, seen)
+            if cast is None or order[i] <= cast[2] + _SAME_DEPTH * abs(cast[2]):
                 return int(numbers[i]), float(order[i])
         return None
 
@@ -489,7 +489,7 @@ class Lines:
         share = share * w[:, 0] / (share * w[:, 0] + (1.0 - share) * w[:, 1])
         nearest = parts[:, 0] + share * (parts[:, 1] - parts[:, 0])
 
-        found = []
+        hits = []
         for part, within_px in ((0.0, end_px), (1.0, end_px), (nearest, line_px)):
             is_end = part is not nearest
             there = np.broadcast_to(part, len(which))
@@ -503,9 +503,9 @@ class Lines:
                 point = end if there[i] == 1.0 else start + there[i] * (end - start)
                 hit = Hit(_vector(point + self._origin), None, float(order[i] / w[i]))
                 spot = float(x[i] / w[i]), float(y[i] / w[i])
-                found.append((not is_end, float(away[i]), hit.order, is_end, spot, hit))
-        found.sort(key=lambda place: place[:3])
-        return [place[3:] for place in found]
+                hits.append((not is_end, float(away[i]), hit.order, is_end, spot, hit))
+        hits.sort(key=lambda place: place[:3])
+        return [place[3:] for place in hits]
 
 
 def pick(

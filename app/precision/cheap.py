@@ -155,17 +155,17 @@ def cheap_formats(
         )
         if has_w:
             ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
-        found, bounds = _on_the_screen(projection, ndc, numbers)
+        image, bounds = _on_the_screen(projection, ndc, numbers)
         step = SNAPS[hardware.snap]
         if step:
-            snapped = np.rint(found[:2] / step) * step
-            bounds[:2] += np.where(snapped != found[:2], step / 2.0, 0.0)
-            found[:2] = snapped
+            snapped = np.rint(image[:2] / step) * step
+            bounds[:2] += np.where(snapped != image[:2], step / 2.0, 0.0)
+            image[:2] = snapped
         bounds = bounds * _ROUNDED_UP + _LEAST
-    none = ~(w.value > 0.0) | np.isnan(found).any(axis=0)
-    found[:, none], bounds[:, none] = np.nan, np.inf
+    none = ~(w.value > 0.0) | np.isnan(image).any(axis=0)
+    image[:, none], bounds[:, none] = np.nan, np.inf
     bounds[np.isnan(bounds)] = np.inf
-    parts = (np.split(rows.T, len(vertices)) for rows in (found, bounds))
+    parts = (np.split(rows.T, len(vertices)) for rows in (image, bounds))
     return [CheapPicture(xyz[:, :2], xyz[:, 2], bound) for xyz, bound in zip(*parts, strict=True)]
 
 

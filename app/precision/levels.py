@@ -89,10 +89,10 @@ def predict(
     with np.errstate(all="ignore"):
         blocks = (slice(start, start + _CHUNK) for start in range(0, len(given), _CHUNK))
         every = (bounds.of(placed.part(block), given[block]) for block in blocks)
-        found = [errors for errors in every if errors is not None]
-    if not found:
+        known = [errors for errors in every if errors is not None]
+    if not known:
         return None
-    largest = np.max(found, axis=0)
+    largest = np.max(known, axis=0)
     largest[np.isnan(largest)] = math.inf
     return {
         precision: Prediction(max(x_px, y_px), depth)
@@ -378,31 +378,31 @@ def trace_homogeneous(
     Directions are always exact. `world` and `view` of the result have four numbers each.
     """
     given = np.asarray(points, dtype=np.float64)
-    found = empty_trace(given.copy())
+    whole = empty_trace(given.copy())
     finite = given[:, 3] != 0.0
     if finite.any():
         which: Any = slice(None) if finite.all() else finite
         traced = trace(projection, given[which, :3], precision, space=space)
-        _fill(found, which, traced, 1.0)
+        _fill(whole, which, traced, 1.0)
     if not projection.has_camera:  # a typed view matrix may give directions a w of their own
         for i in np.flatnonzero(~finite).tolist():
             direction = given[i, :3].tolist()
             if space == "object":
                 direction = projection.placement.exactly(direction, 0)
-            for column, part in zip(found, trace_at_infinity(projection, direction), strict=True):
+            for column, part in zip(whole, trace_at_infinity(projection, direction), strict=True):
                 column[i] = part
     elif not finite.all():
         directions = given[~finite, :3]
         placed = projection.placed(directions, space, 0)
         with np.errstate(all="ignore"):
             traced = _trace_exact(projection, placed, directions, space, 0)
-        _fill(found, ~finite, traced, 0.0)
-    return found
+        _fill(whole, ~finite, traced, 0.0)
+    return whole
 
 
-def _fill(found: Trace, which: Any, traced: Trace, w: float) -> None:
+def _fill(whole: Trace, which: Any, traced: Trace, w: float) -> None:
     """Fill some points of a trace with those of another, whose w in world and view is missing."""
-    for part, full in zip(traced, found, strict=True):
+    for part, full in zip(traced, whole, strict=True):
         if part.shape[1:] == full.shape[1:]:
             full[which] = part
         else:
@@ -550,8 +550,8 @@ def exact_numbers(
             doubtful |= ~((number.error < np.abs(number.value.hi)) | (number.error == 0.0))
         which = start + np.flatnonzero(doubtful)
         if len(which):
-            found = _rational_numbers(projection, given[which], space, one)
-            numbers[:, which], rests[:, which], outside[:, which] = found
+            rationals = _rational_numbers(projection, given[which], space, one)
+            numbers[:, which], rests[:, which], outside[:, which] = rationals
     return numbers, rests, outside
 
 

@@ -93,33 +93,33 @@ def risks(
     predictions : dict from precision to Prediction, or None
         From `levels.predict`, for the scene's vertices.
     """
-    found = []
+    present = []
     size = math.dist(lower, upper)
     corners = list(product(*zip(lower, upper, strict=True)))
     beyond = projection.trace(corners, "object").outside.all(axis=0)
     if beyond.any():
-        found.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
+        present.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
     if lens.holds(distance):
         buffer = DepthBuffer("fixed24", projection.depth, lens)
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
-            found.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
+            present.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
     if drawn != "float32" and drawing_px >= _SEEN_PX:
         rough = Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))
-        found.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
+        present.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
     if predictions is not None and precision_for_reading(predictions) == "exact":
-        found.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
+        present.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
     if lens.fov_y_deg is not None:
         if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
-            found.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
+            present.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
         elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
-            found.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
+            present.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
     if not projection.frustum_sign:
-        found.append(Risk(_why_no_frustum(projection)))
+        present.append(Risk(_why_no_frustum(projection)))
     if size / lens.eye_room >= _VTK_DROPS_FROM:
-        found.append(Risk(VTK_DROPS, (f"{size / lens.eye_room:.2g}",)))
-    return found
+        present.append(Risk(VTK_DROPS, (f"{size / lens.eye_room:.2g}",)))
+    return present
 
 
 def _decimals(error: float) -> str:

@@ -114,11 +114,11 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
         decimation.SetPointGenerationModeToBinAverages()
         decimation.ProduceCellDataOn()
         decimation.Update()
-        found = pv.wrap(decimation.GetOutput())
-        left = found.n_cells  # 0 if all triangles have collapsed
+        mesh = pv.wrap(decimation.GetOutput())
+        left = mesh.n_cells  # 0 if all triangles have collapsed
         if left and abs(math.log(left / wanted)) < abs(math.log(best.n_cells / wanted)):
-            best = found
-        ratio = wanted / max(1, found.n_cells)
+            best = mesh
+        ratio = wanted / max(1, mesh.n_cells)
         if 1.0 / _WITHIN < ratio < _WITHIN or (ratio > 1.0 and boxes >= _MOST_BOXES):
             break
         boxes = min(float(_MOST_BOXES), max(2.0, boxes * math.sqrt(ratio)))
@@ -152,5 +152,5 @@ def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integ
     tree.SetDataSet(pv.PolyData(middles))
     tree.BuildLocator()
     nearest = [tree.FindClosestPoint(middle) for middle in fewer.cell_centers().points.tolist()]
-    found: NDArray[np.integer] = first[np.array(nearest, dtype=np.int64)]
-    return found
+    nearest_of: NDArray[np.integer] = first[np.array(nearest, dtype=np.int64)]
+    return nearest_of

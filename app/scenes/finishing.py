@@ -192,12 +192,12 @@ def _feature_edges(mesh: Mesh) -> Floats:
     # An edge that one face runs there and back, such as the bridge to a hole, bounds nothing.
     bounds = np.add.reduceat(np.sign(ends - starts)[order], np.flatnonzero(is_new)) != 0
     keys, face = keys[is_new][bounds], face[is_new][bounds]
-    found, first, count = np.unique(keys, return_index=True, return_counts=True)
+    distinct, first, count = np.unique(keys, return_index=True, return_counts=True)
     two = count == 2
     one_side, other_side = (normals[face[first[two] + i]] for i in (0, 1))
     drawn = ~two
     drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
-    edges: Floats = points[np.stack(np.divmod(found[drawn], len(points)), axis=1)]
+    edges: Floats = points[np.stack(np.divmod(distinct[drawn], len(points)), axis=1)]
     return edges
 
 

@@ -138,15 +138,15 @@ def _read_obj(source: MeshSource) -> Mesh:
             elements, cornered = elements + len(sizes), cornered + len(indices)
             corners[kind].append(from_start)
             counts[kind].append(sizes)
-        for kind, found in lines_in.items():
-            lines_of[kind].append(lines_before + found)
+        for kind, numbers in lines_in.items():
+            lines_of[kind].append(lines_before + numbers)
         vertices += len(rows)
         source.check_size(vertices, elements, cornered)
         points.append(rows[:, :3])
         colours.append(rows[:, 3:])
         lines_before += text.count(b"\n")
         source.report(min(0.4, 0.4 * source.file.tell() / source.size))
-    line = {kind: np.concatenate(found) for kind, found in lines_of.items()}
+    line = {kind: np.concatenate(numbers) for kind, numbers in lines_of.items()}
     on_line, lengths = np.concatenate(corners["l"]), np.concatenate(counts["l"])
     lasts = np.cumsum(lengths) - 1
     goes_on = np.ones(len(on_line), dtype=bool)
@@ -466,8 +466,8 @@ def _strips(named: Ints, lengths: Ints) -> Ints:
     odd = (i - first[i]) % 2
     triangles = np.stack([named[i], named[i + 1 + odd], named[i + 2 - odd]], axis=1)
     # A repeated corner turns to the next strip.
-    found: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    return found
+    whole: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return whole
 
 
 _PLY_HEADER = re.compile(rb"ply\s.*?[\r\n]end_header[ \t]*(?:\r?\n|\Z)", re.DOTALL)
@@ -616,14 +616,14 @@ def _ply_columns(element: _Element, body: bytes, at: int) -> _Columns:
             return columns, {name: c.astype(np.int64) for name, c in counts.items()}, end
 
     # Otherwise every row has to be looked at to find the next one.
-    found = array("q")
+    spans = array("q")
     try:
         for _ in range(rows):
             places, at = _ply_row(properties, body, at)
-            found.extend(places)
+            spans.extend(places)
     except IndexError:
-        raise IndexError(len(found) // (2 * len(properties))) from None
-    starts, lengths = np.moveaxis(np.array(found).reshape(rows, len(properties), 2), 2, 0)
+        raise IndexError(len(spans) // (2 * len(properties))) from None
+    starts, lengths = np.moveaxis(np.array(spans).reshape(rows, len(properties), 2), 2, 0)
     octets = np.frombuffer(body, dtype=np.uint8)
     columns = {}
     for i, p in enumerate(properties):

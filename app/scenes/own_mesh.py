@@ -58,10 +58,10 @@ def own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
 
 def _coarser(points: NDArray[np.floating], triangles: Ints) -> Floats:
     """Return at most `SUBJECT_SURFACE` triangles (k, 3, 3): vertices in a grid cell become one."""
-    found: Floats = points[triangles].astype(np.float64)
+    coarser: Floats = points[triangles].astype(np.float64)
     low, size = points.min(axis=0), float(np.ptp(points, axis=0).max())
     cells = 48
-    while len(found) > SUBJECT_SURFACE:
+    while len(coarser) > SUBJECT_SURFACE:
         cell = np.floor((points - low) * (cells / size)).astype(np.int64)
         keys = (cell[:, 0] * (cells + 1) + cell[:, 1]) * (cells + 1) + cell[:, 2]
         _, where, count = np.unique(keys, return_inverse=True, return_counts=True)
@@ -71,9 +71,9 @@ def _coarser(points: NDArray[np.floating], triangles: Ints) -> Floats:
         a, b, c = corners.T
         rest, c = np.divmod(_distinct((a * len(count) + b) * len(count) + c), len(count))
         corners = np.stack([*np.divmod(rest, len(count)), c], axis=1)
-        found = np.stack(middles, axis=1)[corners]
+        coarser = np.stack(middles, axis=1)[corners]
         cells = cells * 3 // 4
-    return found
+    return coarser
 
 
 def _distinct(keys: Ints) -> Ints:
@@ -96,8 +96,8 @@ def _largest(values: NDArray[np.floating], count: int) -> Ints:
     which: NDArray[np.intp] = np.arange(len(values))
     if count < len(values):
         which = np.argpartition(-values, count)[:count]
-    found: Ints = which[np.argsort(-values[which], kind="stable")]
-    return found
+    largest: Ints = which[np.argsort(-values[which], kind="stable")]
+    return largest
 
 
 def values_of(array: vtkDataArray) -> NDArray[Any]:

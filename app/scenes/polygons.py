@@ -56,18 +56,18 @@ def are_convex(quads: Floats) -> NDArray[np.bool_]:
     """Whether faces of four corners (m, 4, 3) turn to the same side at each of them."""
     sides = np.roll(quads, -1, axis=1) - quads
     areas = _crossed(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
-    found = np.ones(len(quads), dtype=bool)
+    convex = np.ones(len(quads), dtype=bool)
     for i in range(4):
-        found &= ~_is_backward(sides[:, i - 1], sides[:, i], areas)
-    return found
+        convex &= ~_is_backward(sides[:, i - 1], sides[:, i], areas)
+    return convex
 
 
 def _is_backward(one: Floats, other: Floats, areas: Floats) -> NDArray[np.bool_]:
     """Whether triangles with two sides each turn against the polygons with these areas."""
     turns = _crossed(one, other)
     squares = (areas * areas).sum(axis=1)
-    found = (turns * areas).sum(axis=1) < -_ROUNDING * squares
-    return np.asarray(found | ((squares == 0.0) & turns.any(axis=1)))
+    is_backward = (turns * areas).sum(axis=1) < -_ROUNDING * squares
+    return np.asarray(is_backward | ((squares == 0.0) & turns.any(axis=1)))
 
 
 def divided(

@@ -274,8 +274,8 @@ class Scene:
             parts.append(distinct_rows(ends.reshape(-1, 3))[0])
         if len(parts) == 1:
             return parts[0]
-        found: NDArray[Any] = np.concatenate([np.empty((0, 3), dtype=np.float32), *parts])
-        return found
+        points: NDArray[Any] = np.concatenate([np.empty((0, 3), dtype=np.float32), *parts])
+        return points
 
     @cached_property
     def own_lines(self) -> NDArray[np.bool_]:

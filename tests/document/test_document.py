@@ -11,6 +11,7 @@ import os
 import pickle
 import random
 import re
+import signal
 import struct
 import subprocess
 import sys
@@ -55,7 +56,7 @@ from app.scenes.phenomena import PHENOMENA
 from app.strangers import LATIN_1
 from tests import PATIENCE_S
 from tests.fuzz.catalogue import a_valid_tree, any_view
-from tests.fuzz.documents import outcome, outcome_of
+from tests.fuzz.documents import outcome_of
 from tests.support.carrier import carrier
 from tests.support.phenomenon import EVERYTHING, called, make_known
 
@@ -270,28 +271,22 @@ VERSIONS = "must be a whole number, 1 or more"
 SCENES = "must be the name of a scene or of a mesh file"
 BAD_VALUES: list[tuple[str, object, str]] = [
     ("lens.near", -1, "-1: must be greater than 0"),
-    ("lens.near", 40, "40: must be less than far, which is 30"),
     ("lens.near", None, f"null: {FINITE}"),
     ("lens.near", True, f"true: {FINITE}"),
     ("lens.near", {"m": 1}, "{m: ...}: " + FINITE),
     ("lens.near", "inf", f"'inf': {FINITE}"),
     ("lens.far", "infinity", f"'infinity': {FINITE} or inf"),
-    ("lens.far", 10**300, "1e+300: must be at most 1e+100"),
     ("lens.fov_y_deg", 180, f"180: {ANGLE}"),
-    ("lens.fov_y_deg", 1e308, f"1e+308: {ANGLE}"),
     ("lens.kind", "fisheye", f"'fisheye': {KINDS}"),
-    ("lens.kind", ["perspective"], f"['perspective']: {KINDS}"),
     ("camera.eye", [1, 2], f"[1, 2]: {PLACE}"),
     ("camera.eye", "6,5,9", f"'6,5,9': {PLACE}"),
     ("camera.eye", [6, None, 9], f"[6, null, 9]: {PLACE}"),
     ("camera.up", [12, 5.6, 18], "[12, 5.6, 18]: must not be parallel to the view direction"),
     ("image.width", 0, f"0: {PIXELS}"),
-    ("image.height", 0.5, f"0.5: {PIXELS}"),
     ("image.height", "720", f"'720': {PIXELS}"),
     ("depth", "vulkan", f"'vulkan': {RANGES}"),
     ("depth", {}, "{}: " + RANGES),
     ("scene", "", f"'': {SCENES}"),
-    ("scene", 7, f"7: {SCENES}"),
     ("scene", "a\0.stl", f"'a\\x00.stl': {SCENES}"),
     ("camera", [6, 5, 9], f"[6, 5, 9]: {BRACES}"),
     ("lens", "perspective", f"'perspective': {BRACES}"),
@@ -395,12 +390,6 @@ def test_random_documents_give_no_silent_nan() -> None:
     found = [outcome_of(seed) for seed in range(1000)]
     assert found.count("valid") > 200
     assert len(set(found)) > 15
-
-
-@given(st.randoms(use_true_random=False))
-def test_hypothesis_finds_no_document_with_a_silent_nan(rng: random.Random) -> None:
-    """The same documents, drawn and shrunk by hypothesis."""
-    outcome(rng)
 
 
 def test_an_error_keeps_its_parts_so_that_it_can_be_translated() -> None:
@@ -756,15 +745,6 @@ def names_in(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
-def test_a_document_is_written_and_replaced(tmp_path: Path) -> None:
-    path = tmp_path / "lesson.json"
-    write(Document(), path)
-    assert path.read_text(encoding="utf-8") == WRITTEN
-    write(PARALLEL, str(path))
-    assert read(path) == PARALLEL
-    assert names_in(tmp_path) == ["lesson.json"]
-
-
 @pytest.mark.parametrize("step", ["chmod", "fsync", "replace"])
 def test_the_old_file_stays_whole_when_a_step_fails(
     step: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
@@ -833,46 +813,29 @@ def run_script(script: str, *arguments: object) -> str:
 
 
 KILLED = """
-import json, os, random, select, signal, sys
-from dataclasses import replace
-from app.document.codec import parse, to_json
+import json, os, signal, sys
 from app.document.document import Document
-from app.document.files import write_bytes_atomically
+from app.document.files import read, write
 
-folder, rounds = sys.argv[1], int(sys.argv[2])
-path = os.path.join(folder, "lesson.json")
-contents = [
-    to_json(Document(name, extra={"pad": [name * 1000] * 400})).encode() for name in ("aa", "bbb")
-]
-write_bytes_atomically(path, contents[0])
-chance = random.Random(1)
-killed_meanwhile = most_left = 0
-for _ in range(rounds):
-    reading, writing = os.pipe()
+path, found = sys.argv[1], []
+write(Document(), path)
+for step, is_done in (("chmod", False), ("fsync", False), ("replace", False), ("replace", True)):
     child = os.fork()
     if child == 0:
+        act = getattr(os, step)
+        def die(*arguments):
+            if is_done:
+                act(*arguments)
+            os.kill(os.getpid(), signal.SIGKILL)
+        setattr(os, step, die)
         try:
-            while True:
-                for content in contents:
-                    write_bytes_atomically(path, content)
-                    os.write(writing, b".")
+            write(Document("cube"), path)
         finally:
             os._exit(1)
-    os.close(writing)
-    os.read(reading, 1)  # it is at work
-    select.select([], [], [], chance.uniform(0.0, 0.01))  # a random moment
-    os.kill(child, signal.SIGKILL)
-    os.waitpid(child, 0)
-    os.close(reading)
-    with open(path, "rb") as file:
-        content = file.read()
-    assert content in contents, "half a document"
-    left = len(os.listdir(folder)) - 1
-    killed_meanwhile += left > 0
-    most_left = max(most_left, left)
-parse(content.decode())
-write_bytes_atomically(path, contents[0])
-print(json.dumps([killed_meanwhile, most_left, os.listdir(folder)]))
+    _, status = os.waitpid(child, 0)
+    found.append([os.WTERMSIG(status), read(path).scene, len(os.listdir(os.path.dirname(path)))])
+write(Document(), path)
+print(json.dumps([found, os.listdir(os.path.dirname(path))]))
 """
 
 LIMITED = """
@@ -907,11 +870,10 @@ except Refusal as error:
 if sys.platform != "win32":  # what only POSIX can do, or be asked
     import fcntl
 
-    def test_killed_at_any_moment_a_save_leaves_a_whole_document(tmp_path: Path) -> None:
-        killed_meanwhile, most_left, files = json.loads(run_script(KILLED, tmp_path, 50))
-        assert killed_meanwhile > 10  # or the moments were not random enough to prove anything
-        assert most_left == 1  # what one leaves, the next one removes
-        assert files == ["lesson.json"]
+    def test_killed_at_any_step_a_save_leaves_a_whole_document(tmp_path: Path) -> None:
+        found, files = json.loads(run_script(KILLED, tmp_path / "lesson.json"))
+        assert found == [*[[signal.SIGKILL, "letter-f", 2]] * 3, [signal.SIGKILL, "cube", 1]]
+        assert files == ["lesson.json"], "what one leaves, the next one removes"
 
     def test_a_full_disk_leaves_the_old_file_whole(tmp_path: Path) -> None:
         path = tmp_path / "lesson.json"

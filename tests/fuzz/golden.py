@@ -103,18 +103,18 @@ class Report:
     def __init__(self, part: str, skip: Sequence[str]) -> None:
         self.part, self.skip = part, skip
         self.compared = 0
-        self.found: dict[str, list[str]] = collections.defaultdict(list)
+        self.differences: dict[str, list[str]] = collections.defaultdict(list)
 
     def compare(self, kind: str, name: str, before: Any, now: Any) -> None:
         """Count a comparison, and keep what differs."""
         self.compared += 1
         if before != now:
-            self.found[kind].append(f"{name}: {difference(before, now)}")
+            self.differences[kind].append(f"{name}: {difference(before, now)}")
 
     def tell(self) -> int:
         """Print all differences; 1 if any of them is not skipped."""
         wrong = 0
-        for kind, texts in self.found.items():
+        for kind, texts in self.differences.items():
             is_skipped = kind in self.skip
             print(f"{self.part}: {kind}: {len(texts)} differ{' (skipped)' * is_skipped}")
             if is_skipped:

@@ -189,3 +189,15 @@ def test_no_two_classes_share_a_name() -> None:
                 if isinstance(node, ast.ClassDef):
                     homes[node.name.lstrip("_")].append(str(path.relative_to(ROOT)))
     assert {name: places for name, places in homes.items() if len(places) > 1} == {}
+
+
+def test_no_name_says_only_that_something_was_found() -> None:
+    """A name says what it holds: `match`, `corners`, and never `found`, `outs` or `ways`."""
+    vague = {
+        f"{path.name}: {name}"
+        for path in SOURCES
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for name in (getattr(node, "id", ""), getattr(node, "arg", ""), getattr(node, "name", ""))
+        if isinstance(name, str) and name.strip("_") in ("found", "outs", "ways")
+    }
+    assert vague == set()

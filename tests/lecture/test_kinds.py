@@ -154,7 +154,7 @@ def test_l12_a_typed_matrix_is_none_of_them_until_one_is_chosen() -> None:
 def test_l12_the_scene_s_own_choice_is_found_again() -> None:
     for points in (1, 2, 3):
         found = with_kind(PHENOMENON.start, f"{points}-point")
-        settings = PHENOMENON.found(found, PHENOMENON.checked({"points": "free"}))
+        settings = PHENOMENON.implied(found, PHENOMENON.checked({"points": "free"}))
         assert settings["points"] == str(points)
     isometric = with_kind(PHENOMENON.start, "isometric")
-    assert PHENOMENON.found(isometric, PHENOMENON.checked({}))["points"] == "free"
+    assert PHENOMENON.implied(isometric, PHENOMENON.checked({}))["points"] == "free"

@@ -33,8 +33,8 @@ from app.measure.arithmetic import (
     peers,
     summed,
     sweep,
+    timed_projections,
     values_of,
-    ways,
 )
 from app.measure.depth import BEYOND, NOT_TOLD, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
@@ -146,7 +146,7 @@ def test_measured_errors_are_those_of_the_oracle(depth: str, far: float) -> None
     trade = measure(projection, POINTS, seconds=0.0)
     world = looked_at(projection, POINTS)
     some, where = sample(world)
-    every = ways(projection, world, (0.0, 0.0, 0.0)) | peers(projection, world)[0]
+    every = timed_projections(projection, world, (0.0, 0.0, 0.0)) | peers(projection, world)[0]
     compared = 0
     for choice in trade.choices:
         if choice.note == NOT_INSTALLED or choice.name in CHEAP:

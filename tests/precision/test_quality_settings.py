@@ -548,25 +548,6 @@ def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     window.store.end_gesture()
 
 
-def test_a_mesh_of_medium_size_is_reduced_too(make_window: MakeWindow, tmp_path: Path) -> None:
-    """Without a word: its coarser versions are made at once."""
-    path = tmp_path / "small.ply"
-    pv.Sphere(theta_resolution=50, phi_resolution=50).save(path)
-    window = make_window(Document(str(path), load(str(path)).start))
-    window.look.adaptive.set_target(0.001)
-    settle()
-    whole = triangles(window)
-    window.store.begin_gesture()
-    for i in range(6):
-        step(window, 40.0 + i)
-    assert window.look.adaptive.budget.level == FrameQuality(False, 0.2)
-    fewer = triangles(window)
-    assert all(fewer[name] < 0.3 * whole[name] for name in PANES), (fewer, whole)
-    window.store.end_gesture()
-    settle()
-    assert triangles(window) == whole
-
-
 def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
@@ -621,18 +602,6 @@ def test_antialiasing_is_dropped_first(
     window.store.end_gesture()
     settle()
     assert (pixels(window, "image") == smooth).all()
-
-
-def test_a_drag_within_the_target_costs_no_extra_repaint(make_window: MakeWindow) -> None:
-    window = make_window(software_rendering=False)
-    window.look.adaptive.set_target(1000.0)
-    settle()
-    with counted_repaints(window) as counts:
-        window.store.begin_gesture()
-        for i in range(4):
-            step(window, 41.0 + i)
-        window.store.end_gesture()
-    assert counts == dict.fromkeys(PANES, 4)
 
 
 def test_levels_are_made_when_a_large_scene_is_opened_and_can_be_refused(

@@ -224,17 +224,6 @@ def test_keys_it_does_not_know_go_on_to_the_window(opened: Opened) -> None:
     assert window.isVisible()
 
 
-def test_a_pane_floats_and_comes_back_with_its_picture(opened: Opened) -> None:
-    window = opened()
-    canvas = window.panes["image"].canvas
-    for _ in range(2):
-        window.slots.toggle_float("image")
-        settle()
-        shown = pixels(window, "image")
-        assert shown.shape == (canvas.height(), canvas.width(), 3)
-        assert colours_of(shown) > 10
-
-
 def test_lost_opengl_resources_are_created_again(opened: Opened, qtbot: QtBot) -> None:
     """As after a restart of the driver: all of VTK's resources are gone."""
     window = opened()

@@ -448,16 +448,6 @@ def test_a_drag_goes_to_the_limit_however_fast_it_is(controls: Column) -> None:
         assert record.events.count("start") == 1
 
 
-def test_the_mouse_itself_moves_the_slider(controls: Column, record: Record) -> None:
-    slider = number(controls, "fov_y_deg").slider
-    place = press(slider)
-    QTest.mouseMove(slider, place + QPoint(40, 0))
-    QApplication.processEvents()
-    release(slider)
-    assert record.events[0] == "start" and record.events[-1] == "finish"
-    assert record.edits[-1].lens.fov_y_deg > 60.0
-
-
 def test_a_burst_of_keys_is_one_gesture(controls: Column, record: Record, qtbot: Any) -> None:
     row = number(controls, "azimuth_deg")
     row.slider.setFocus()
@@ -586,19 +576,6 @@ def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column) -> None:
     assert len(values) > 100 and values[-1] > 20.0 * values[0]
     steps = [after / before for before, after in itertools.pairwise(values)]
     assert min(steps) > 1.0 and max(steps) <= 1.02
-
-
-def test_near_has_the_same_ratio_of_ends_in_every_scene(controls: Column) -> None:
-    for name in scene.BUILT_IN:
-        loaded = scene.load(name)
-        show(controls, loaded.start)
-        controls.set_scene(loaded.size, loaded.start)
-        row = number(controls, "near")
-        if loaded.start.lens.parallel:
-            assert isinstance(row.scale, Linear), name
-            continue
-        assert row.slider.minimum() < row.slider.value() < row.slider.maximum(), name
-        assert row.scale.high == pytest.approx(40.0 * row.scale.low), name
 
 
 def dragged_over(row: NumberRow) -> Iterator[float]:
@@ -731,22 +708,6 @@ def test_linear_values_look_decimal() -> None:
 # -- orbit
 
 
-def test_there_and_back_again_without_drift(controls: Column, record: Record) -> None:
-    row = number(controls, "azimuth_deg")
-    before = row.value(), controls.projection.camera.orbit
-    row.slider.setFocus()
-    for _ in range(40):
-        QTest.keyClick(row.slider, KEY.Key_Right)
-    for _ in range(40):
-        QTest.keyClick(row.slider, KEY.Key_Left)
-    enter(row, repr(before[0]))
-    assert row.value() == before[0]
-    after = controls.projection.camera
-    assert after.orbit == pytest.approx(before[1], abs=1e-9)
-    assert after.eye == pytest.approx(START.camera.eye, abs=1e-9)
-    assert number(controls, "elevation_deg").field.text() == "15.5"
-
-
 @pytest.mark.parametrize("end", [90.0, -90.0])
 def test_through_the_zenith_without_flips(controls: Column, record: Record, end: float) -> None:
     rows = {name: number(controls, name) for name in Orbit._fields}
@@ -775,9 +736,10 @@ def test_an_angle_past_a_full_turn_is_taken_as_typed(controls: Column, record: R
     enter(row, "270")
     assert row.field.text() == "270" and row.slider.value() == row.slider.maximum()
     assert record.edits[0].camera.eye[0] == pytest.approx(-math.hypot(6, 9))
+    enter(row, "nan")
     show(controls, START)
-    show(controls, replace(record.edits[0], image_size=(100, 100)))
-    assert row.field.text() in ("270", "-90")
+    show(controls, record.edits[0])
+    assert row.value() == 270.0 and len(record.edits) == 1
 
 
 @pytest.mark.parametrize("text", ["-", "-2"])
@@ -795,15 +757,6 @@ def test_a_text_in_a_row_that_another_lens_hides_is_dropped(
     show(controls, BOX)
     show(controls, replace(BOX, image_size=(100, 100)))
     assert row.field.text() == "-3" and row.error == "" and record.edits == []
-
-
-def test_a_camera_set_elsewhere_is_shown_in_the_orbit_rows(controls: Column) -> None:
-    enter(number(controls, "azimuth_deg"), "30")
-    camera = Camera.from_orbit((0.0, 2.0, 0.0), Orbit(50.0, -20.0, 8.0, 10.0))
-    show(controls, replace(START, camera=camera))
-    controls.sections["more_camera"].set_open(True)
-    texts = [number(controls, name).field.text() for name in Orbit._fields]
-    assert texts == ["50", "-20", "8", "10"]
 
 
 # -- typed
@@ -861,21 +814,6 @@ def test_what_the_dock_shows_can_be_set(controls: Column) -> None:
         assert found.lens == state.lens and found.image_size == state.image_size
 
 
-def test_a_typed_number_keeps_all_its_digits(controls: Column, record: Record) -> None:
-    for text in ["2.5 units", "1e-7", "1/3"]:
-        show(controls, START)
-        record.edits.clear()
-        row, value = number(controls, "near"), parse_number("Near", text, "units")
-        enter(row, text)
-        assert record.edits[0].lens.near == row.value() == value
-        number(controls, "far").field.setFocus()
-        assert row.value() == value and len(row.field.text()) <= 10
-        row.field.setFocus()
-        assert float(row.field.text()) == value
-        number(controls, "far").field.setFocus()
-        assert len(record.edits) == 1
-
-
 def test_out_of_the_sliders_range_pins_the_slider(controls: Column, record: Record) -> None:
     row = number(controls, "far")
     enter(row, "1e20")
@@ -921,6 +859,10 @@ REFUSED = [
     ("focal_length_mm", "-50", "Focal length = -50: must be greater than 0."),
     ("up_y", "0", "Up = (0, 0, 0): must not be the zero vector."),
     ("height", "1.5", "Height = 1.5: must be a whole number of pixels from 1 to 16384."),
+    ("window_top", "0", "Half-height = 0: must be greater than 0."),
+    ("alpha_deg", "180", "Alpha = 180: must lie between 0 and 180, both excluded."),
+    ("receding", "1e7", "Receding = 10000000: must be at most 1000000."),
+    ("fx", "0", "fx = 0: must be greater than 0."),
     # infinity, and what is beyond all numbers: the bound of the row, if it has one
     ("near", "inf", "Near = ∞: must be less than far, which is 30."),
     ("near", "-inf", "Near = -∞: must be greater than 0."),
@@ -975,18 +917,6 @@ def test_limits_are_as_short_as_the_fields_show_them(controls: Column) -> None:
     assert "Eye = (0.333333, 0.666667, 0): must differ" in number(controls, "eye_z").error
 
 
-def test_asking_for_limits_changes_nothing(controls: Column, record: Record) -> None:
-    row = number(controls, "azimuth_deg")
-    enter(row, "270")
-    before = controls.projection
-    enter(row, "nan")
-    enter(number(controls, "distance"), "inf")
-    assert controls.projection is before and len(record.edits) == 1
-    show(controls, START)
-    show(controls, before)
-    assert row.value() == 270.0  # as typed, not -90
-
-
 def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     controls.sections["more_camera"].set_open(True)
     start = replace(START, camera=Camera((0.0, 2.0, 5.0), (0.0, 2.0, 0.0)))
@@ -1009,21 +939,6 @@ def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     enter(number(controls, "up_y"), "1e-12")  # as near as the issue asks
     assert controls.projection.camera.up == (0.0, 1e-12, 1.0)
     assert len(record.edits) == 2
-
-
-def test_an_accepted_value_removes_the_error(controls: Column, record: Record) -> None:
-    near = number(controls, "near")
-    enter(near, "40")
-    show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
-    assert near.error and near.field.text() == "40"  # the camera has nothing to do with it
-    enter(number(controls, "far"), "50")
-    assert not near.error and near.field.text() == "1"
-    enter(near, "60")
-    enter(near, "4")
-    assert not near.error and record.edits[-1].lens.near == 4.0
-    enter(near, "nonsense")
-    enter(near, "4")  # the value it has
-    assert not near.error and len(record.edits) == 2
 
 
 def test_the_error_line_exists_only_while_there_is_an_error(controls: Column) -> None:
@@ -1821,16 +1736,20 @@ def test_all_digits_are_shown_where_they_are_asked_for(controls: Column, record:
 
 
 def test_a_refusal_goes_when_another_field_is_accepted(controls: Column) -> None:
-    for other, text in [("width", "800"), ("eye_x", "1")]:
+    for other, text in [("width", "800"), ("eye_x", "4")]:
         show(controls, START)
         in_mode(controls, other)
         near = number(controls, "near")
         enter(near, "5000")
+        show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
         enter(number(controls, other), "nonsense")
-        assert near.error, "nothing has changed"
+        assert near.error and near.field.text() == "5000", "it has nothing to do with near"
         enter(number(controls, other), text)
         assert not near.error and not number(controls, other).error
         assert float(near.field.text()) == START.lens.near
+        enter(near, "nonsense")
+        enter(near, "1")  # the value it has
+        assert not near.error
 
 
 def test_a_refusal_stays_where_the_user_is_still_typing(

@@ -6,14 +6,13 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton
+from PySide6.QtWidgets import QLabel, QToolButton
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate, click, drag, settle
+from tests.support.window import click, drag, settle
 from widgets.parts.panel import EVERYTHING, Changed, Panel, ShownData
 from widgets.window.drawer import Panels
 from widgets.window.main_window import MainWindow
@@ -143,22 +142,3 @@ def test_a_dragged_height_stays(window: MainWindow) -> None:
             window.panels.open(panel)
             settle()
             assert panel is None or window.panels.height() == chosen
-
-
-def test_tab_goes_all_round_the_window(window: MainWindow) -> None:
-    activate(window)
-    window.probe_panel.follow(point=(0.0, 0.0, 0.0))
-    for panel in window.panels.all:
-        if panel is window.scene_panel:  # which has nothing to reach
-            continue
-        window.panels.open(panel)
-        QApplication.processEvents()
-        start = window.controls.rows["near"].field
-        start.setFocus()
-        been = []
-        while start not in been:
-            assert len(been) < 200, been[-3:]
-            QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Tab)
-            been.append(QApplication.focusWidget())
-        assert any(panel.isAncestorOf(widget) for widget in been), panel
-        assert window.controls.rows["far"].field in been

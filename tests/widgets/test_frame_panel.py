@@ -293,32 +293,10 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
+def test_a_refused_angle_shows_the_models_sentence(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection
-    panel.angle.slider.sliderPressed.emit()
-    for position in (200, 150, 100):
-        panel.angle.slider.setValue(position)
-    panel.angle.slider.sliderReleased.emit()
-    assert up_and_view(window.store.document.projection.camera).angle_deg < 1e-8
-    window.store.undo()
-    assert window.store.document.projection == before and not window.store.can_undo
-
-
-@pytest.mark.undrawn
-@pytest.mark.parametrize(
-    ("text", "bound"),
-    [
-        ("0", "must not be parallel to the view direction"),
-        ("inf", "must be a finite number"),
-        ("-inf", "must be a finite number"),
-    ],
-)
-def test_a_refused_angle_shows_the_models_sentence(
-    window: MainWindow, text: str, bound: str
-) -> None:
-    panel, before = window.frame_panel, window.store.document.projection
-    enter(panel.angle.field, text)
-    assert bound in panel.angle.error
+    enter(panel.angle.field, "0")
+    assert "must not be parallel to the view direction" in panel.angle.error
     assert window.store.document.projection == before
     QTest.keyClick(panel.angle.field, Qt.Key.Key_Escape)
     assert panel.angle.error == ""

@@ -40,7 +40,6 @@ from tests.support.controls import (
     press,
     release,
 )
-from tests.support.frustum import corners_world
 from tests.support.lenses import ONE_OF_EACH
 from tests.support.shown import show
 from widgets.parts.number_rows import NumberRow
@@ -146,24 +145,6 @@ def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> 
         assert column.projection.lens.kind == kind and not column.rows["kind"].error
     assert column.projection.lens.fov_y_deg == pytest.approx(45.0)  # type: ignore[union-attr]
     assert record.events.count("edit") == record.events.count("start") > 8
-
-
-def test_a_refusal_of_a_lens_is_explained_at_the_row(column: Column) -> None:
-    for shown, key, text, expected in [
-        (OFF_AXIS, "fx", "0", "fx = 0: must be greater than 0."),
-        (OFF_AXIS, "cx", "inf", "cx = ∞: must be a finite number."),
-        (START, "window_top", "0", "Half-height = 0: must be greater than 0."),
-        (START, "window_right", "-3", "Half-width = -3: must be greater than 0."),
-        (START, "e", "0", "Focal length e = 0: must be greater than 0."),
-        (SLANTED, "alpha_deg", "180", "Alpha = 180: must lie between 0 and 180, both excluded."),
-        (SLANTED, "receding", "1e7", "Receding = 10000000: must be at most 1000000."),
-        (SLANTED, "receding_deg", "inf", "Direction = ∞: must be a finite number."),
-    ]:
-        show(column, shown)
-        record, row = Record(column), number(column, key)
-        enter(row, text)
-        assert row.error == f"Not possible. {expected}"
-        assert record.edits == [] and column.projection is shown
 
 
 def test_beyond_the_slider_is_taken(column: Column, reader: Reader) -> None:
@@ -338,15 +319,6 @@ def test_another_drawing_leaves_the_target_in_its_place(column: Column) -> None:
         after = column.projection.trace(target).image
         assert np.allclose(after, before, rtol=0, atol=1e-9)
         assert column.projection.lens != SLANTED.lens
-
-
-def test_the_angles_of_h_leave_the_near_plane_in_its_place(column: Column) -> None:
-    show(column, SLANTED)
-    enter(number(column, "alpha_deg"), "60")
-    enter(number(column, "beta_deg"), "75")
-    assert column.projection.lens == replace(SLANTED.lens, alpha_deg=60.0, beta_deg=75.0)
-    on_near = corners_world(SLANTED)[:4, :3]
-    assert np.allclose(column.projection.trace(on_near).image, SLANTED.trace(on_near).image)
 
 
 # -- the calibrated camera

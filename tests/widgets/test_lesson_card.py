@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import threading
+import time
 from dataclasses import dataclass
 from pathlib import Path
 from types import SimpleNamespace
@@ -19,6 +21,7 @@ from PySide6.QtWidgets import (
     QComboBox,
     QLabel,
     QLineEdit,
+    QProgressDialog,
     QPushButton,
     QRadioButton,
     QScrollArea,
@@ -58,6 +61,7 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.parts.lesson_text import LessonText
+from widgets.parts.progress import Tell
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.click import ClickView
@@ -849,6 +853,40 @@ def test_the_card_says_what_is_wrong_in_a_saved_file(window: MainWindow, lesson:
     lesson.write_text(right, encoding="utf-8")
     window.lessons.read_again()
     assert "angle-liner" not in texts(card) and "nosuch" not in texts(card)
+
+
+@pytest.mark.undrawn
+def test_a_check_runs_beside_the_window_and_can_be_cancelled(
+    window: MainWindow, lesson: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
+    threads, said, ended = list[threading.Thread](), list[str](), threading.Event()
+
+    def check(_report: CheckReport, _path: Path, progress: Tell) -> None:
+        threads.append(threading.current_thread())
+        end = time.monotonic() + 10.0
+        while progress(0.0) and time.monotonic() < end:  # one long piece: no other fraction
+            time.sleep(0.01)
+        ended.set()
+
+    def cancel() -> None:
+        dialog = QApplication.activeModalWidget()
+        if isinstance(dialog, QProgressDialog):
+            said.append(dialog.labelText())
+            window.lessons.read_again()  # the file has changed meanwhile
+            dialog.cancel()
+
+    window.lesson_card.open(lesson)
+    monkeypatch.setattr(CheckReport, "read", check)
+    timer = QTimer(interval=10)
+    timer.timeout.connect(cancel)
+    timer.start()
+    window.lesson_card.check()
+    timer.stop()
+    assert len(threads) == 1 and threads[0] is not threading.main_thread()
+    assert said == [f"Checking {lesson.name}"]
+    assert ended.wait(10.0), "the check ends, too"
+    assert "Nothing is wrong" not in texts(window.lesson_card)
 
 
 @pytest.mark.usefixtures("few_seeds")

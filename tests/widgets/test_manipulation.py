@@ -379,45 +379,6 @@ def test_near_past_far_is_refused_until_the_drag_ends(window: MainWindow) -> Non
     assert bar.text == "" and model(window) == held
 
 
-def test_refusals_of_far_and_of_the_field_of_view_name_the_dragged_field(
-    window: MainWindow,
-) -> None:
-    bar = window.manipulation.message
-    handle, spot = mark(window, "far")
-    way = along(window, handle, far=1.5)
-    press(window, "world", point_of(spot))
-    move(window, "world", point_of(spot) + QPoint(round(1.2 * way[0]), round(1.2 * way[1])))
-    assert bar.text.startswith("Far = ")
-    assert bar.text.endswith("must be greater than near, which is 1.")
-    # Behind the eye there is no distance for it: what is named is the plane that stops it.
-    move(window, "world", point_of(spot) + QPoint(2 * way[0], 2 * way[1]))
-    assert bar.text == "Far = 1: must be greater than near, which is 1."
-    release(window, "world", point_of(spot))
-    window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
-    handle, spot = mark(window, "corner")
-    way = along(window, handle, fov_y_deg=1.0)
-    press(window, "world", point_of(spot))
-    move(window, "world", point_of(spot) + QPoint(round(1.5 * way[0]), round(1.5 * way[1])))
-    assert bar.text == "Field of view = 0: must lie between 0 and 180, both excluded."
-    release(window, "world", point_of(spot))
-
-
-def test_a_window_turned_inside_out_is_refused(window: MainWindow) -> None:
-    lens = LENSES["orthographic"]
-    window.store.set_projection(replace(model(window), lens=lens))
-    window.panes["world"].reset_view()
-    settle()
-    corners = {handle.at: spot for handle, spot in marks(window).items() if handle.name == "corner"}
-    (x, y), (to_x, to_y) = corners[(1.0, 1.0)], corners[(-1.0, 1.0)]
-    way = round(1.5 * (to_x - x)), round(1.5 * (to_y - y))
-    press(window, "world", point_of((x, y)))
-    move(window, "world", point_of((x, y)) + QPoint(*way))
-    text = window.manipulation.message.text
-    assert text.startswith("Right = -") and text.endswith("must be greater than left, which is -4.")
-    assert model(window).lens == lens
-    release(window, "world", point_of((x, y)) + QPoint(*way))
-
-
 def test_escape_cancels_a_drag(window: MainWindow) -> None:
     """Also while the keyboard is in a field."""
     window.slots.go_back()  # a pane that is alone is left by Esc before a probe is

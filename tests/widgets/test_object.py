@@ -93,14 +93,6 @@ def test_objects_of_a_phenomenon_are_fixed_and_a_text_says_so(window: MainWindow
 
 
 @pytest.mark.undrawn
-def test_a_flattened_object_says_what_is_gone(window: MainWindow) -> None:
-    window.controls.rows["scale_y"].edited.emit(0.0)  # type: ignore[attr-defined]
-    settle()
-    assert window.store.document.projection.placement.rank == 2
-    assert "inverse" in window.store.document.projection.stages[0].note
-
-
-@pytest.mark.undrawn
 def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(window: MainWindow) -> None:
     window.controls.sections["object"].set_open(True)
     row = number(window.controls, "scale_x")

@@ -98,23 +98,51 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
 
 def test_a_number_gives_everyone_the_same_test() -> None:
     def keys(names: list[str], number: int) -> list[tuple[str, int]]:
-        return [(item.found.exercise.name, item.seed) for item in drawn(names, number)]
+        return [(item.placed.exercise.name, item.seed) for item in drawn(names, number)]
 
     assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
     assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
     assert len({tuple(keys(["L3", "L5"], number)) for number in range(1, 30)}) == 29
     assert keys(["L4"], 1) == [] and {name for name, _ in keys(["L5"], 1)} == {"choose"}
     (item,) = drawn(["L5"], 3)
-    assert [found.key[1] for found in exercises_of(item.found.course)] == ["practise/choose"]
+    assert [found.key[1] for found in exercises_of(item.placed.course)] == ["practise/choose"]
 
 
-def test_a_test_is_taken_by_keyboard_alone(
-    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+@pytest.fixture
+def tested(window: MainWindow) -> MainWindow:
+    """Return a window whose card shows test 4 of both topics."""
     activate(window)
-    card, menus = window.lesson_card, window.menus.lesson_menu
+    window.practice.begin_test(["L3", "L5"], 4)
+    window.side.setSizes([0, 1000])
+    come_to_rest(window)
+    return window
 
-    def answer_dialog() -> None:
+
+def answer(window: MainWindow) -> tuple[str, str]:
+    """Answer the exercise on the card, "wide" wrongly; return its name and what was typed."""
+    (view,) = window.lesson_card.blocks
+    if view.block.name == "wide":
+        here, question = view.variant.here, view.variant.question
+        typed = f"{question.values(here, question.replies[0].formulas, 1)[0]:.4g}"
+        keyboard().selectAll()
+        QTest.keyClicks(keyboard(), typed)
+    elif view.block.name == "choose":
+        typed = "2"
+        press(KEY.Key_Down)
+    else:
+        wanted = float(view.variant.numbers["wanted"])
+        enter(window.controls.rows["near"].field, str(wanted))
+        come_to_rest(window)
+        typed = f"lens.near={wanted:g}"
+        assert view.is_open, "nothing says that it is right"
+        buttons(window.lesson_card)["Hand it in"].setFocus()
+    press(KEY.Key_Return)
+    settle()
+    return view.block.name, typed
+
+
+def test_a_test_is_chosen_by_keyboard_alone(window: MainWindow) -> None:
+    def choose() -> None:
         dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, SelfTestDialog))
         assert not dialog.begin.isEnabled()
         for box in dialog.findChildren(QCheckBox):
@@ -124,79 +152,87 @@ def test_a_test_is_taken_by_keyboard_alone(
         if dialog.isVisible():
             QTest.keyClick(dialog.begin, KEY.Key_Return)
 
+    activate(window)
     window.panels.open(window.matrices)
-    QTimer.singleShot(0, answer_dialog)
-    menus.test.trigger()
-    window.side.setSizes([0, 1000])
+    QTimer.singleShot(0, choose)
+    window.menus.lesson_menu.test.trigger()
     come_to_rest(window)
+    assert window.lessons.lesson.title == "Test 4: all topics"
     assert len(window.lessons.lesson.steps) == 3 and window.panels.open_panel is None
+
+
+def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(tested: MainWindow) -> None:
+    card, menus = tested.lesson_card, tested.menus.lesson_menu
     assert not card.hint.isVisible() and not card.anew.isVisible()
     assert not menus.hint.isEnabled() and not menus.anew.isEnabled()
-    given = {}
     for place in range(3):
         (view,) = card.blocks
         assert "Angles go from bottom to top." in texts(card), "what the step says before it"
-        assert window.store.document == view.variant.here.document
+        assert tested.store.document == view.variant.here.document
         assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
-        name, here, question = view.block.name, view.variant.here, view.variant.question
         assert place or view.visibleRegion().boundingRect() == view.rect(), "it makes room"
-        if name == "wide":
+        if view.block.name == "wide":
             assert isinstance(keyboard(), QLineEdit)
             QTest.keyClicks(keyboard(), "what")
             press(KEY.Key_Return)
             assert "cannot be read" in texts(card) or "neither" in texts(card)
-            keyboard().selectAll()
-            given[name] = f"{question.values(here, question.replies[0].formulas, 1)[0]:.4g}"
-            QTest.keyClicks(keyboard(), given[name])
-            press(KEY.Key_Return)
-        elif name == "choose":
+        elif view.block.name == "choose":
             assert isinstance(keyboard(), QRadioButton)
-            press(KEY.Key_Down)
-            press(KEY.Key_Return)
-            given[name] = "2"
         else:
             buttons(card)["Hand it in"].click()
             settle()
             assert "Nothing is changed yet." in texts(card)
-            wanted = float(view.variant.numbers["wanted"])
-            enter(window.controls.rows["near"].field, str(wanted))
-            come_to_rest(window)
-            assert view.is_open, "nothing says that it is right"
-            buttons(card)["Hand it in"].setFocus()
-            press(KEY.Key_Return)
-            given[name] = f"lens.near={wanted:g}"
-        settle()
+        answer(tested)
         assert not view.is_open and "Your answer is kept until the end." in texts(card)
         assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
         assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
         assert "Right" not in texts(card) and "idea" not in texts(card)
         assert "Show the answer" not in buttons(card)
-        if place == 0:  # it is left, and gone on with
-            card.leave()
-            assert window.messages.text == "The test is kept." and window.panels.open_panel is None
-            (go_on,) = window.messages.choices
-            go_on.click()
-            come_to_rest(window)
-            (view,) = card.blocks
-            assert not view.is_open and "Your answer is kept" in texts(card)
-            assert window.lessons.place == 0
         assert keyboard() is card.next
+        if place < 2:
+            press(KEY.Key_Return)
+            come_to_rest(tested)
+
+
+def test_a_test_that_is_left_is_gone_on_with(tested: MainWindow) -> None:
+    card = tested.lesson_card
+    answer(tested)
+    card.leave()
+    assert tested.messages.text == "The test is kept." and tested.panels.open_panel is None
+    (go_on,) = tested.messages.choices
+    go_on.click()
+    come_to_rest(tested)
+    (view,) = card.blocks
+    assert not view.is_open and "Your answer is kept" in texts(card)
+    assert tested.lessons.place == 0 and keyboard() is card.next
+
+
+def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
+    tested: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    card = tested.lesson_card
+    given = dict([answer(tested)])
+    for place in (1, 2):
         press(KEY.Key_Return)
-        if place == 1:
+        come_to_rest(tested)
+        if place == 2:
             press(KEY.Key_N, ALT)
             assert "Not answered yet: 3." in texts(card)
             buttons(card)["Back to exercise 3"].click()
-        come_to_rest(window)
+            come_to_rest(tested)
+        given |= [answer(tested)]
+    press(KEY.Key_Return)
+    come_to_rest(tested)
     said = texts(card)
-    assert "2 of 3 right" in said and window.lessons.lesson is None
+    assert "2 of 3 right" in said and tested.lessons.lesson is None
     assert keyboard().visibleRegion().boundingRect() == keyboard().rect(), (
         "what to do is above the fold"
     )
     assert f"Your answer: {given['wide']}" in said and "The tangent grows faster." in said
     assert "Your answer: no" in said and given["set"] in said
     assert "The idea behind it" in said
-    assert not window.practice.begun and window.panels.open_panel is None
-    attempts = {each.exercise.partition("/")[2]: each for each in window.record.read()}
+    assert not tested.practice.begun and tested.panels.open_panel is None
+    attempts = {each.exercise.partition("/")[2]: each for each in tested.record.read()}
     assert {name: each.typed for name, each in attempts.items()} == given
     assert attempts["wide"].idea == "angle-linear" and attempts["set"].verdict == "right"
     assert {(each.hints, each.is_test) for each in attempts.values()} == {(0, True)}
@@ -206,7 +242,7 @@ def test_a_test_is_taken_by_keyboard_alone(
     monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
     press(KEY.Key_Return)
-    assert window.messages.text == f"The result is in {out}."
+    assert tested.messages.text == f"The result is in {out}."
     result = read(out)
     assert result.student == "Ana" and len(result.attempts) == 3
     assert {each.exercise.partition("/")[2]: each.typed for each in result.attempts} == given
@@ -276,7 +312,7 @@ def test_a_review_mixes_the_topics_and_says_how_long_it_takes() -> None:
     assert [each.exercise.name for each in found.due] == ["set", "wide", "choose"]
     assert (found.minutes, found.following) == (3, None)
     mixed = to_review(found.due, standings(said))
-    assert [item.found.exercise.name for item in mixed] == ["set", "choose", "wide"]
+    assert [item.placed.exercise.name for item in mixed] == ["set", "choose", "wide"]
     assert all(item.seed not in (1, 2, 3, 9) for item in mixed)
     assert review_text(found) == "&Review: 3 exercises, about 3 minutes"
     short = found._replace(minutes=1, due=found.due * 7)

@@ -23,23 +23,18 @@ from app.document.document import Document
 from app.document.files import write
 from app.document.view import MOST_PROBES
 from app.drawings import probes
-from app.drawings.probes import pick_in
 from app.drawings.style import LIGHT, rgb
 from app.lecture.notation import matrices, stacked
 from app.model.formula import OVER
 from app.model.projection import (
-    LARGEST,
-    Array,
     Camera,
     FreeMatrix,
-    Lens,
     Oblique,
-    Orthographic,
     Perspective,
     Projection,
 )
 from app.model.refusal import format_value
-from app.picking.picking import PickSurface, Probe, Sight
+from app.picking.picking import PickSurface, Probe
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from tests.support.digits import all_digits_shown, plain
@@ -128,81 +123,6 @@ def test_a_click_on_a_vertex_in_any_pane_marks_it_in_all(window: MainWindow) -> 
         assert probe.point == pytest.approx(CORNER, abs=1e-5 * load("letter-f").size), name
         for other in window.panes:
             assert marked(window, other, place_in(window, other, CORNER)), (name, other)
-
-
-LENSES: dict[str, Lens] = {
-    "perspective": Perspective(45.0, 1.0, 30.0),
-    "orthographic": Orthographic(-6.0, 6.0, -3.5, 3.5, 1.0, 30.0),
-}
-EYES = {
-    "oblique": Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)),
-    "along z": Camera((0.0, 2.5, 14.0), (0.0, 2.5, 0.0)),
-}
-
-
-def is_seen(sight: Sight, vertex: Array, triangles: Array, lines: Array) -> bool:
-    """Whether no face and no line hides a vertex."""
-    at = np.append(vertex - sight.eye, 1.0)
-    x, y, order, w = sight.rows
-    if (sight.limits @ at < 0.0).any() or w @ at <= 0.0:
-        return False
-    for line in lines:
-        places = np.linspace(*line, 1001)
-        off = np.hypot(*(sight.seen(places) - sight.seen(vertex[None])).T)
-        nearest = np.append(places[np.argmin(np.nan_to_num(off, nan=np.inf))] - sight.eye, 1.0)
-        in_front = order @ nearest / (w @ nearest) < order @ at / (w @ at) - 1e-5
-        if np.nanmin(off, initial=np.inf) < 0.4 and in_front:
-            return False
-    *viewer, weight = np.linalg.svd(np.array([x, y, w]))[2][3]
-    along = np.array(viewer) - weight * at[:3]
-    along /= np.linalg.norm(along)
-    ahead = at + np.append(1e-3 * along, 0.0)
-    if order @ ahead / (w @ ahead) > order @ at / (w @ at):
-        along = -along
-    a, b, c = triangles.transpose(1, 0, 2)  # Moller and Trumbore, 1997
-    across = np.cross(along, c - a)
-    area = np.einsum("ij,ij->i", b - a, across)
-    around = np.cross(vertex - a, b - a)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        s = np.einsum("ij,ij->i", vertex - a, across) / area
-        t = around @ along / area
-        far = np.einsum("ij,ij->i", c - a, around) / area
-        inside = np.minimum(np.minimum(s, t), 1.0 - s - t) > -1e-6
-    return not (inside & (far > 1e-4)).any()
-
-
-@pytest.mark.parametrize(("lens", "eye"), [*zip(LENSES, EYES, strict=True)])
-def test_a_click_on_or_beside_a_visible_vertex_picks_it_in_every_pane(
-    make_window: MakeWindow, lens: str, eye: str
-) -> None:
-    """0 and 2 px to each side: the edges beside the vertex are not picked."""
-    window, scene = make_window(), load("letter-f")
-    window.store.set_projection(replace(start(), lens=LENSES[lens], camera=EYES[eye]))
-    QApplication.processEvents()
-    assert scene.surface is not None and scene.lines is not None
-    mesh = scene.surface.triangulate()
-    triangles = mesh.points[mesh.regular_faces].astype(np.float64) + scene.origin
-    vertices = np.unique(triangles.reshape(-1, 3), axis=0)
-    lines = scene.lines.points.reshape(-1, 2, 3).astype(np.float64) + scene.origin
-    ends = np.concatenate([vertices, lines.reshape(-1, 3)])
-    clicks, missed = dict.fromkeys(window.panes, 0), []
-    for name, pane in window.panes.items():
-        drawing: Any = pane.drawing
-        sight, spots = drawing.sight, drawing.sight.seen(ends)
-        for vertex, (x, y) in zip(vertices, sight.seen(vertices), strict=True):
-            if not is_seen(sight, vertex, triangles, lines):
-                continue
-            others = spots[np.abs(spots - (x, y)).max(axis=1) > 1e-6]
-            for right, down in ((0, 0), (2, 0), (-2, 0), (0, 2), (0, -2)):
-                away = np.hypot(*(others - (x + right, y + down)).T)
-                if np.nanmin(away) <= math.hypot(right, down):
-                    continue  # another is nearer
-                clicks[name] += 1
-                hit = pick_in(scene, scene.start, sight, (float(x) + right, float(y) + down))
-                if hit is None or math.dist(hit.point, vertex) > 1e-6:
-                    missed.append((name, vertex.tolist(), right, down, hit))
-    assert not missed, missed
-    assert min(clicks.values()) >= 60, clicks
 
 
 def test_a_double_click_resets_the_view_and_follows_nothing(window: MainWindow) -> None:
@@ -674,16 +594,6 @@ def type_in(field: Any, text: str) -> None:
     QTest.keyClick(field, Qt.Key.Key_Return)
 
 
-def test_l13_rows_begin_with_w_and_stay_in_columns(panel: ProbePanel) -> None:
-    """Lecture 002: (x, y, z) is (x, y, z, 1), and only clip space has another w."""
-    show(panel, replace(start(), camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))))
-    panel.follow(point=(1.0, 2.0, 3.0))
-    found = [cells(panel, 0, row) for row in range(5)]
-    assert found[0] == found[1] == ["1", "2", "3", "1"]
-    assert found[2] == ["1", "2", "−2", "1"]
-    assert len(found[3]) == 4 and found[3][3] == "2" and found[4] == ["÷ 2"] * 3
-
-
 def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
     """Seen along -z with near 4, far 18: z of the cube is (f + n)/(f - n) there."""
     show(panel, replace(start(), camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))))
@@ -733,21 +643,6 @@ def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> N
     window.probe_panel.follow(direction=(0.2, 0.1, 1.0))
     QApplication.processEvents()
     assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
-
-
-def test_a_refused_number_is_one_sentence_and_the_last_good_point_stays(
-    panel: ProbePanel, qtbot: QtBot
-) -> None:
-    panel.follow(point=CORNER)
-    field = panel.fields[1]
-    type_in(field, "-1e101")
-    said = f"Not possible. y = -1e+101: must be at least -{LARGEST}."
-    assert panel.error.isVisible() and panel.error.text() == said
-    assert field.accessibleDescription() == panel.error.text()
-    assert panel.probes == (Probe(1, CORNER),)
-    qtbot.keyClick(field, Qt.Key.Key_Escape)
-    assert not panel.error.isVisible() and field.text() == "5"
-    assert panel.probes == (Probe(1, CORNER),)
 
 
 @pytest.mark.undrawn

@@ -110,16 +110,6 @@ def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(window: MainW
 
 
 @pytest.mark.undrawn
-def test_another_pane_can_replace_one_that_fills_the_window(window: MainWindow) -> None:
-    by_key(window, "world")
-    assert is_whole(window)
-    by_key(window, "image")
-    assert slots(window) == ("image",) and is_whole(window)
-    by_key(window, "image")
-    assert slots(window) == ("image", "world", "ndc")
-
-
-@pytest.mark.undrawn
 def test_ctrl_0_goes_back_to_how_the_scene_opens(window: MainWindow) -> None:
     start = places(window)
     for name in ("image", "image", "ndc"):

@@ -302,14 +302,6 @@ def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> No
 
 
 @pytest.mark.undrawn
-def test_the_window_opens_at_ndc(window: MainWindow) -> None:
-    assert window.strip.position == NDC
-    assert window.panes["ndc"].title.text() == "NDC cube"
-    assert window.panes["ndc"].note.text() == "x, y ±1, z −1 … 1"
-    assert [button.isChecked() for button in window.strip.stops].index(True) == NDC
-
-
-@pytest.mark.undrawn
 def test_arrow_keys_go_from_stop_to_stop(window: MainWindow) -> None:
     strip, key = window.strip, Qt.Key
     seen: list[float] = []

@@ -93,11 +93,11 @@ class Controls(Dock, RowHolder):
         self._replaced: Collection[str] = ()
         self._lent: list[str] = []
         """The keys of the rows that are outside the dock."""
-        self._found: set[QWidget] | None = None
+        self._matches: set[QWidget] | None = None
         """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))
         self.search.textChanged.connect(self._look_for)
-        self.search.taken.connect(self._take_found)
+        self.search.taken.connect(self._take_match)
         self._not_here = PlainLabel(wordWrap=True)
         self._not_here.setObjectName("paneNote")
         self._not_here.hide()
@@ -261,7 +261,7 @@ class Controls(Dock, RowHolder):
         for part in self._parts:
             part.bring_home()
         self.card.lift(self.rows[key] for key in lifted)
-        self._show_found(self._found)
+        self._show_matches(self._matches)
 
     def lend(self, paths: Collection[str]) -> list[Row]:
         """Return the rows of these values, by their paths in a document, to another place.
@@ -291,7 +291,7 @@ class Controls(Dock, RowHolder):
             part.bring_home()
         self.card.take_back()
         self.card.lift(self.rows[key] for key in self._lifted)
-        self._show_found(self._found)
+        self._show_matches(self._matches)
 
     def set_presenting(self, on: bool) -> None:
         """Show only the controls that a class needs, or all of them again."""
@@ -299,7 +299,7 @@ class Controls(Dock, RowHolder):
         self.search.clear()
         self.search.setVisible(not on)
         self.card.set_presenting(on)
-        self._show_found(None)
+        self._show_matches(None)
         self._make_room()
         self.updateGeometry()
 
@@ -312,7 +312,7 @@ class Controls(Dock, RowHolder):
 
     def _look_for(self, text: str) -> None:
         if not text.strip():
-            self._show_found(None)
+            self._show_matches(None)
             return
         here: dict[QWidget, ControlTexts] = {
             row: known("", (row.name,), row.tip) for row in self.card.rows.values()
@@ -325,13 +325,13 @@ class Controls(Dock, RowHolder):
             places[binding.row] = known(key, (binding.row.name,), binding.row.tip)
         walk = self.animation
         here[walk] = known("animation", (row.name for row in walk.rows), "")
-        found, others = find(text, here), find(text, elsewhere)
-        self._not_here.setText(self._why_not_here(found, others))
-        self._show_found(found)
+        matches, others = find(text, here), find(text, elsewhere)
+        self._not_here.setText(self._why_not_here(matches, others))
+        self._show_matches(matches)
 
-    def _why_not_here(self, found: set[QWidget], others: set[QWidget]) -> str:
+    def _why_not_here(self, matches: set[QWidget], others: set[QWidget]) -> str:
         """Say which lenses have the found controls, if the current lens has none of them."""
-        if found:
+        if matches:
             return ""
         lines = [
             self.tr("{0}: only with the lens “{1}”.").format(
@@ -343,28 +343,28 @@ class Controls(Dock, RowHolder):
         ]
         return "\n".join(lines) or self.tr("No control has this name.")
 
-    def _show_found(self, found: set[QWidget] | None) -> None:
-        self._found = found
-        self._not_here.setVisible(found is not None and bool(self._not_here.text()))
-        self.card.show_some(found)
+    def _show_matches(self, matches: set[QWidget] | None) -> None:
+        self._matches = matches
+        self._not_here.setVisible(matches is not None and bool(self._not_here.text()))
+        self.card.show_some(matches)
         for part in self._parts:
-            part.show_some(found)
+            part.show_some(matches)
         if self._is_for_class:
             for section in self.sections.values():
                 section.hide()
             for part in self._front:
                 part.setVisible(not self.card.has_controls)
         self._show_rows()
-        if found is not None:
+        if matches is not None:
             self.verticalScrollBar().setValue(0)
 
-    def _take_found(self) -> None:
+    def _take_match(self) -> None:
         """Go to the first result and end the search."""
         rows = [*self.card.rows.values(), *self.rows.values()]
         places = {row: row.mapTo(self._column, QPoint()).y() for row in rows if row.isVisible()}
         first = min(places, key=lambda row: places[row], default=None)
         if first is None:
-            if self._found and self.animation in self._found:
+            if self._matches and self.animation in self._matches:
                 first = self.animation.speed
             else:
                 return
@@ -379,12 +379,12 @@ class Controls(Dock, RowHolder):
 
     def _tell_of_object(self) -> None:
         """Report whether the numbers of a movable object are unfolded."""
-        if self._found is None:
+        if self._matches is None:
             is_open = self.sections["object"].is_open
             self.object_unfolded.emit(is_open and not self._has_fixed_objects)
 
     def _folded(self, section: Section, is_open: bool) -> None:
-        if is_open and self._found is None:
+        if is_open and self._matches is None:
             self._show_rows()
             # Later, when the layout has made room.
             QTimer.singleShot(0, self, partial(self.bring_into_view, section, section.heading))
@@ -489,10 +489,10 @@ class Controls(Dock, RowHolder):
 
     def _show_rows(self) -> None:
         """Show the rows in use, or only the results of a search, with their values."""
-        found = self._found
+        matches = self._matches
         for binding in self._bindings.values():
             row = binding.row
-            row.setVisible(self._in_use(binding) and (found is None or row in found))
+            row.setVisible(self._in_use(binding) and (matches is None or row in matches))
         for rows in self._parts:
             rows.show_titles()
         self._show_values(PARTS)

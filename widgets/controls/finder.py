@@ -77,8 +77,8 @@ def find(text: str, parts: Mapping[QWidget, ControlTexts]) -> set[QWidget]:
     asked = _words(text)
     if not asked:
         return set()
-    found = {part for part, told in parts.items() if _has(told.names, asked)}
-    return found or {part for part, told in parts.items() if _has(" ".join(told), asked)}
+    named = {part for part, told in parts.items() if _has(told.names, asked)}
+    return named or {part for part, told in parts.items() if _has(" ".join(told), asked)}
 
 
 def _words(text: str) -> list[str]:

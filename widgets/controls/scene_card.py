@@ -24,7 +24,7 @@ from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, Value
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, Value
 from app.scenes.phenomena.words import Comparison
 from widgets.controls.readout import Readout, full_sentence
 from widgets.controls.setting_rows import Player, make_row
@@ -78,7 +78,7 @@ class SceneCard(QWidget, RowHolder):
         self._projection: Projection | None = None
         self._why_not: dict[QWidget, str] = {}
         self._without_effect: set[str] = set()
-        self._found: set[QWidget] | None = None
+        self._matches: set[QWidget] | None = None
         self._is_guided = False
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
@@ -156,7 +156,7 @@ class SceneCard(QWidget, RowHolder):
             self.explanation: phenomenon is not None,
         }
         self.remove_mesh.setAccessibleDescription(mesh)
-        self.show_some(self._found)
+        self.show_some(self._matches)
 
     def lift(self, rows: Iterable[Row]) -> None:
         """Show these rows of the projection below the scene's own."""
@@ -186,27 +186,27 @@ class SceneCard(QWidget, RowHolder):
     def set_guided(self, guided: bool) -> None:
         """Leave the scene's own questions out beside a lesson, which asks others."""
         self._is_guided = guided
-        self.show_some(self._found)
+        self.show_some(self._matches)
 
-    def show_some(self, found: set[QWidget] | None) -> None:
+    def show_some(self, matches: set[QWidget] | None) -> None:
         """Show only the found rows; None shows the whole card."""
-        self._found = found
+        self._matches = matches
         for name, row in self.rows.items():
-            there = name not in self._without_effect if found is None else row in found
+            there = name not in self._without_effect if matches is None else row in matches
             row.setVisible(there)
         for part in (self.title, self.readout):
-            part.setVisible(found is None)
-        self.tries.setVisible(found is None and not self._is_guided)
-        self.warning.setVisible(found is None and bool(self.warning.text()))
+            part.setVisible(matches is None)
+        self.tries.setVisible(matches is None and not self._is_guided)
+        self.warning.setVisible(matches is None and bool(self.warning.text()))
         for button, offered in self._offered.items():
-            button.setVisible(found is None and offered and not self._is_for_class)
+            button.setVisible(matches is None and offered and not self._is_for_class)
         for button in self.comparisons:
-            button.setVisible(found is None)
+            button.setVisible(matches is None)
 
     def set_presenting(self, on: bool) -> None:
         """Hide the buttons that a class does not need."""
         self._is_for_class = on
-        self.show_some(self._found)
+        self.show_some(self._matches)
 
     @property
     def has_controls(self) -> bool:
@@ -369,10 +369,10 @@ class SceneCard(QWidget, RowHolder):
             self.pause()
 
     def _fill(self) -> None:
-        found: Found = self._settings
-        if self._phenomenon is not None and self._projection is not None and found:
-            found = self._phenomenon.at_hand(self._projection, self._settings)
-        for name, value in found.items():
+        values: ImpliedSettings = self._settings
+        if self._phenomenon is not None and self._projection is not None and values:
+            values = self._phenomenon.at_hand(self._projection, self._settings)
+        for name, value in values.items():
             row = self.rows[name]
             if row.error and not row.in_hand and name != self._edits:
                 row.clear_error()  # another value has made it possible
@@ -388,7 +388,7 @@ class SceneCard(QWidget, RowHolder):
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else full_sentence(warning.sentence(of_phenomena, read_text))
         self.warning.say(why)
-        self._let_choose(found, why if illustration is not None and illustration.idle else "")
+        self._let_choose(values, why if illustration is not None and illustration.idle else "")
 
     def _with_count(self, reading: Reading) -> Reading:
         """Give a counted reading its value, or its note if there was nothing to count."""
@@ -399,17 +399,17 @@ class SceneCard(QWidget, RowHolder):
             return reading
         return replace(reading, value=share, note=None)
 
-    def _let_choose(self, found: Found, why_not: str) -> None:
+    def _let_choose(self, values: ImpliedSettings, why_not: str) -> None:
         """Enable the settings that have an effect; `why_not` says why none has."""
         without_effect = set()
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
             name, row = setting.name, self.rows[setting.name]
             why = why_not
-            if found and not why:
-                why = self._without_another(setting, found)
+            if values and not why:
+                why = self._without_another(setting, values)
                 if why:
                     without_effect.add(name)
-                elif found[name] is None and not isinstance(row, ChoiceRow):
+                elif values[name] is None and not isinstance(row, ChoiceRow):
                     why = self.tr(
                         "The lens does not have this value: choose one of the above first."
                     )
@@ -421,13 +421,13 @@ class SceneCard(QWidget, RowHolder):
                     self.players[name].pause()
         if without_effect != self._without_effect:
             self._without_effect = without_effect
-            self.show_some(self._found)
+            self.show_some(self._matches)
 
-    def _without_another(self, setting: Setting, found: Found) -> str:
+    def _without_another(self, setting: Setting, values: ImpliedSettings) -> str:
         """Say which value of another setting this one needs, if it has another value."""
         assert self._phenomenon is not None
         name, wanted = setting.only_with or ("", None)
-        if not name or found[name] == wanted:
+        if not name or values[name] == wanted:
             return ""
         other = next(other for other in self._phenomenon.settings if other.name == name)
         label = of_phenomena(other.label)

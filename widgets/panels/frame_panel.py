@@ -115,7 +115,7 @@ class FramePanel(Panel):
         letters = frame_letters(lettering.now)
         return re.sub(
             f"(?<![a-z])([a-z]+){ARROW}",
-            lambda found: f"{letters.get(found[1], found[1])}{ARROW}",
+            lambda match: f"{letters.get(match[1], match[1])}{ARROW}",
             text,
         )
 

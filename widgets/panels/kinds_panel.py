@@ -223,9 +223,9 @@ class _Tree(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         painter, roles = QPainter(self), QPalette.ColorRole
-        ways = [(kind.parent, name) for name, kind in KINDS.items() if kind.parent]
+        branches = [(kind.parent, name) for name, kind in KINDS.items() if kind.parent]
         # The path to the picture's kind is drawn last, over the other lines.
-        for parent, name in sorted(ways, key=lambda way: self.nodes[way[1]].font_of().bold()):
+        for parent, name in sorted(branches, key=lambda way: self.nodes[way[1]].font_of().bold()):
             on_path = self.nodes[name].font_of().bold()
             colour = self.palette().color(roles.Highlight if on_path else roles.PlaceholderText)
             painter.setPen(QPen(colour, 2.0 if on_path else 1.0))

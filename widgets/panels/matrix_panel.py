@@ -69,8 +69,8 @@ def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> 
     if matrix.name == "clip_from_world":
         return QCoreApplication.translate("MatrixPanel", "then x, y and z are divided by w")
     if not projection.lens.has_steps:
-        found = properties(projection, matrix.name, read_text)
-        return _words(found, "\n")
+        stated = properties(projection, matrix.name, read_text)
+        return _words(stated, "\n")
     if matrix.name != "clip_from_view" or not has_own_signs(projection, letters):
         return ""
     if projection.depth != "opengl":
@@ -418,8 +418,8 @@ class MatrixPanel(ReadablePanel):
 
     def _mark_reached(self) -> MatrixBox | None:
         by_name = {box.name: box for box in self._row.boxes}
-        found = (by_name[name] for name in REACHED_BY[self._stop] if name in by_name)
-        reached = next(found, None)
+        candidates = (by_name[name] for name in REACHED_BY[self._stop] if name in by_name)
+        reached = next(candidates, None)
         for box in self._row.boxes:
             box.mark_reached(box is reached)
         return reached

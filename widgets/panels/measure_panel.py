@@ -270,12 +270,12 @@ class MeasurePanel(DiagramPanel):
         self._show_running()
 
     def _finished(self, results: Measurements | None, said: str) -> None:
-        found = {} if results is None else _split(results)
-        missing = [name for name in self._asked if name not in found]
+        measured = {} if results is None else _split(results)
+        missing = [name for name in self._asked if name not in measured]
         cancelled = results is not None and not results.complete
         for name in self._asked:
             self.words.pop(name, None)
-        self.measured |= found
+        self.measured |= measured
         if cancelled:
             said = of_measurements(CANCELLED)
         for name in missing:
@@ -284,7 +284,7 @@ class MeasurePanel(DiagramPanel):
                 self.measured.pop(name, None)
         if missing and not cancelled:
             self._refuse(said)
-        done = not cancelled and any(map(_says_something, found.values()))
+        done = not cancelled and any(map(_says_something, measured.values()))
         self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._readable.changed()
@@ -387,8 +387,8 @@ class MeasurePanel(DiagramPanel):
     def _fill(self) -> None:
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
-            found = (self.measured.get(name), self.loaded.get(name))
-            has = any(each and _says_something(each) for each in found)
+            both = (self.measured.get(name), self.loaded.get(name))
+            has = any(each and _says_something(each) for each in both)
             self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
@@ -568,11 +568,11 @@ def _says_something(results: Measurements) -> bool:
 
 def _split(results: Measurements) -> dict[str, Measurements]:
     """Split results by the names of their trades and sweeps."""
-    found = {
+    parts = {
         trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
         for trade in results.trades
     }
-    return found | {
+    return parts | {
         sweep.parameter: replace(results, trades=(), sweeps=(sweep,), complete=sweep.complete)
         for sweep in results.sweeps
     }

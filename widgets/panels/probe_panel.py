@@ -203,15 +203,15 @@ class ProbePanel(ReadablePanel):
             for axis, (name, field) in enumerate(zip("xyzw", self.fields, strict=True)):
                 if field.isModified():
                     row[axis] = finite(name, field.read())
-            found = Probe.of(self._chosen, homogeneous(*row))
+            moved = Probe.of(self._chosen, homogeneous(*row))
         except Refusal as error:
             self.error.say(refusal(sentence(error)))
             field.setAccessibleDescription(self.error.text())
             return
         if self._chosen:
-            self._put(found)
+            self._put(moved)
         else:
-            self.follow(point=found.point, direction=found.direction)
+            self.follow(point=moved.point, direction=moved.direction)
         self._show_choice()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -189,8 +189,8 @@ class ProbeTable(QTableView):
                 for part, cell in enumerate(line):
                     lengths[part].append(len(_text(row, cell, read_text)))
             words_px.append(words + 2 * digit)
-            for column, found in enumerate(lengths, first):
-                width = digit * (max(found, default=4) + 2)
+            for column, column_lengths in enumerate(lengths, first):
+                width = digit * (max(column_lengths, default=4) + 2)
                 if anew or width > self.columnWidth(column):
                     self.setColumnWidth(column, width)
         if spans != self._spans:

@@ -152,9 +152,9 @@ class Adaptive(QObject):
             self._began = None
 
     def _tell(self) -> None:
-        found = self.late_ms > 0.0, self.samples
-        if found != self._told:
-            self._told = found
+        state = self.late_ms > 0.0, self.samples
+        if state != self._told:
+            self._told = state
             self.changed.emit()
 
     def _plan(self) -> None:

@@ -403,8 +403,8 @@ class Compare(QObject):
         names = [of_phenomena(name_of(shown.document, picture)) for picture in self.pictures]
         seen = [place for place, each in enumerate(self._seen) if each is not None]
         states = [each.document.state for each in self._seen if each is not None]
-        found = names_in([names[place] for place in seen], states, settings, written)
-        for place, name in zip(seen, found, strict=True):
+        captions = names_in([names[place] for place in seen], states, settings, written)
+        for place, name in zip(seen, captions, strict=True):
             # A held picture that shows the same is known by being held.
             is_held = self.pictures[place].held is not None
             names[place] = name or (self.tr("held") if is_held else "")
@@ -487,8 +487,8 @@ class Compare(QObject):
         em = max(em, LABEL_SHARE * self._screen_px)
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]
         pane = "image" if self._is_image else "world"
-        found = places_of(pane, whole.width(), whole.height(), aspects, em)
-        return [QRect(*cell) for cell in found]
+        rectangles = places_of(pane, whole.width(), whole.height(), aspects, em)
+        return [QRect(*cell) for cell in rectangles]
 
     # -- dividers
 

@@ -294,13 +294,13 @@ class DiagramView(QWidget):
         """Return the nearest spot within `HIT_PX`; `key_only` ignores spots without a key."""
         if self._diagram is None:
             return None
-        nearest, found = HIT_PX, None
+        nearest, hit = HIT_PX, None
         places = self._spots_px(self._diagram).tolist()
         for spot, (x, y) in zip(self._diagram.spots, places, strict=True):
             distance = math.hypot(x - place.x(), y - place.y())
             if distance < nearest and (spot.key or not key_only):
-                nearest, found = distance, spot
-        return found
+                nearest, hit = distance, spot
+        return hit
 
     def _spots_px(self, diagram: Diagram) -> Floats:
         """Return the places of the spots in the widget, (n, 2); laying out takes the time."""
@@ -313,14 +313,14 @@ class DiagramView(QWidget):
         spot = self.spot_at(place, key_only=True)
         if spot is not None or self._diagram is None:
             return "" if spot is None else spot.key
-        nearest, found = HIT_PX, ""
+        nearest, hit = HIT_PX, ""
         for curve in self._diagram.curves:
             for key, (x, y) in zip(curve.keys, curve.points, strict=False):
                 away = self.to_px(x, y) - place
                 distance = math.hypot(away.x(), away.y())
                 if distance < nearest:  # never of a NaN
-                    nearest, found = distance, key
-        return found
+                    nearest, hit = distance, key
+        return hit
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         is_left = event.button() == Qt.MouseButton.LeftButton

@@ -78,7 +78,7 @@ def _of_layout(layout: QLayout, widgets: list[QWidget]) -> list[QWidget]:
     for inner in layout.children():
         if isinstance(inner, QLayout):
             placed.append((layout.indexOf(inner), _of_layout(inner, widgets)))
-    return [widget for _, found in sorted(placed, key=lambda part: part[0]) for widget in found]
+    return [widget for _, ordered in sorted(placed, key=lambda part: part[0]) for widget in ordered]
 
 
 def lay_out() -> None:

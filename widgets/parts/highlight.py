@@ -50,9 +50,9 @@ class Highlighter(QObject):
 
 def faded(colour: QColor | str, opacity: float) -> QColor:
     """Return a translucent colour."""
-    found = QColor(colour)
-    found.setAlphaF(opacity)
-    return found
+    pale = QColor(colour)
+    pale.setAlphaF(opacity)
+    return pale
 
 
 def paint_highlight(widget: QWidget, painter: QPainter, rect: QRectF) -> None:

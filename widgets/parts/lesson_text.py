@@ -175,21 +175,21 @@ def formula_parts(tex: str) -> tuple[tuple[str, QPainterPath], ...]:
 
     Each part has the name of its letter, as of `Outline.letters`, or none.
     """
-    found, parts, at = outline(tex), list[tuple[str, QPainterPath]](), 0
-    for name, begin, end in (*found.letters, ("", len(found.codes), len(found.codes))):
+    shape, parts, at = outline(tex), list[tuple[str, QPainterPath]](), 0
+    for name, begin, end in (*shape.letters, ("", len(shape.codes), len(shape.codes))):
         if at < begin:
-            parts.append(("", _path(found, at, begin)))
+            parts.append(("", _path(shape, at, begin)))
         if name:
-            parts.append((name, _path(found, begin, end)))
+            parts.append((name, _path(shape, begin, end)))
         at = end
     return tuple(parts)
 
 
-def _path(found: Outline, place: int, end: int) -> QPainterPath:
+def _path(shape: Outline, place: int, end: int) -> QPainterPath:
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
-    points = [(float(x), -float(y)) for x, y in found.vertices]
-    codes = [int(code) for code in found.codes]
+    points = [(float(x), -float(y)) for x, y in shape.vertices]
+    codes = [int(code) for code in shape.codes]
     draw: dict[int, Callable[..., None]]
     draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
     while place < end:
@@ -218,19 +218,19 @@ class _Formulas(QPyTextObject):
         if document.property(SPACIOUS):
             tex = readable(tex)
             em *= DISPLAYED_LARGER if form.property(_IS_DISPLAYED) else 1.0
-        found = outline(tex)
+        shape = outline(tex)
         widest = document.textWidth() - 2.0 * ROOM_EM * em - tail
-        if 0.0 < widest < found.width * em:
-            em = widest / found.width
+        if 0.0 < widest < shape.width * em:
+            em = widest / shape.width
         # Qt centres an object a quarter of the letters' x-height above the line.
         half = QFontMetrics(character.font()).xHeight() / 2.0
-        height = max(2.0 * found.ascent * em - half, 2.0 * found.descent * em + half)
-        return tex, found, em, height
+        height = max(2.0 * shape.ascent * em - half, 2.0 * shape.descent * em + half)
+        return tex, shape, em, height
 
     def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
-        _, found, em, height = self._set(document, form)
+        _, shape, em, height = self._set(document, form)
         tail = _tail_width(document, form)
-        return QSizeF((found.width + 2.0 * ROOM_EM) * em + tail, height)
+        return QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
 
     def drawObject(
         self,
@@ -240,7 +240,7 @@ class _Formulas(QPyTextObject):
         at: int,
         form: QTextFormat,
     ) -> None:
-        tex, found, em, _ = self._set(document, form)
+        tex, shape, em, _ = self._set(document, form)
         block = document.findBlock(at)
         line = block.layout().lineForTextPosition(at - block.position())
         top = document.documentLayout().blockBoundingRect(block).top()
@@ -256,7 +256,7 @@ class _Formulas(QPyTextObject):
         letters = tail.createLine()
         letters.setNumColumns(LONGEST_TAIL)
         tail.endLayout()
-        tail.draw(painter, QPointF((found.width + ROOM_EM) * em, -letters.ascent()))
+        tail.draw(painter, QPointF((shape.width + ROOM_EM) * em, -letters.ascent()))
         painter.scale(em, em)
         inks = document.property(INKS) or {}
         for name, path in formula_parts(tex):

@@ -416,8 +416,8 @@ class VectorRow(_TypedRow):
 
     def _turn(self) -> None:
         """Put the fields below each other when all digits are shown."""
-        ways = QBoxLayout.Direction
-        self._line.setDirection(ways.TopToBottom if all_digits.now else ways.LeftToRight)
+        direction = QBoxLayout.Direction
+        self._line.setDirection(direction.TopToBottom if all_digits.now else direction.LeftToRight)
 
     def _read(self, field: ShortField) -> tuple[float, ...]:
         number = field.read()

@@ -54,8 +54,8 @@ class ShownData:
 
     def hues(self, style: Style) -> dict[str, str]:
         """Return the colours of the letters that the pictures name in one, for formulas."""
-        found = inks(self.document, self.scene, self.illustration)
-        return {name: getattr(style, colour) for name, colour in found.items()}
+        colours = inks(self.document, self.scene, self.illustration)
+        return {name: getattr(style, colour) for name, colour in colours.items()}
 
     def changed_since(self, before: ShownData | None) -> Changed:
         """Return the parts that differ from an earlier snapshot, if there was one."""

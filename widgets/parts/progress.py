@@ -2,16 +2,21 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor, wait
 from contextlib import contextmanager
-from typing import TypeAlias
+from typing import TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, Qt
 from PySide6.QtWidgets import QProgressDialog, QWidget
 
+from app.model.refusal import Cancelled
 from widgets.parts.plain import PlainLabel
 
 SHOWN_AFTER_MS = 100
+_POLL_S = 0.02
+_Done = TypeVar("_Done")
 Tell: TypeAlias = Callable[[float], bool]
 """Receives the fraction done; returns whether to continue."""
 
@@ -39,9 +44,37 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
 def progress(window: QWidget, text: str) -> Iterator[Tell]:
     """Show the progress of work that reports it itself; see `progress_dialog`."""
     with progress_dialog(window, text) as dialog:
+        begun = heard = time.monotonic()
 
         def tell(fraction: float) -> bool:
+            nonlocal heard
             dialog.setValue(min(99, round(100 * fraction)))  # at 100 the dialog would close
+            now = time.monotonic()
+            if now - heard >= _POLL_S and not dialog.wasCanceled():
+                heard = now  # Qt takes no events for a fraction that has not changed
+                if now - begun >= SHOWN_AFTER_MS / 1e3:
+                    dialog.show()
+                    QCoreApplication.processEvents()
             return not dialog.wasCanceled()
 
         yield tell
+
+
+def apart(work: Callable[[Tell], _Done], tell: Tell) -> _Done:
+    """Do work without Qt and VTK in a thread, and raise `Cancelled` when `tell` wants no more."""
+    fraction, goes_on = 0.0, True
+
+    def told(done: float) -> bool:
+        nonlocal fraction
+        fraction = done
+        return goes_on
+
+    thread = ThreadPoolExecutor(1, "apart")
+    future = thread.submit(work, told)
+    thread.shutdown(wait=False)
+    while not future.done():
+        wait([future], _POLL_S)
+        if not tell(fraction):
+            goes_on = False
+            raise Cancelled
+    return future.result()

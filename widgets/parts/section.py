@@ -140,10 +140,10 @@ class Rows(QWidget):
         """Whether the rows are shown."""
         return True
 
-    def show_some(self, found: set[QWidget] | None) -> None:
+    def show_some(self, matches: set[QWidget] | None) -> None:
         """Show the part if it has one of the found rows; None always shows it."""
         here = (row for row in self._order if row.parent() is self.body)
-        self.setVisible(found is None or any(row in found for row in here))
+        self.setVisible(matches is None or any(row in matches for row in here))
 
     # -- rows
 
@@ -235,7 +235,7 @@ class Section(Rows):
         self._column.setSpacing(0)
         self._column.insertWidget(0, self.heading)
         self._is_open = False
-        self._found: set[QWidget] | None = None
+        self._matches: set[QWidget] | None = None
         self._why_closed = ""
         self.set_open(False)
 
@@ -255,7 +255,7 @@ class Section(Rows):
     @property
     def is_open(self) -> bool:
         """Whether the rows below the heading are shown."""
-        return not self._why_closed and (self._is_open or self._found is not None)
+        return not self._why_closed and (self._is_open or self._matches is not None)
 
     def close_for(self, why: str) -> None:
         """Keep the rows folded for a reason; without one, show them as they were before."""
@@ -272,11 +272,11 @@ class Section(Rows):
         self._is_open = is_open
         self._show()
 
-    def show_some(self, found: set[QWidget] | None) -> None:
+    def show_some(self, matches: set[QWidget] | None) -> None:
         """Unfold while the part has one of the found rows; None restores the state before."""
-        super().show_some(found)
-        if found is None or not self.isHidden():
-            self._found = found
+        super().show_some(matches)
+        if matches is None or not self.isHidden():
+            self._matches = matches
             self._show()
 
     def _show(self) -> None:

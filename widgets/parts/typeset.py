@@ -290,12 +290,12 @@ def in_line(text: str) -> str:
         is_one = text.startswith("|") and text.find("|", 1) == len(text) - 1
         return f"({text})" if re.search(signs, text) and not is_one else text
 
-    def fraction(found: re.Match[str]) -> str:
-        above, below = bracketed(found[1], "[−+]"), bracketed(found[2], r"[−+·\s]")
+    def fraction(match: re.Match[str]) -> str:
+        above, below = bracketed(match[1], "[−+]"), bracketed(match[2], r"[−+·\s]")
         return f"{above}/{below}"
 
     text = _FRACTION.sub(fraction, text)
-    text = _MATRIX.sub(lambda found: found[1].replace("&", "\t").replace(";", "\n"), text)
+    text = _MATRIX.sub(lambda match: match[1].replace("&", "\t").replace(";", "\n"), text)
     return text.replace(ARROW, "")
 
 

@@ -180,7 +180,7 @@ def run_window(
         If the document's scene cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
-    found = _probe(options)
+    graphics = _probe(options)
     file_log = start_log()
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
@@ -190,7 +190,7 @@ def run_window(
         log.info(
             "Frustum Lab %s, Python %s, PySide6 %s, %s, OpenGL %s on %s",
             __version__, platform.python_version(), pyside_version, platform.platform(),
-            found.version or "none", found.renderer or application.platformName(),
+            graphics.version or "none", graphics.renderer or application.platformName(),
         )  # fmt: skip
         settings = Settings(None if options.screenshot else settings_path())
         if options.theme or options.screenshot:
@@ -204,8 +204,8 @@ def run_window(
             window = MainWindow(
                 document,
                 settings=settings,
-                software_rendering=found.software,
-                canvas=options.canvas or opengl.canvas(found),
+                software_rendering=graphics.software,
+                canvas=options.canvas or opengl.canvas(graphics),
                 saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
@@ -221,7 +221,7 @@ def run_window(
         if lesson is not None:
             window.lesson_card.open(lesson)
         window.first_painted.connect(partial(_open_panes, window))
-        if found is opengl.NO_OPENGL:
+        if graphics is opengl.NO_OPENGL:
             said = QCoreApplication.translate(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )

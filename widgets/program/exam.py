@@ -202,8 +202,8 @@ def _mistaken(question: Question, here: Here) -> str:
             continue
         idea = here.idea(reply.idea)
         name = reply.idea.replace("-", " ") if idea is None else idea.title.rstrip(".")
-        found = question.values(here, reply.formulas, reply.line)
-        cells = [figure_text(number, FEW) for number in found]
+        values = question.values(here, reply.formulas, reply.line)
+        cells = [figure_text(number, FEW) for number in values]
         value = ", ".join(cells) or letter
         if isinstance(question, MatrixQuestion):
             width = question.columns

@@ -87,9 +87,9 @@ class _HandoutSheet:
 
     def _of(self, place: int) -> Iterator[PageBlock]:
         """Yield a step's blocks; numbers, and what students are asked, are beside their figure."""
-        found = [(each, list(self._blocks(each)))
+        printed = [(each, list(self._blocks(each)))
                  for each in contents(self._course, place, self._answers)]  # fmt: skip
-        parts = [each for each in found if each[1]]
+        parts = [each for each in printed if each[1]]
         for (each, blocks), (after, _) in pairwise([*parts, ("", [])]):
             is_kept = bool(after) and (
                 not self._answers or isinstance(after, StepFigure | EquationTables | PanelNumbers)

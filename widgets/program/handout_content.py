@@ -168,9 +168,9 @@ def _matrices(document: Document) -> Iterator[str]:
 
 def _readout(document: Document) -> PanelNumbers:
     """The scene's numbers, except the one counted in the window's own picture."""
-    scene, found = scene_of(document), PanelNumbers([], [])
+    scene, numbers = scene_of(document), PanelNumbers([], [])
     if scene.phenomenon is None:
-        return found
+        return numbers
     said = partial(of_phenomena, letters=document.view.letters)
     shown = scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
     rows, reasons = ["| | |", "|---|---:|"], list[str]()
@@ -182,7 +182,7 @@ def _readout(document: Document) -> PanelNumbers:
             said(each.value) if isinstance(each.value, str) else value_text(each.value, read_text)
         )
         if value.startswith("["):
-            found.formulas.append(f"{label}\n{value}")
+            numbers.formulas.append(f"{label}\n{value}")
             continue
         unit = said(each.unit) if each.unit and each.value is not None else ""
         cells = (escaped(text.replace("\n", " ")) for text in (label, f"{value} {unit}".strip()))
@@ -190,6 +190,6 @@ def _readout(document: Document) -> PanelNumbers:
         if each.note is not None:
             reasons.append(full_sentence(each.note.sentence(said, read_text)))
     if len(rows) > 2:
-        found.texts.append("\n".join(rows))
-    found.texts.extend(map(escaped, dict.fromkeys(reasons)))
-    return found
+        numbers.texts.append("\n".join(rows))
+    numbers.texts.extend(map(escaped, dict.fromkeys(reasons)))
+    return numbers

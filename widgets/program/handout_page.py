@@ -103,8 +103,8 @@ class _PhonePage:
 
     def text(self, text: str) -> str:
         """Return Markdown as HTML, with its formulas."""
-        found, formulas = html_of(text)
-        parts = re.split(f"([{FORMULA}{DISPLAYED}])", found)
+        marked, formulas = html_of(text)
+        parts = re.split(f"([{FORMULA}{DISPLAYED}])", marked)
         for number, tex in enumerate(formulas):
             sign, after = parts[2 * number + 1 : 2 * number + 3]
             shown = self._formula(tex, DISPLAYED_LARGER if sign == DISPLAYED else 1.0)

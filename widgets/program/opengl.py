@@ -49,9 +49,9 @@ WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
 """Qt platforms whose windows cannot show OpenGL."""
 
 
-def canvas(found: OpenGL) -> str:
+def canvas(graphics: OpenGL) -> str:
     """Return the faster value of ``--canvas``."""
-    return "raster" if found.software else "opengl"
+    return "raster" if graphics.software else "opengl"
 
 
 def is_software(renderer: str) -> bool:
@@ -88,14 +88,14 @@ def probe() -> OpenGL:
         version, renderer = (
             str(functions.glGetString(name)) for name in (_GL_VERSION, _GL_RENDERER)
         )
-        found = context.format().version()
+        numbers = context.format().version()
     finally:
         context.doneCurrent()
     if context.isOpenGLES():
         raise DisplayError(f"Only OpenGL ES is offered here ({renderer}), not OpenGL 3.2. {ADVICE}")
-    if tuple(found) < NEEDED:
+    if tuple(numbers) < NEEDED:
         raise DisplayError(
-            f"OpenGL {found[0]}.{found[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
+            f"OpenGL {numbers[0]}.{numbers[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
         )
     return OpenGL(version, renderer, is_software(renderer))
 
@@ -112,13 +112,13 @@ def main() -> int:
             for screen in application.screens()
         ],
     }  # fmt: skip
-    found = NO_OPENGL
+    graphics = NO_OPENGL
     try:
-        found = probe()
-        answer |= asdict(found)
+        graphics = probe()
+        answer |= asdict(graphics)
     except DisplayError as error:
         answer["error"] = str(error)
-    answer["canvas"] = canvas(found)
+    answer["canvas"] = canvas(graphics)
     print(json.dumps(answer))
     return 0
 

@@ -91,7 +91,7 @@ class Autosave(QObject):
 
     def orphans(self) -> list[Path]:
         """Return the copies left by windows that died, newest first, and remove their locks."""
-        left, found = list[str](), list[tuple[float, Path]]()
+        left, files = list[str](), list[tuple[float, Path]]()
         with suppress(OSError):
             left = [name for name in os.listdir(self._folder) if _COPY.fullmatch(name)]
         for path in {(self._folder / name).with_suffix(".json") for name in left} - {self._path}:
@@ -99,8 +99,8 @@ class Autosave(QObject):
             if lock.tryLock(0):
                 lock.unlock()
                 with suppress(OSError):  # a lock alone, or another window has just taken it
-                    found.append((path.stat().st_mtime, path))
-        return [path for _, path in sorted(found, reverse=True)]
+                    files.append((path.stat().st_mtime, path))
+        return [path for _, path in sorted(files, reverse=True)]
 
     def leave(self) -> bool:
         """Keep unsaved work before another document is shown; False if there is no copy to keep."""

@@ -66,9 +66,9 @@ class _Glyphs(NamedTuple):
 
 @lru_cache(maxsize=512)
 def _of_tex(tex: str) -> _Glyphs:
-    found = outline(tex)
+    shape = outline(tex)
     parts = tuple((0.0, *part) for part in formula_parts(tex))
-    return _Glyphs(found.width, found.ascent, found.descent, parts)
+    return _Glyphs(shape.width, shape.ascent, shape.descent, parts)
 
 
 @lru_cache(maxsize=512)
@@ -176,16 +176,16 @@ class EquationSlide(QWidget):
         letters = document.view.letters
         self._hues = self._shown.hues(self._style)
         try:
-            found = equation_of(document.projection, letters, self._text, document.settings)
+            equation = equation_of(document.projection, letters, self._text, document.settings)
         except Refusal as error:  # another lens may lack a matrix
             self._equation, self._laid, self._problem = None, (), sentence(error)
         else:
-            self._equation, self._problem = found, ""
-            digits = (FEWER_DIGITS if found.factors else DIGITS) if found.is_in_numbers else 0
-            self._laid = tuple(_laid(term, digits) for term in found.terms)
+            self._equation, self._problem = equation, ""
+            digits = (FEWER_DIGITS if equation.factors else DIGITS) if equation.is_in_numbers else 0
+            self._laid = tuple(_laid(term, digits) for term in equation.terms)
             texts = [
-                as_text(term.matrix, term.letters, formulas=not found.is_in_numbers)
-                for term in found.terms
+                as_text(term.matrix, term.letters, formulas=not equation.is_in_numbers)
+                for term in equation.terms
             ]
             self.setAccessibleName("\n".join(texts))
         self.update()

@@ -13,13 +13,14 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure_size import checked_size, checked_text
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.progress import Tell, progress
 
 ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
@@ -52,8 +53,8 @@ class ExportDialog(QDialog):
     image_size : (int, int)
         Size of the model's image, the default size of a picture of the image pane alone.
     draw : callable, optional
-        Returns the preview of a choice, at most as large as a size in pixels; a `Refusal` if there
-        is none.
+        Returns the preview of a choice, at most as large as a size in pixels, and tells its
+        progress; a `Refusal` if there is none.
     kept : mapping, optional
         The last choice, as `kept` returned it.
     """
@@ -63,7 +64,7 @@ class ExportDialog(QDialog):
         titles: dict[str, str],
         image_size: tuple[int, int],
         parent: QWidget | None = None,
-        draw: Callable[[ExportChoice, QSize], QPixmap] | None = None,
+        draw: Callable[[ExportChoice, QSize, Tell], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
@@ -135,7 +136,7 @@ class ExportDialog(QDialog):
         em = self.fontMetrics().height()
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
-        self._timer.timeout.connect(self._show_preview)
+        self._timer.timeout.connect(self.show_preview)
         self._buttons = QDialogButtonBox(
             QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
         )
@@ -300,11 +301,15 @@ class ExportDialog(QDialog):
         super().showEvent(event)
         self._timer.start()
 
-    def _show_preview(self) -> None:
+    def show_preview(self) -> None:
         if self._draw is None or self._find_problem():
             return
+        room = self._preview.size() * self.devicePixelRatioF()
         try:
-            picture = self._draw(self.choice(), self._preview.size() * self.devicePixelRatioF())
+            with progress(self, self.tr("Drawing the preview")) as tell:
+                picture = self._draw(self.choice(), room, tell)
+        except Cancelled:
+            return
         except Refusal as error:
             self._preview.setText(sentence(error))
             return

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
@@ -30,7 +31,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, message_box
-from widgets.parts.progress import progress
+from widgets.parts.progress import Tell, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -95,9 +96,12 @@ class Files(QObject):
         file = mesh or name
         if not is_mesh(file):
             return load(name, mesh=mesh)
-        text = self.tr("Opening {0}").format(os.path.basename(file))
-        with progress(self._window, text) as tell:
+        with self.progress(self.tr("Opening {0}").format(os.path.basename(file))) as tell:
             return load(name, tell, mesh)
+
+    def progress(self, text: str) -> AbstractContextManager[Tell]:
+        """Show the progress of work over this window."""
+        return progress(self._window, text)
 
     # -- opening
 
@@ -128,10 +132,10 @@ class Files(QObject):
             document = self._with_mesh(read(path, self._store.seen, self._ask_for_view), path)
             return document, self._load(document.scene, document.mesh), self._place(path)
 
-        found = self._try(opened, "" if is_mesh(path) else path)
-        if found is None:
+        opened_file = self._try(opened, "" if is_mesh(path) else path)
+        if opened_file is None:
             return False
-        document, scene, place = found
+        document, scene, place = opened_file
         self.keep(document, scene)
         if not self._change_to(document, place):
             return False
@@ -251,10 +255,10 @@ class Files(QObject):
             scene = self._load(before.scene, mesh)  # more specific refusal than the document's
             return replace(before, mesh=mesh), scene
 
-        found = self._try(used)
-        if found is None:
+        used_mesh = self._try(used)
+        if used_mesh is None:
             return False
-        document, scene = found
+        document, scene = used_mesh
         self.keep(document, scene)
         if document == before:
             return self._store.show_again()
@@ -364,7 +368,7 @@ class Files(QObject):
 def _written(path: Path) -> tuple[int, int] | None:
     """Return a file's time of writing in ns and its size in bytes; None if it does not exist."""
     try:
-        found = path.stat()
+        status = path.stat()
     except OSError:
         return None
-    return found.st_mtime_ns, found.st_size
+    return status.st_mtime_ns, status.st_size

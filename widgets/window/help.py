@@ -27,22 +27,22 @@ KEYS = Path(__file__).with_name("keys.md")
 
 def key_groups() -> dict[str, list[tuple[str, str]]]:
     """Read the table of keys: for each heading, what to press or do, and what that does."""
-    found: dict[str, list[tuple[str, str]]] = {}
+    groups: dict[str, list[tuple[str, str]]] = {}
     for line in KEYS.read_text(encoding="utf-8").splitlines():
         kind, _, text = line.partition(" ")
         if kind == "##":
-            lines = found[text] = []
+            lines = groups[text] = []
         elif kind == "-":
             keys, _, effect = text.partition(": ")
             lines.append((keys, effect))
-    return found
+    return groups
 
 
 def _shown(text: str) -> str:
     """Translate a text of the table, and write its keys in this system's form."""
 
-    def key(found: re.Match[str]) -> str:
-        keys = PLAY_KEY if found[1] == "Play" else found[1]
+    def key(match: re.Match[str]) -> str:
+        keys = PLAY_KEY if match[1] == "Play" else match[1]
         return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
 
     return re.sub(r"\{([^{}]+)\}", key, QCoreApplication.translate("Help", text))

@@ -76,8 +76,8 @@ TOUR = CONTENT / "tour.md"
 
 def heads(*, talks: bool) -> tuple[Head, ...]:
     """List the lessons that come with the program, or the talks; without the tour."""
-    found = (head_of(path) for path in contained() if path != TOUR)
-    return tuple(head for head in found if head.is_talk == talks)
+    all_heads = (head_of(path) for path in contained() if path != TOUR)
+    return tuple(head for head in all_heads if head.is_talk == talks)
 
 
 class LessonCard(QFrame):
@@ -448,12 +448,12 @@ class LessonCard(QFrame):
     @property
     def _hinting(self) -> BlockView | None:
         """Return the block that gives the next hint: the one with the cursor, or a task."""
-        found = [block for block in self.blocks if block.is_open and block.hints]
+        hinting = [block for block in self.blocks if block.is_open and block.hints]
         current = self._current
         if current is not None and current.is_open:
-            found = [block for block in found if block is current or block.first is None]
-            found.sort(key=lambda block: block is not current)
-        return next(iter(found), None)
+            hinting = [block for block in hinting if block is current or block.first is None]
+            hinting.sort(key=lambda block: block is not current)
+        return next(iter(hinting), None)
 
     def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
         """Remember in which block the cursor is, or was last."""
@@ -579,10 +579,11 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._lesson is not None and self._sheet is None:
-            self._say(
-                self._lessons.mistakes() or self.tr("Nothing is wrong in this lesson's file.")
-            )
+        if self._lesson is None or self._sheet is not None:
+            return
+        mistakes = self._lessons.mistakes()
+        if mistakes is not None:
+            self._say(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     def _show_mistakes(self, text: str) -> None:
         if text:
@@ -612,16 +613,16 @@ class LessonCard(QFrame):
         self._clear()
         self._shown = None
         self._lessons.close()
-        ways: list[QPushButton] = []
+        buttons: list[QPushButton] = []
         if following is not None:
             name = self.tr("Next lesson: {0}").format(following.title.replace("&", "&&"))
-            ways.append(_push(name, self.tr("Open it"), partial(self.open, following.path)))
-        ways.append(_push(self.tr("&Close"), self.tr("Close the lesson"), self.leave))
+            buttons.append(_push(name, self.tr("Open it"), partial(self.open, following.path)))
+        buttons.append(_push(self.tr("&Close"), self.tr("Close the lesson"), self.leave))
         if left:
             name = self.tr("Back to step {0}").format(left[0] + 1)
             act = partial(self._lessons.play, course, lesson.steps[left[0]].name)
-            ways.insert(-1, _push(name, self.tr("Go on there"), act))
-        self._show_end(LessonText(escaped(said)), *ways)
+            buttons.insert(-1, _push(name, self.tr("Go on there"), act))
+        self._show_end(LessonText(escaped(said)), *buttons)
 
     def _finish_test(self, left: Sequence[int]) -> None:
         """Mark a test, once it is finished or the student wants it."""
@@ -657,16 +658,18 @@ class LessonCard(QFrame):
             partial(self.result_wanted.emit, marks),
         )  # fmt: skip
         close = _push(self.tr("&Close"), self.tr("Close the test"), self.leave)
-        found = SelfTestMarks(marks)
-        self._show_end(found.title, save, close, below=[found])
+        summary = SelfTestMarks(marks)
+        self._show_end(summary.title, save, close, below=[summary])
 
-    def _show_end(self, said: QWidget, *ways: QPushButton, below: Sequence[QWidget] = ()) -> None:
+    def _show_end(
+        self, said: QWidget, *buttons: QPushButton, below: Sequence[QWidget] = ()
+    ) -> None:
         """Show a last page with its buttons, the first of which gets the focus."""
         page = QWidget()
-        in_column(said, *ways, *below, FREE, on=page)
+        in_column(said, *buttons, *below, FREE, on=page)
         self._area.setWidget(page)
         self._show_step_buttons(False)
-        ways[0].setFocus(Qt.FocusReason.OtherFocusReason)
+        buttons[0].setFocus(Qt.FocusReason.OtherFocusReason)
         self.buttons_changed.emit()
 
     def _show_step_buttons(self, on: bool) -> None:

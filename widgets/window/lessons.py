@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -28,10 +29,11 @@ from app.lessons.course import Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.state import State
 from app.model.projection import Camera
-from app.model.refusal import Refusal
+from app.model.refusal import Cancelled, Refusal
 from widgets.parts.clock import Clock
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
+from widgets.parts.progress import apart
 from widgets.window.files import Files
 
 TRANSITION_S = 0.4
@@ -116,7 +118,7 @@ class Lessons(QObject):
         self._start = self._end = store.document
         self._part = 1.0
         self._stages = (0.0, 0.0)
-        self._moving = False
+        self._moving = self._checks = False
         self._watcher = QFileSystemWatcher(self)
         self._settled = QTimer(self, singleShot=True, interval=SETTLED_MS)
         self._settled.timeout.connect(self.read_again)
@@ -418,6 +420,9 @@ class Lessons(QObject):
         """Read a changed file; stay at the step with the given name, else at the current number."""
         if self.course is None:
             return
+        if self._checks:  # the window goes on meanwhile
+            self._settled.start()
+            return
         before, step = self.course, self.step
         assert step is not None
         path = before.lesson.path
@@ -432,8 +437,10 @@ class Lessons(QObject):
             place = course.lesson.place_of(name or step.name, min(self.place, last))
             shown = course.shown(place)
         except Refusal as error:
-            is_talk = before.lesson.is_talk
-            self.complained.emit(named(error, path) if is_talk else self.mistakes())
+            if before.lesson.is_talk:
+                self.complained.emit(named(error, path))
+            else:
+                self._complain()
             return
         self._messages.done()
         same = self._posed is None and shown == before.shown(self.place)
@@ -449,13 +456,25 @@ class Lessons(QObject):
     def _complain(self) -> None:
         """Say what is wrong in a lesson; a speaker learns it when the class would see it."""
         is_talk = self.lesson is not None and self.lesson.is_talk
-        self.complained.emit("" if is_talk else self.mistakes())
+        mistakes = "" if is_talk else self.mistakes()
+        if mistakes is not None:
+            self.complained.emit(mistakes)
 
-    def mistakes(self) -> str:
-        """Check the open file as `lesson check` does, without its pictures; say what is wrong."""
+    def mistakes(self) -> str | None:
+        """Check the open file as `lesson check` does, without its pictures; say what is wrong.
+
+        Returns None if the user cancels it.
+        """
         assert self.lesson is not None
-        report = CheckReport()
-        report.read(self.lesson.path)
+        report, path = CheckReport(), self.lesson.path
+        self._checks = True
+        try:
+            with self._files.progress(self.tr("Checking {0}").format(path.name)) as tell:
+                apart(partial(report.read, path), tell)
+        except Cancelled:
+            return None
+        finally:
+            self._checks = False
         texts = [sentence(error) for error in report.wrong[:MOST_MISTAKES]]
         if len(report.wrong) > MOST_MISTAKES:
             texts.append(self.tr("… and {0} more").format(len(report.wrong) - MOST_MISTAKES))

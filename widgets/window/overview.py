@@ -16,7 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.lessons.course import Course, idea_named
-from app.lessons.practice import Found, exercises_of
+from app.lessons.practice import PlacedExercise, exercises_of
 from app.lessons.record import ALONE, HELPED, SHOWN, Met, Standing
 from app.lessons.text import in_line
 from widgets.parts.buttons import push_button, tool_button
@@ -51,7 +51,7 @@ class Overview(QDialog):
     lesson_wanted = Signal(object)
     """A `Course`."""
     exercise_wanted = Signal(object)
-    """A `Found`."""
+    """A `PlacedExercise`."""
     review_wanted = Signal()
     test_wanted = Signal()
     export_wanted = Signal()
@@ -106,8 +106,8 @@ class Overview(QDialog):
     @property
     def first(self) -> QWidget:
         """Return the button that the keyboard begins at."""
-        found = self.findChildren(QToolButton)
-        return self.review if self.review.isEnabled() or not found else found[0]
+        buttons = self.findChildren(QToolButton)
+        return self.review if self.review.isEnabled() or not buttons else buttons[0]
 
     def _legend(self) -> QWidget:
         parts: list[QWidget | None] = []
@@ -124,21 +124,21 @@ class Overview(QDialog):
         title = f"{name}  {course.lesson.title}"
         act = partial(self._go, self.lesson_wanted, course)
         topic = tool_button(title, self.tr("Open the lesson"), act, flat=True, by_click=True)
-        found = [
+        parts = [
             self._exercise(name, number, each)
             for number, each in enumerate(exercises_of(course), 1)
         ]
         holder = QWidget()
-        in_row(*found, FREE, on=holder, margins=(0, 0, 0, 0), gap=2)
+        in_row(*parts, FREE, on=holder, margins=(0, 0, 0, 0), gap=2)
         return topic, holder, PlainLabel(self._met(course), wordWrap=True)
 
-    def _exercise(self, topic: str, number: int, found: Found) -> QToolButton:
-        standing = self._known.get(found.key, Standing())
+    def _exercise(self, topic: str, number: int, placed: PlacedExercise) -> QToolButton:
+        standing = self._known.get(placed.key, Standing())
         outcome = self._words[standing.outcome]
-        text = in_line(found.exercise.text)
+        text = in_line(placed.exercise.text)
         text = text if len(text) <= LONGEST else f"{text[:LONGEST]}…"
         said = self.tr("{0}, exercise {1}: {2}. {3}").format(topic, number, outcome, text)
-        act = partial(self._go, self.exercise_wanted, found)
+        act = partial(self._go, self.exercise_wanted, placed)
         icon = ICONS.get(standing.outcome, "")
         return tool_button(str(number), said, act, icon=icon, name=said, by_click=True)
 

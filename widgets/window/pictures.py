@@ -17,7 +17,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence, translated
-from widgets.parts.progress import progress
+from widgets.parts.progress import Tell, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -82,8 +82,10 @@ class Pictures(QObject):
 
         size = self._seen().projection.image_size
         kept = self._settings.export
-        dialog = ExportDialog(self._titles, size, self._window, self._preview, kept)
-        if dialog.exec() != ExportDialog.DialogCode.Accepted:
+        dialog = ExportDialog(self._titles, size, self._window, self.preview, kept)
+        accepted = dialog.exec()
+        dialog.deleteLater()
+        if not accepted:
             return
         self._settings.export = dialog.kept
         choice = dialog.choice()
@@ -120,7 +122,7 @@ class Pictures(QObject):
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
-    def _preview(self, choice: ExportChoice, room: QSize) -> QPixmap:
+    def preview(self, choice: ExportChoice, room: QSize, tell: Tell) -> QPixmap:
         """Draw a choice with as few pixels as a preview has."""
         from PySide6.QtSvg import QSvgRenderer
 
@@ -133,9 +135,9 @@ class Pictures(QObject):
         drawn = scene.triangles + scene.dot_count
         if drawn > MOST_IN_PREVIEW:
             raise Refusal.saying(NO_PREVIEW, drawn)
-        options = self._options(document, choice) | {"transparent": False}
+        options = self._options(document, choice) | {"transparent": False, "progress": tell}
         if choice.hidden != "none":
-            size, found = shapes(scene, document.projection, hidden=choice.hidden, **options)
+            size, outlines = shapes(scene, document.projection, hidden=choice.hidden, **options)
             picture = QImage(room, QImage.Format.Format_RGB32)
             picture = picture.scaled(
                 QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
@@ -143,7 +145,7 @@ class Pictures(QObject):
             picture.fill(Qt.GlobalColor.white)
             painter = QPainter(picture)
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            QSvgRenderer(QByteArray(svg(found, size, scene.title))).render(painter)
+            QSvgRenderer(QByteArray(svg(outlines, size, scene.title))).render(painter)
             painter.end()
             return QPixmap.fromImage(picture)
         width, height = Size(*choice.size).px

@@ -16,7 +16,7 @@ from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
     MOST,
-    Found,
+    PlacedExercise,
     Sheet,
     Waiting,
     drawn,
@@ -112,9 +112,9 @@ class Practice(QObject):
 
     def go_on(self) -> None:
         """Go on with the test that was begun."""
-        found = named_test(self.begun)
-        if found is not None:
-            self._play_test(*found)
+        test = named_test(self.begun)
+        if test is not None:
+            self._play_test(*test)
 
     def _tell_kept(self) -> None:
         go_on = self.tr("Go on with it"), self.go_on
@@ -177,8 +177,8 @@ class Practice(QObject):
         overview.export_wanted.connect(partial(self.save, attempts))
         overview.show()
 
-    def _open(self, found: Found) -> None:
-        self._card.open(found.course.lesson.path, found.here.step.name)
+    def _open(self, placed: PlacedExercise) -> None:
+        self._card.open(placed.course.lesson.path, placed.here.step.name)
 
     # -- what has come back
 
@@ -191,10 +191,10 @@ class Practice(QObject):
         attempts = self.attempts
         if self._record.problem is not None:
             self._messages.say(sentence(self._record.problem))
-        found = find_waiting(attempts)
-        items = to_review(found.due, standings(attempts))
+        waiting = find_waiting(attempts)
+        items = to_review(waiting.due, standings(attempts))
         if items:
             self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
             return
-        when = next_review(found) or self.tr("What you do not solve alone comes back in a day.")
+        when = next_review(waiting) or self.tr("What you do not solve alone comes back in a day.")
         self._messages.say(self.tr("Nothing has come back today.") + f" {when}", warns=False)

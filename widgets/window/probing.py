@@ -102,7 +102,7 @@ class Probing(QObject):
 
     def _point(self, name: str, place: QPointF) -> None:
         if self._is_pointing:
-            self._pointer = self._found(name, place)
+            self._pointer = self._probes_at(name, place)
             self._show()
 
     def _point_nowhere(self) -> None:
@@ -110,7 +110,7 @@ class Probing(QObject):
             self._pointer = ()
             self._show()
 
-    def _found(self, name: str, place: QPointF) -> tuple[Probe, ...]:
+    def _probes_at(self, name: str, place: QPointF) -> tuple[Probe, ...]:
         """Return a probe at a position in a pane: a point, a pixel's ray, or nothing."""
         drawing = self._panes[name].drawing
         if drawing is None:  # not drawn yet
@@ -132,8 +132,8 @@ class Probing(QObject):
         """Follow the point that was clicked in a pane."""
         chosen = self._panel.chosen
         self._before_click = self._panel.probes, chosen.number if chosen else 0
-        for found in self._found(name, place):
-            self._panel.follow(point=found.point, pixel=found.pixel)
+        for probe in self._probes_at(name, place):
+            self._panel.follow(point=probe.point, pixel=probe.pixel)
 
     def begin(self, panel: Panel) -> None:
         """Follow the first vertex of the picture when the user opens a panel without probes."""

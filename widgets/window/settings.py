@@ -114,10 +114,10 @@ def _base64(content: bytes | None) -> str:
 
 def _json(text: str, kind: type[_T]) -> _T:
     try:
-        found: _T = json.loads(text)
+        value: _T = json.loads(text)
     except RecursionError as error:
         raise ValueError from error
-    return _valid(found, isinstance(found, kind))
+    return _valid(value, isinstance(value, kind))
 
 
 def _paths(text: str) -> list[str]:
@@ -147,14 +147,14 @@ class Progress:
 
 
 def _progress(text: str) -> dict[str, Progress]:
-    found: dict[str, Any] = _json(text, dict)
-    return {name: _one_progress(kept) for name, kept in found.items()}
+    tree: dict[str, Any] = _json(text, dict)
+    return {name: _one_progress(kept) for name, kept in tree.items()}
 
 
 def _one_progress(kept: Any) -> Progress:
     names = [each.name for each in fields(Progress)]
-    found = _valid(kept, isinstance(kept, dict))
-    progress = Progress(**{name: found[name] for name in names if name in found})
+    known = _valid(kept, isinstance(kept, dict))
+    progress = Progress(**{name: known[name] for name in names if name in known})
     answers, counts = progress.answers, (progress.done, progress.of)
     return _valid(
         progress,

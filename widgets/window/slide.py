@@ -51,8 +51,8 @@ class Slide(QWidget):
         is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
         has_pane = any(name in PANES for name in slots.asked)
         slots.setVisible(not is_wide or has_pane)
-        ways = QBoxLayout.Direction
-        self._row.setDirection(ways.TopToBottom if is_wide else ways.LeftToRight)
+        direction = QBoxLayout.Direction
+        self._row.setDirection(direction.TopToBottom if is_wide else direction.LeftToRight)
         share = EQUATION_HEIGHT if is_wide else EQUATION_SHARE
         self._row.setStretch(0, round(100 * share) if has_equation else 0)
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)

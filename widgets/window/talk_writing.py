@@ -45,9 +45,9 @@ class TalkWriter(QObject):
         lesson = self._lessons.lesson
         if lesson is None or self._is_gone(lesson):
             return
-        found = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
-        if found is not None:
-            self.write_step(*found)
+        title = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
+        if title is not None:
+            self.write_step(*title)
 
     def _is_gone(self, lesson: Lesson) -> bool:
         """Say that the file is missing, if it is."""
@@ -81,9 +81,9 @@ class TalkWriter(QObject):
         """Ask for a file, and begin a talk there with the current state."""
         kinds, name = self.tr("Talks and lessons (*.md)"), self.tr("A new talk from here")
         path = ask_where(self._window, name, "talk.md", kinds, ".md")
-        found = self._ask_title(name, Path(path).stem, self._store.seen) if path else None
-        if found is not None:
-            self.write_talk(Path(path), *found)
+        title = self._ask_title(name, Path(path).stem, self._store.seen) if path else None
+        if title is not None:
+            self.write_talk(Path(path), *title)
 
     def write_talk(self, path: Path, title: str, panes: bool) -> bool:
         """Begin a talk with the current state, and open it; return False if that fails."""

@@ -101,14 +101,14 @@ class Transition(QObject):
             self._picture = None
             return True
         now = self._look.poses()
-        ways = {
+        glides = {
             name: pose
             for name, pose in self._poses.items()
             if pose is not None and now[name] is not None and not pose.is_near(now[name])
         }
-        if ways or moves:
-            self._look.begin_glide(ways)
-        return bool(ways) or moves
+        if glides or moves:
+            self._look.begin_glide(glides)
+        return bool(glides) or moves
 
     def paint(self) -> None:
         """Paint the beginning now: what takes long is done before the way begins."""

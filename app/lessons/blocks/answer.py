@@ -45,23 +45,23 @@ class Answer(MarkedQuestion):
     def read(cls, body: Body) -> Question:
         keys = ("value", "count", "matrix", "click", "at", "within", "first", "unit", "number")
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
-        ways = [item for item in items if item.key in WAYS]
-        if not ways:
+        given = [item for item in items if item.key in WAYS]
+        if not given:
             raise refused(
                 body.line,
                 LACKS,
                 "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices",
             )
-        other = next((item for item in ways if item.key != ways[0].key), None)
+        other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
             raise refused(other.line, EITHER, "value, count, matrix, click and choices")
-        if ways[0].key == "choice":
+        if given[0].key == "choice":
             return Choices.of(body, text, items)
-        if ways[0].key == "click":
+        if given[0].key == "click":
             return Click.of(body, text, items)
-        if ways[0].key == "matrix":
+        if given[0].key == "matrix":
             return MatrixQuestion.of(body, text, items)
-        value = items.single(ways[0].key)
+        value = items.single(given[0].key)
         assert value is not None
         wrong = (item for item in items if item.key == "wrong")
         symbol, _, formula = value.text.rpartition("=")
@@ -81,10 +81,10 @@ class Answer(MarkedQuestion):
         return self.values(here, *self.key)[0]
 
     def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
-        found = super().values(here, formulas, line)
+        values = super().values(here, formulas, line)
         if not self.counts:
-            return found
-        (value,) = found
+            return values
+        (value,) = values
         if not (math.isfinite(value) and math.isclose(value, round(value), rel_tol=1e-9)):
             raise refused(line, NOT_WHOLE, f"{value:.6g}")
         return (float(round(value)),)

@@ -31,10 +31,10 @@ def beside(here: Here, own: Document, name: str, wrong: float) -> Document | Non
     """
     change = _change(own, name, wrong)
     try:
-        found = here.quantities(set_values(own, [change])).value(Letter(name)) if change else None
+        value = here.quantities(set_values(own, [change])).value(Letter(name)) if change else None
     except (Refusal, NotThere):
         return None
-    if found is None or not math.isclose(found, wrong, rel_tol=1e-9):
+    if value is None or not math.isclose(value, wrong, rel_tol=1e-9):
         return None
     pictures = ComparedPicture(YOURS, (change,)), ComparedPicture(MODEL, live=True)
     return replace(own, view=replace(own.view, compare=pictures, dividers=(), large="image"))

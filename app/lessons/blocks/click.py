@@ -77,13 +77,13 @@ class Click(MarkedQuestion):
         return self.values(here, *self.key)
 
     def values(self, here: Here, formulas: tuple[Formula, ...], line: int) -> Value:
-        found = super().values(here, formulas, line)
+        values = super().values(here, formulas, line)
         sides = here.document.projection.image_size
-        inside = {"image": [0.0 <= x <= side for x, side in zip(found, sides, strict=False)],
-                  "ndc": [abs(x) <= 1.0 for x in found]}  # fmt: skip
+        inside = {"image": [0.0 <= x <= side for x, side in zip(values, sides, strict=False)],
+                  "ndc": [abs(x) <= 1.0 for x in values]}  # fmt: skip
         if not all(inside.get(self.pane, ())):
-            raise refused(line, OUTSIDE, ", ".join(f"{x:.4g}" for x in found))
-        return found
+            raise refused(line, OUTSIDE, ", ".join(f"{x:.4g}" for x in values))
+        return values
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
         return self._away(here, one, other) < 2.0 * self.within_px
@@ -122,12 +122,12 @@ class Click(MarkedQuestion):
     def solution(self, here: Here) -> str:
         """Return a line for each coordinate; none if no reader knows a name in it."""
         known = self.known(here)
-        found = [working(each, known) for each in self.right]
+        parts = [working(each, known) for each in self.right]
         if not any(map(has_names, self.right)):
             return ""
         names = COORDINATES[self.pane]
-        sides = [way.sides(name) for name, way in zip(names, found, strict=True) if way is not None]
-        return in_list(sides) if len(sides) == len(found) else ""
+        sides = [way.sides(name) for name, way in zip(names, parts, strict=True) if way is not None]
+        return in_list(sides) if len(sides) == len(parts) else ""
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return f"({', '.join(map(write, self.answer(here)))})"

@@ -212,15 +212,15 @@ class Exercise(Asked):
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
         count = math.prod(len(each.values) for each in self.varied)
-        found = set[tuple[Fraction, ...]]()
+        variants = set[tuple[Fraction, ...]]()
         for seed in range(1, SEEDS + 1):
             variant = self.variant(here, seed, complete=True)
-            found.add(tuple(variant.numbers.values()))
+            variants.add(tuple(variant.numbers.values()))
             if isinstance(variant.question, Task):
                 variant.question.check_right(variant.here)
-        self._check_values_but(here, [set(values) for values in zip(*found, strict=True)])
-        if min(count, len(found)) < LEAST_VARIANTS:
-            raise refused(self.line, TOO_FEW, len(found), LEAST_VARIANTS)
+        self._check_values_but(here, [set(values) for values in zip(*variants, strict=True)])
+        if min(count, len(variants)) < LEAST_VARIANTS:
+            raise refused(self.line, TOO_FEW, len(variants), LEAST_VARIANTS)
         shown: set[str] | None = None
         for seed in range(1, _WHOLE + 1):
             variant = self.variant(here, seed)
@@ -244,14 +244,14 @@ class Exercise(Asked):
 
 def _continued(lines: Lines) -> Lines:
     """Join the exercise's own lines with the indented lines below them."""
-    found: list[tuple[int, str]] = []
+    joined: list[tuple[int, str]] = []
     for line, text in lines:
-        above = found[-1] if text[:1] in (" ", "\t") and found else (0, "")
+        above = joined[-1] if text[:1] in (" ", "\t") and joined else (0, "")
         if _VARY.fullmatch(above[1]) or _OWN.fullmatch(above[1]):
-            found[-1] = above[0], continued(above[1], text, line)
+            joined[-1] = above[0], continued(above[1], text, line)
         else:
-            found.append((line, text))
-    return found
+            joined.append((line, text))
+    return joined
 
 
 def _listed(numbers: Mapping[str, Fraction]) -> str:
@@ -312,12 +312,12 @@ def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied
 def _written(text: str, line: int, numbers: Mapping[str, Fraction], *, exact: bool = False) -> str:
     """Write the numbers into a text, for a reader or with all their digits."""
 
-    def written(found: re.Match[str]) -> str:
-        value = _number(found[2], line, numbers)
+    def written(match: re.Match[str]) -> str:
+        value = _number(match[2], line, numbers)
         text = written_number(value)
         if exact:  # a whole number as a part of a name: ``bits{=b}``
             text = str(value) if value.denominator == 1 else repr(float(value))
-        if found[1] == "=":
+        if match[1] == "=":
             return text
         return f"= {text}" if Fraction(text) == value else rf"\approx {text}"
 

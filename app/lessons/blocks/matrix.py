@@ -165,9 +165,9 @@ class MatrixQuestion(MarkedQuestion):
         """Return a line for each number that has letters; the numbers are in `answer_text`."""
         known, lines = self.known(here), list[list[str]]()
         for place, formula in enumerate(self.right):
-            found = working(formula, known) if has_names(formula) else None
-            if found is not None:
-                lines.append(found.sides(self._name(place)))
+            steps = working(formula, known) if has_names(formula) else None
+            if steps is not None:
+                lines.append(steps.sides(self._name(place)))
         return in_list(lines)
 
     def _name(self, place: int) -> str:
@@ -213,9 +213,9 @@ def _flat(rows: Iterable[Sequence[int]]) -> list[int]:
 
 def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:
     """Return the parts with two of them exchanged."""
-    found = [*parts]
-    found[one], found[other] = parts[other], parts[one]
-    return found
+    swapped = [*parts]
+    swapped[one], swapped[other] = parts[other], parts[one]
+    return swapped
 
 
 def _cells(item: LineItem) -> tuple[int, int, tuple[Formula, ...]]:

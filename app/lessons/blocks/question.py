@@ -201,16 +201,16 @@ class Question(Asked):
         value, wrong = None, list[tuple[int, Value]]()
         for owner, formulas, line in self.formulas:
             with trial.kept():
-                found = self.values(here, formulas, line)
+                values = self.values(here, formulas, line)
                 if owner is not None:
                     with trial.kept():
-                        owner.check_number(found[0])
+                        owner.check_number(values[0])
                 if owner is None or owner.right:
-                    value = found
+                    value = values
                     with trial.kept():
-                        self._check_number(here, line, *found)
+                        self._check_number(here, line, *values)
                 else:
-                    wrong.append((line, found))
+                    wrong.append((line, values))
         for clash in self._clashes(here, value, wrong):
             trial.complain(clash)
 
@@ -219,11 +219,11 @@ class Question(Asked):
         if self.number:
             known = self.known(here)
             with on_line(line, "number"):
-                found = known.value(parse(self.number))
+                held = known.value(parse(self.number))
             if not (
-                is_set(known.document, self.number) and math.isclose(value[0], found, rel_tol=1e-9)
+                is_set(known.document, self.number) and math.isclose(value[0], held, rel_tol=1e-9)
             ):
-                raise refused(line, OTHER_NUMBER, f"{found:.6g}", value=self.number)
+                raise refused(line, OTHER_NUMBER, f"{held:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:
         """Refuse a value that does not exist, and wrong ones that equal another one."""
@@ -254,8 +254,8 @@ class Question(Asked):
         """
         formulas, _ = self.key
         is_way = any(has_way(each) for each in formulas)
-        found = working(formulas[0], self.known(here)) if is_way else None
-        return in_markdown(found.sides(self.symbol, self.unit)) if found is not None else ""
+        steps = working(formulas[0], self.known(here)) if is_way else None
+        return in_markdown(steps.sides(self.symbol, self.unit)) if steps is not None else ""
 
     def reply_to(self, here: Here, wrong: Reply) -> Verdict:
         """Return the reply to a wrong idea, with both numbers beside each other where it can be."""

@@ -72,12 +72,12 @@ class Task(Asked):
     @property
     def handles(self) -> frozenset[str]:
         """The handles of the world that change what the task is about, by name or setting."""
-        found = set()
+        handles = set()
         for name in (name for _, condition in self.until for name in condition.letters):
             head, _, rest = name.removeprefix("was_").partition("_")
             setting = rest.rpartition("_")[0] or rest
-            found.add(setting if head == "settings" else _MOVED_BY.get(head, ""))
-        return frozenset(found - {""})
+            handles.add(setting if head == "settings" else _MOVED_BY.get(head, ""))
+        return frozenset(handles - {""})
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
         """Whether the window's current state fulfils the task; a `Refusal` names the line."""

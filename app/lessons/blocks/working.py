@@ -54,9 +54,9 @@ class Working(NamedTuple):
             letters = f"{name} = {letters}" if letters != name else name
             numbers = "" if letters.endswith(f"= {numbers}") else numbers
             value = "" if letters.endswith(f"= {value}") else value
-        found = [(letters, ""), (numbers, about), (value, about if is_whole else r"\approx")]
-        signs = {text: sign for text, sign in reversed(found) if text}  # the first of equal ones
-        texts = dict.fromkeys(text for text, _ in found if text)
+        sides = [(letters, ""), (numbers, about), (value, about if is_whole else r"\approx")]
+        signs = {text: sign for text, sign in reversed(sides) if text}  # the first of equal ones
+        texts = dict.fromkeys(text for text, _ in sides if text)
         return [f"{signs[text]} {text}" if place else text for place, text in enumerate(texts)]
 
 
@@ -84,8 +84,8 @@ def working(formula: Formula, known: Quantities) -> Working | None:
         digits = 10 if value.is_integer() else 4  # a count is no rounded number
         number = Fraction(f"{value:.{digits}g}")
         is_exact = is_exact and math.isclose(number, value, rel_tol=1e-9)
-        found = Number(abs(number))
-        numbers[part.text] = found if number >= 0 else Negative(found)
+        figure = Number(abs(number))
+        numbers[part.text] = figure if number >= 0 else Negative(figure)
     letters = _in_degrees(formula, cells, False)
     return Working(letters, _in_degrees(formula, numbers, False), known.value(formula), is_exact)
 
@@ -133,9 +133,9 @@ def _cell(call: Call) -> Letter | None:
 
 def _in_degrees(formula: Formula, terms: Mapping[str, Formula], is_angle: bool) -> Formula:
     """Replace terms, and write the numbers of angles, which stand in sin or tan, with degrees."""
-    found = terms.get(formula.text, formula)
-    if found is not formula or not formula.parts:
-        return _degrees(found) if is_angle else found
+    inner = terms.get(formula.text, formula)
+    if inner is not formula or not formula.parts:
+        return _degrees(inner) if is_angle else inner
     if isinstance(formula, Call):
         inside = formula.name in _OF_ANGLES
         return formula.with_parts(_in_degrees(part, terms, inside) for part in formula.parts)

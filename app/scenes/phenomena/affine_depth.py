@@ -64,11 +64,11 @@ def inside(projection: Projection, segments_world: Array) -> Inside:
     share = (here / (here - there))[:, None]
     clip[row, end] = (1.0 - share) * clip[row, end] + share * clip[row, 1 - end]
     clip[row, end, 2:] = projection.depth_range[0] * least, least
-    found = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
-    seen = found.visible & (found.points_clip[..., 3] > 0.0).all(axis=1)
-    w = np.clip(found.points_clip[seen, :, 3], least, most)  # a cut end's may have lost digits
-    ndc = np.clip(found.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
-    cut |= (found.planes != NOT_CUT).any(axis=1)
+    clipped = clip_segments(clip[:, 0], clip[:, 1], projection.depth)
+    seen = clipped.visible & (clipped.points_clip[..., 3] > 0.0).all(axis=1)
+    w = np.clip(clipped.points_clip[seen, :, 3], least, most)  # a cut end's may have lost digits
+    ndc = np.clip(clipped.points_clip[seen, :, :3] / w[..., None], -1.0, 1.0)
+    cut |= (clipped.planes != NOT_CUT).any(axis=1)
     return Inside(rows[seen], ndc, w, cut[seen])
 
 
@@ -158,8 +158,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         lines += [Polyline(pair, "accent", 2.0) for pair in part.ndc[own]]
         readings, ndc = _readings((0.0, 0.0), 0.0, note, mesh), Marks.of(*lines)
         return Illustration(readings, world, ndc, image, warning=note, grips=grips)
-    found = deviation(projection, part)
-    percent = found.percent[~own]
+    deviations = deviation(projection, part)
+    percent = deviations.percent[~own]
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
     bows: list[Mark] = [
@@ -168,12 +168,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     at = None
     if not own.any():
         note = WORDS.phrase("outside")
-    elif not math.isfinite(found.percent[0]):
+    elif not math.isfinite(deviations.percent[0]):
         note = WORDS.phrase("short")
     else:
-        at = float(found.percent[0]), float(found.w[0])
+        at = float(deviations.percent[0]), float(deviations.w[0])
     if own.any():
-        bows.append(_own_bow(projection, part.of(own), found))
+        bows.append(_own_bow(projection, part.of(own), deviations))
     cut = at is not None and bool(part.cut[0])
     return Illustration(
         _readings(at, worst, WORDS.phrase("cut") if cut else note, mesh, cut=cut),
@@ -185,10 +185,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     )
 
 
-def _own_bow(projection: Projection, part: Inside, found: Deviation) -> Marks:
+def _own_bow(projection: Projection, part: Inside, deviations: Deviation) -> Marks:
     """The bow of PQ, its straight image, and the largest distance between bow and chord."""
     (curve,), (straight,) = bow(projection, part, _STEPS), part.ndc
-    percent, step, w = (each[0] for each in found)
+    percent, step, w = (each[0] for each in deviations)
     on_chord = (1.0 - step) * curve[0] + step * curve[-1]
     on_bow = on_chord.copy()
     on_bow[2] = affine_z(projection, w)

@@ -18,7 +18,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
@@ -136,7 +136,7 @@ def _diagram(d: float, z: float, y: Array) -> Diagram:
     )
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     d = number(after, "distance")
     if before["distance"] is not None and number(before, "distance") == d:
         return projection
@@ -144,7 +144,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     return central.between(d, central.lens.far)
 
 
-def _found(projection: Projection, _settings: Settings) -> Found:
+def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
     return {"distance": projection.lens.near if projection.lens.central else None}
 
 
@@ -161,7 +161,7 @@ PHENOMENON = Phenomenon(
     replaces=("near",),
     numbers=4,
     follow=_follow,
-    found=_found,
+    implied=_implied,
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
     inks={"d": "v"},

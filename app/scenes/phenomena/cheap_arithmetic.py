@@ -142,7 +142,7 @@ def drawn(
     """The errors of the scene's vertices, traced exactly, with each of these formats for them."""
     points, _, box = _own()
     pictures = cheap_formats(projection, points, hardware, formats, origin, box)
-    return [VertexErrors(found.image - trace.image, found.bounds[:, :2]) for found in pictures]
+    return [VertexErrors(each.image - trace.image, each.bounds[:, :2]) for each in pictures]
 
 
 def moved(projection: Projection, trace: Trace, px: Array) -> Array:
@@ -250,12 +250,12 @@ def _errors_in_picture(
 def _on_front(trace: Trace) -> NDArray[np.bool_]:
     """Which vertices are on a face whose outside is seen."""
     faces = _own()[1]
-    found = np.zeros(len(trace.image), dtype=np.bool_)
+    is_front = np.zeros(len(trace.image), dtype=np.bool_)
     x, y = np.moveaxis(trace.ndc[faces, :2], -1, 0)
     with np.errstate(all="ignore"):
         turn = (x[:, 2] - x[:, 0]) * (y[:, 3] - y[:, 1]) - (x[:, 3] - x[:, 1]) * (y[:, 2] - y[:, 0])
-    found[faces[turn > 0.0]] = True
-    return found
+    is_front[faces[turn > 0.0]] = True
+    return is_front
 
 
 @lru_cache(maxsize=8)  # a step of the camera changes nothing of it

@@ -96,14 +96,14 @@ def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictur
     flat[..., 2] = 1.0  # the depth does not matter, as long as it is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
     flat[nothing] = (2.0, 0.0, 1.0, 1.0)  # beyond the right plane
-    found = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=SIDES)
+    clipped = clip_segments(flat[..., 0, :], flat[..., 1, :], planes=SIDES)
     with np.errstate(invalid="ignore", divide="ignore"):
-        ndc = found.points_clip[..., :2] / found.points_clip[..., 3:]
+        ndc = clipped.points_clip[..., :2] / clipped.points_clip[..., 3:]
     # A segment that points at the eye has no image there; one point of it is seen.
     size = np.maximum(np.abs(clip[..., [0, 1, 3]]).max(axis=-1), 5e-324)
     (xa, xb), (ya, yb), (wa, wb) = rays = clip.T[[0, 1, 3]] / size.T
     sine = np.maximum(np.abs(ya * wb - yb * wa), np.abs(xa * wb - xb * wa))
-    for row in np.flatnonzero((sine <= _THROUGH_EYE) & found.visible[2]):
+    for row in np.flatnonzero((sine <= _THROUGH_EYE) & clipped.visible[2]):
         x, y, w = rays[:, np.argmax(clip[row, :, 3]), row]
         ndc[1:, row] = (x / w, y / w) if w > 0.0 and max(abs(x), abs(y)) <= w else math.nan
     ndc[~np.isfinite(ndc).all(axis=(2, 3))] = np.nan

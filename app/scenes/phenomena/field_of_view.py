@@ -30,7 +30,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -137,7 +137,7 @@ def _from_preset(projection: Projection, settings: Settings, factor: float) -> P
     return dollied(at, factor) if factor != 1.0 else at
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     if before["preset"] is None:
         return _from_preset(projection, after, 1.0)
     factor = number(after, "distance")
@@ -149,7 +149,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     return projection
 
 
-def _found(projection: Projection, settings: Settings) -> Found:
+def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     name, camera, lens = str(settings["preset"]), projection.camera, projection.lens
     view = preset_view(name, projection.aspect, bool(settings["enlarged"]))
     held = view.distance / Perspective(view.fov_y_deg).cot_half_fov_y  # half the plane's height
@@ -288,7 +288,7 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     leading="image",
     follow=_follow,
-    found=_found,
+    implied=_implied,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
     side=(0.0, 65.0),

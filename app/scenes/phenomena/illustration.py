@@ -26,7 +26,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import Comparison, PhenomenonWords
 from app.scenes.shapes import Coloured
 
@@ -119,11 +119,11 @@ class Subject:
         return math.dist(self.lower, self.upper)
 
 
-def _keep(projection: Projection, _before: Found, _after: Settings) -> Projection:
+def _keep(projection: Projection, _before: ImpliedSettings, _after: Settings) -> Projection:
     return projection
 
 
-def _nothing(_projection: Projection, _settings: Settings) -> Found:
+def _nothing(_projection: Projection, _settings: Settings) -> ImpliedSettings:
     return {}
 
 
@@ -158,9 +158,9 @@ class Phenomenon:
         How many readings are shown before the readout is unfolded.
     follow : callable
         ``follow(projection, before, after)`` returns the projection for changed settings, where a
-        setting moves the camera; `before` comes from `found`.
-    found : callable
-        ``found(projection, settings)`` returns the values that `follow` would need for this
+        setting moves the camera; `before` comes from `implied`.
+    implied : callable
+        ``implied(projection, settings)`` returns the values that `follow` would need for this
         projection. Where several values give the same projection it keeps those in `settings`; a
         value is None, or not finite, where no value gives it.
     check : callable
@@ -202,8 +202,8 @@ class Phenomenon:
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     numbers: int = 3
-    follow: Callable[[Projection, Found, Settings], Projection] = _keep
-    found: Callable[[Projection, Settings], Found] = _nothing
+    follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = _keep
+    implied: Callable[[Projection, Settings], ImpliedSettings] = _nothing
     check: Callable[[Settings], None] = _any
     requires: frozenset[str] = frozenset()
     leading: str = "world"
@@ -250,19 +250,19 @@ class Phenomenon:
             return Illustration((), warning=Phrase(_FREE), idle=True)
         return self.show(projection, settings, subject)
 
-    def at_hand(self, projection: Projection, settings: Settings) -> Found:
+    def at_hand(self, projection: Projection, settings: Settings) -> ImpliedSettings:
         """All settings as camera and lens have them, perhaps beyond the bounds of a setting.
 
         For a free matrix the settings stay as they were chosen.
         """
         if is_free(projection):
             return settings
-        found = dict(self.found(projection, settings))
+        implied = dict(self.implied(projection, settings))
         for setting in self.adjustable:
-            value = found.get(setting.name)
+            value = implied.get(setting.name)
             if isinstance(value, float):
-                found[setting.name] = setting.rounded(value, number(settings, setting.name))
-        return {**settings, **found}
+                implied[setting.name] = setting.rounded(value, number(settings, setting.name))
+        return {**settings, **implied}
 
     def changed(
         self, projection: Projection, settings: Settings, values: Mapping[str, Any]
@@ -277,9 +277,10 @@ class Phenomenon:
         Refusal
             If the scene cannot have these values, or no projection fits them.
         """
-        found = self.at_hand(projection, settings)
-        # A setting that is not changed here keeps its value if what was found cannot be chosen.
-        before = {**self._possible(found, settings), **{name: found.get(name) for name in values}}
+        at_hand = self.at_hand(projection, settings)
+        # A setting that is not changed here keeps its value if its implied value cannot be chosen.
+        changed = {name: at_hand.get(name) for name in values}
+        before = {**self._possible(at_hand, settings), **changed}
         after = self.checked({**before, **values})
         if after == before:
             return projection, settings
@@ -288,11 +289,11 @@ class Phenomenon:
             after = self.checked(self._possible(self.at_hand(projection, after), after))
         return projection, after
 
-    def _possible(self, found: Found, chosen: Settings) -> Settings:
-        """The found values that can be chosen, and the chosen ones in place of the others."""
+    def _possible(self, at_hand: ImpliedSettings, chosen: Settings) -> Settings:
+        """The implied values that can be chosen, and the chosen ones in place of the others."""
         values = {**chosen}
         for setting in self.settings:
-            value = found[setting.name]
+            value = at_hand[setting.name]
             if value is not None and setting.can_be(value):
                 values[setting.name] = value
         return values

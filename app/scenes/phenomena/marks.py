@@ -98,14 +98,14 @@ class Marks:
     @classmethod
     def of(cls, *marks: Mark) -> Marks:
         """Sort marks by kind; within a kind they keep their order."""
-        found: dict[type, list[Any]] = {Polyline: [], Face: [], Dot: [], Text: []}
+        by_kind: dict[type, list[Any]] = {Polyline: [], Face: [], Dot: [], Text: []}
         for mark in marks:
             if isinstance(mark, Marks):
-                for kind, more in zip(found, mark.kinds, strict=True):
-                    found[kind] += more
+                for kind, more in zip(by_kind, mark.kinds, strict=True):
+                    by_kind[kind] += more
             else:
-                found[mark.__class__].append(mark)
-        return cls(*map(tuple, found.values()))
+                by_kind[mark.__class__].append(mark)
+        return cls(*map(tuple, by_kind.values()))
 
     @property
     def kinds(self) -> tuple[tuple[Any, ...], ...]:

@@ -26,7 +26,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
-from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     SIDE_RGB,
@@ -116,14 +116,14 @@ def oblique(projection: Projection, scale: float, angle_deg: float) -> Projectio
     return replace(projection, lens=slanted)
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     wanted = _wanted(after)
     if None not in before.values() and wanted == _wanted(before):
         return projection
     return oblique(projection, *wanted)
 
 
-def _found(projection: Projection, settings: Settings) -> Found:
+def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     lens = projection.lens
     if not isinstance(lens, Oblique):
         return dict.fromkeys(settings)
@@ -143,7 +143,7 @@ def _found(projection: Projection, settings: Settings) -> Found:
     }
 
 
-def _wanted(settings: Found) -> tuple[float, float]:
+def _wanted(settings: ImpliedSettings) -> tuple[float, float]:
     """The receding scale and angle of the settings."""
     scale = _SCALES.get(str(settings["drawing"]), number(settings, "receding"))
     return scale * number(settings, "morph"), number(settings, "angle_deg")
@@ -261,7 +261,7 @@ PHENOMENON = Phenomenon(
     ),
     leading="image",
     follow=_follow,
-    found=_found,
+    implied=_implied,
     own_mesh=True,
     names=_SCALE_NAMES,
     side=(55.0, 40.0),

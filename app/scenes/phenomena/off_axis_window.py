@@ -19,7 +19,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
@@ -210,13 +210,13 @@ def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
     return Marks.of(*marks)
 
 
-def _found(projection: Projection, _settings: Settings) -> Found:
+def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
     lens, distance = projection.lens, projection.camera.distance
     left, right, _, _ = lens.window_at(projection.window, distance)
     return {"shift": 0.0 - (left / 2.0 + right / 2.0)}
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     step = number(after, "shift") - number(before, "shift")
     if step == 0.0:
         return projection
@@ -252,7 +252,7 @@ PHENOMENON = Phenomenon(
     ),
     controls=("lens.left", "lens.right"),
     follow=_follow,
-    found=_found,
+    implied=_implied,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
     side=(50.0, 35.0),

@@ -27,7 +27,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
@@ -199,7 +199,7 @@ def _is_within(polygon: list[list[float]]) -> bool:
     return True
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     step = number(after, "position") - number(before, "position")
     if step == 0.0:
         return projection
@@ -210,7 +210,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     )
 
 
-def _found(projection: Projection, _settings: Settings) -> Found:
+def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
     return {"position": _START_Z - projection.camera.eye[2]}
 
 
@@ -313,7 +313,7 @@ PHENOMENON = Phenomenon(
     controls=("lens.far",),
     leading="image",
     follow=_follow,
-    found=_found,
+    implied=_implied,
     check=_check,
     requires=frozenset({"fog", "levels"}),
     names=("far", "next-tree"),

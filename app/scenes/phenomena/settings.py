@@ -15,7 +15,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 Value: TypeAlias = float | bool | str | Vector
 Settings: TypeAlias = Mapping[str, Value]
 """The checked value of every `Setting` of a phenomenon, by its name."""
-Found: TypeAlias = Mapping[str, Value | None]
+ImpliedSettings: TypeAlias = Mapping[str, Value | None]
 """Likewise as camera and lens have them; None where no value gives the present state."""
 
 CLOSE = 1e-7
@@ -109,7 +109,7 @@ class Setting:
         return float(f"{value:.12g}")
 
 
-def number(settings: Found, name: str) -> float:
+def number(settings: ImpliedSettings, name: str) -> float:
     """The value of a setting that is a number."""
     value = settings[name]
     if isinstance(value, bool) or not isinstance(value, numbers.Real):

@@ -27,7 +27,7 @@ from app.scenes.phenomena.picture import (
     rectangle,
 )
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import CLOSE, Found, Setting, Settings, number
+from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
@@ -95,7 +95,7 @@ def across(camera: Camera, axis: int) -> bool:
 def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
     """The vanishing points of the world's x, y and z direction."""
     lens_matrix = projection.clip_from_view
-    found = []
+    points = []
     for axis in range(3):
         x, y, z = projection.camera.frame[:, axis].tolist()
         sign = -1.0 if z > 0.0 else 1.0
@@ -104,8 +104,8 @@ def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
         with np.errstate(over="ignore", invalid="ignore"):
             clip = lens_matrix @ (sign * np.array([x, y, z, 0.0])) + 0.0
         pixel = _pixel(projection, clip) if clip[3] > 0.0 else None
-        found.append(Vanishing(sign, clip, pixel))
-    return found[0], found[1], found[2]
+        points.append(Vanishing(sign, clip, pixel))
+    return points[0], points[1], points[2]
 
 
 def _pixel(projection: Projection, clip: Array) -> Array | None:
@@ -394,7 +394,7 @@ def _diagram(projection: Projection, points: tuple[Vanishing, ...], edges: Trace
     )
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     view = _VIEWS.get(str(after["points"]))
     if before["points"] == after["points"] or view is None:
         return projection
@@ -403,7 +403,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     return replace(projection, camera=turned).with_eye()
 
 
-def _found(projection: Projection, settings: Settings) -> Found:
+def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     frame = projection.camera.frame
     views = (name for name, one in _FRAMES.items() if np.abs(frame - one).max() <= CLOSE)
     return {"points": next(views, "free") if projection.lens.central else "free"}
@@ -428,7 +428,7 @@ PHENOMENON = Phenomenon(
     numbers=4,
     leading="image",
     follow=_follow,
-    found=_found,
+    implied=_implied,
     own_mesh=True,
     names=("V_x", "V_y", "V_z", "P", "horizon"),
 )

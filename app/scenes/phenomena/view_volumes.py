@@ -19,7 +19,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Found, Setting, Settings
+from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -164,7 +164,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
 
 
-def _follow(projection: Projection, before: Found, after: Settings) -> Projection:
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     if before["volume"] == after["volume"]:
         return projection
     kind = _LENS[str(after["volume"])]
@@ -172,7 +172,7 @@ def _follow(projection: Projection, before: Found, after: Settings) -> Projectio
     return projection.with_eye() if kind == "perspective" else projection.with_lens(kind)
 
 
-def _found(projection: Projection, settings: Settings) -> Found:
+def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     lens = projection.lens
     if lens.central:
         return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
@@ -191,7 +191,7 @@ PHENOMENON = Phenomenon(
     controls=("lens.near", "lens.far"),
     numbers=4,
     follow=_follow,
-    found=_found,
+    implied=_implied,
     names=("A", "B", "C", "D", "E"),
     side=(15.0, 30.0),
 )

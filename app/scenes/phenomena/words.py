@@ -84,15 +84,15 @@ class PhenomenonWords:
     @cached_property
     def _sections(self) -> dict[str, _WordsSection]:
         text = self._given or (CONTENT / f"{self.name}.md").read_text(encoding="utf-8")
-        found: dict[str, _WordsSection] = {}
+        sections: dict[str, _WordsSection] = {}
         for line in filter(None, text.splitlines()):
             if line.startswith("#"):
-                section = found.setdefault(line.lstrip("# "), _WordsSection([], []))
+                section = sections.setdefault(line.lstrip("# "), _WordsSection([], []))
             elif line.startswith("- "):
                 section.items.append(line[2:])
             else:
                 section.text.append(line)
-        return found
+        return sections
 
     @cached_property
     def _named(self) -> dict[str, str]:
@@ -150,13 +150,13 @@ class PhenomenonWords:
     @property
     def texts(self) -> set[str]:
         """Every text that can be translated."""
-        found = {self.title, *self.tries}
+        texts = {self.title, *self.tries}
         for heading, section in self._sections.items():
-            found.update(section.text)
+            texts.update(section.text)
             if heading.startswith(_COMPARE):
-                found.update(section.named)
+                texts.update(section.named)
             elif heading != "Try":
-                found.update(section.named.values())
+                texts.update(section.named.values())
             if heading.endswith("}"):
-                found.add(heading.rpartition(" {#")[0])
-        return found
+                texts.add(heading.rpartition(" {#")[0])
+        return texts
