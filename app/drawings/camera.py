@@ -239,8 +239,8 @@ class CameraDrawing(Layer):
         """The arrows that are named, and where each starts and ends, (n, 2, 3)."""
         if "camera" in self._canvas.hidden:
             return (), np.empty((0, 2, 3))
-        eye, (arrows, ways) = self._state.standing.eye, self.arrows
-        ends = np.stack([np.tile(eye, (len(ways), 1)), eye + ways], axis=1)
+        eye, (arrows, offsets) = self._state.standing.eye, self.arrows
+        ends = np.stack([np.tile(eye, (len(offsets), 1)), eye + offsets], axis=1)
         if self._state.step is None:  # a frame can be shown without the letters of its axes
             shown = [name in self._state.names for name in arrows]
             arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
@@ -268,9 +268,9 @@ class CameraDrawing(Layer):
         ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
 
     def targets(self) -> Targets:
-        state, (arrows, ways) = self._state, self.arrows
+        state, (arrows, offsets) = self._state, self.arrows
         at = state.standing
-        points = np.vstack([at.eye, at.target, at.eye + ways])
+        points = np.vstack([at.eye, at.target, at.eye + offsets])
         eye, target, *tips = state.own.pane.pointed(points)
         points_at = [(frozenset(("eye",)), eye)]
         if self.shows_target or state.is_live:  # a hand takes hold of it there

@@ -188,13 +188,13 @@ class Board:
 
     def _show(self, placed: Mapping[Hashable, PlacedLabel]) -> None:
         for key, (label, leader) in self._labels.items():
-            found = placed.get(key)
-            label.set_visible(found is not None)
-            if found is not None:
-                label.set_position(*found.centre, found.turn)
+            spot = placed.get(key)
+            label.set_visible(spot is not None)
+            if spot is not None:
+                label.set_position(*spot.centre, spot.turn)
             leader.begin()
-            if found is not None and found.leader is not None:
-                leader.add(*found.leader)
+            if spot is not None and spot.leader is not None:
+                leader.add(*spot.leader)
             leader.end()
 
     # -- in time

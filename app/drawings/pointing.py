@@ -191,7 +191,7 @@ def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]
     `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
     the hand's precision. Of equally near things the first counts.
     """
-    best, found = _POINT_EM * em, NOTHING
+    best, pointed = _POINT_EM * em, NOTHING
     for names, spot in chain.from_iterable(each.points for each in targets):
         away = math.dist(spot[:2], place)
         if away < best:  # never for NaN
@@ -202,16 +202,16 @@ def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]
     for names, start, end in chain.from_iterable(each.segments for each in targets):
         away = _from_segment(place, start, end)
         if away < best:
-            best, found = away, names
-    if found:
-        return found
+            best, pointed = away, names
+    if pointed:
+        return pointed
     foremost = math.inf
     for corners in (each.corners for each in targets if each.corners):
         for name, face in FACES.items():
             order = _order_in(place, [corners[i] for i in face])
             if order < foremost:
-                foremost, found = order, frozenset((name,))
-    return found
+                foremost, pointed = order, frozenset((name,))
+    return pointed
 
 
 def _from_segment(place: tuple[float, float], start: Spot, end: Spot) -> float:

@@ -43,4 +43,4 @@ def standing(
         seen=seen, **options,
     )  # fmt: skip
     # Compared pictures have a world each.
-    return max(found, key=lambda views: views[0].distance)
+    return max(cameras, key=lambda each: each[0].distance)

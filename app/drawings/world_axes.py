@@ -111,7 +111,7 @@ class WorldAxes(Layer):
         if axes is None:
             return Targets()
         pane = self._state.own.pane
-        origin, *ends = pane.pointed(np.vstack([axes.origin, axes.origin + axes.ways]))
+        origin, *ends = pane.pointed(np.vstack([axes.origin, axes.ends]))
         segments: list[Segment] = [
             (frozenset((name,)), origin, end) for name, end in zip(axes.shafts, ends, strict=True)
         ]
