@@ -19,9 +19,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
 
-from app.drawings.actors import PropGroup, identity_camera, unlit_actor
+from app.drawings.actors import identity_camera, unlit_actor
 from app.drawings.off_screen import OffScreen, pixels_of, take_screen
 from app.drawings.precision import ModelActors
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal

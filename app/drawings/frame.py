@@ -14,7 +14,8 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import PropGroup, Space, put_in_front
+from app.drawings.actors import Space, put_in_front
+from app.drawings.prop_group import PropGroup
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array, Camera

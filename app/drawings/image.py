@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings import AXES
-from app.drawings.actors import PropGroup, identity_camera
+from app.drawings.actors import identity_camera
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.label_placement import Ground
@@ -25,6 +25,7 @@ from app.drawings.moved_vertices import MovedVertices
 from app.drawings.picture_frame import ImageState, PictureFrame
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import ImageProbes
+from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import Rasteriser
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
@@ -180,7 +181,8 @@ class ImageDrawing(Drawing):
         finer: int = 1,
     ) -> None:
         canvas, self._picture = PropGroup(screen, style, self._layout), vtkRenderer()
-        self.state = state = ImageState(canvas, scene, words, self._picture, framed=framed)
+        self.state = state = ImageState(canvas, scene, words, self._picture)
+        state.has_frame = framed
         self.names, self.board = state.names, state.board
         self._hidden: frozenset[str] = frozenset()
         self._add_picture(style)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from app.drawings.actors import PropGroup, ScreenCells
+from app.drawings.actors import ScreenCells
 from app.drawings.label import SceneLabel
 from app.drawings.label_placement import (
     NOWHERE,
@@ -28,6 +28,7 @@ from app.drawings.label_placement import (
     place,
 )
 from app.drawings.pane_view import Spot
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.formula import ARROW
 from app.model.projection import Array

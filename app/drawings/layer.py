@@ -15,18 +15,19 @@ How a change reaches the screen::
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
 from app.document.naming import named_in
-from app.drawings.actors import Detail, PropGroup, SceneActors
+from app.drawings.actors import Detail, SceneActors
 from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import Emphasis, Targets, pointed_at
+from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import textured
 from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM
@@ -58,6 +59,8 @@ class Placing(NamedTuple):
 class PaneState:
     """What the layers of one pane share: where they draw, and what the pane shows."""
 
+    pane: ClassVar[str]
+    """One of `app.document.view.PANES`."""
     objects = NO_POINTS
     """The corners of the box round the objects, in the coordinates of the pane's actors."""
     written: frozenset[str] = frozenset()
@@ -66,18 +69,12 @@ class PaneState:
     """The things whose names mean others now."""
 
     def __init__(
-        self,
-        pane: str,
-        canvas: PropGroup,
-        scene: Scene,
-        words: Mapping[str, str],
-        renderer: Any = None,
+        self, canvas: PropGroup, scene: Scene, words: Mapping[str, str], renderer: Any = None
     ) -> None:
-        self.pane, self.canvas, self.scene, self.words = pane, canvas, scene, words
-        self.renderer = renderer
+        self.canvas, self.scene, self.words, self.renderer = canvas, scene, words, renderer
         self.style, self.em = canvas.style, canvas.style.font_size
         self.origin = np.array(scene.origin, dtype=np.float64)
-        self.names = Names(named_in(pane, scene))
+        self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
         self.silhouette = Silhouette(scene, self.em)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from app.drawings import AXES
-from app.drawings.actors import PropGroup, Space, face_actor, lifted, line_actor
+from app.drawings.actors import Space, face_actor, lifted, line_actor
 from app.drawings.drawing import Rectangle
 from app.drawings.labels import room
 from app.drawings.layer import Layer, PaneState, Placing
@@ -18,7 +18,6 @@ from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array
 from app.picking.picking import Sight
-from app.scenes.scene import Scene
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near
@@ -29,20 +28,11 @@ _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 class ImageState(PaneState):
     """What the layers of the image pane share: where the picture is in the pane.
 
-    Without `framed` the picture has no border, no axes and no margins.
+    A picture without a frame has no border, no axes and no margins.
     """
 
-    def __init__(
-        self,
-        canvas: PropGroup,
-        scene: Scene,
-        words: Mapping[str, str],
-        picture: Any,
-        *,
-        framed: bool,
-    ) -> None:
-        super().__init__("image", canvas, scene, words, picture)
-        self.has_frame = framed
+    pane = "image"
+    has_frame = True
 
     def rectangle_in(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
         left, top, right, bottom = self._margins_px if self.has_frame else (0, 0, 0, 0)

@@ -14,9 +14,10 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_EDGES, PropGroup, Space, face_actor, line_actor, point_actor
+from app.drawings.actors import CUBE_EDGES, Space, face_actor, line_actor, point_actor
 from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array

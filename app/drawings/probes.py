@@ -21,10 +21,11 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
-from app.drawings.actors import PropGroup, Space, actor_2d, lift_lines, line_actor
+from app.drawings.actors import Space, actor_2d, lift_lines, line_actor
 from app.drawings.label_placement import Ground
 from app.drawings.labels import PROBE
 from app.drawings.layer import Layer, PaneState
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector

@@ -24,7 +24,7 @@ from typing import Any
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from app.drawings.actors import PropGroup, fitting, lift_lines, make_pale
+from app.drawings.actors import fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, light_of_labels
 from app.drawings.label_placement import Ground
 from app.drawings.layer import FacesLayer, Layers
@@ -32,6 +32,7 @@ from app.drawings.marks import MarksDrawing
 from app.drawings.pane_view import Pose
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import StageProbes
+from app.drawings.prop_group import PropGroup
 from app.drawings.stage_box import StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import Style

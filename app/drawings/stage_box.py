@@ -16,7 +16,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     CUBE_EDGES,
-    PropGroup,
     Space,
     face_actor,
     fitting,
@@ -40,6 +39,7 @@ from app.drawings.pointing import (
     outline,
     volume_edges,
 )
+from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
 from app.lecture.highlight import AXES, CORNERS, NOTHING, SIDES
@@ -76,8 +76,10 @@ class StageState(PaneState):
     shown, (4, 4), 0 without one.
     """
 
+    pane = "ndc"
+
     def __init__(self, canvas: PropGroup, scene: Scene, words: Mapping[str, str]) -> None:
-        super().__init__("ndc", canvas, scene, words)
+        super().__init__(canvas, scene, words)
         self.own = StageView(canvas, scene.start.camera, scene.cube_side)
         self.position = float(NDC)
         self.stop, self.display_from_box = NDC, np.zeros((4, 4))

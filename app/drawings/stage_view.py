@@ -10,8 +10,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.drawings.actors import CUBE_CORNERS, PropGroup, axes_of
+from app.drawings.actors import CUBE_CORNERS, axes_of
 from app.drawings.pane_view import PaneCamera
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW, WORLD
 from app.model.projection import Array, Camera, Projection

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from app.drawings.actors import PropGroup, SceneActors, make_pale
+from app.drawings.actors import SceneActors, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
 from app.drawings.drawing import Drawing, Handles, light_of_labels
@@ -26,6 +26,7 @@ from app.drawings.marks import MarksDrawing
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
 from app.drawings.probes import WorldProbes
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import CameraPose, WorldState
@@ -35,10 +36,7 @@ from app.picking.handles import Handle, nearest
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = (
-    3.0,
-    1.1,
-)  # of the extent: the largest frustum that is framed whole; else this much of it
+_WHOLE, _NEARBY = 3.0, 1.1  # of the extent: the largest frustum framed whole; or so much of it
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
 _WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them

@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.drawings.actors import PropGroup
 from app.drawings.dimensions import written
 from app.drawings.layer import PaneState, Placing
 from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
+from app.drawings.prop_group import PropGroup
 from app.lecture.highlight import AXES, WINDOW
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.picking import Sight
@@ -47,10 +47,8 @@ class DrawnDepths(NamedTuple):
     high: float
     near: float  # where the planes are drawn, low <= near < far <= high
     far: float
-    near_break: (
-        tuple[float, float] | None
-    )  # where edges are broken, if a plane is not at its own distance
-    far_break: tuple[float, float] | None
+    near_break: tuple[float, float] | None  # where edges are broken, if a plane is not at its own
+    far_break: tuple[float, float] | None  # distance
 
     @property
     def body(self) -> tuple[float, float]:
@@ -82,8 +80,10 @@ class WorldState(PaneState):
     `step` is the step of the frame's construction, and `light` how bright the frustum is meanwhile.
     """
 
+    pane = "world"
+
     def __init__(self, canvas: PropGroup, scene: Scene, words: Mapping[str, str]) -> None:
-        super().__init__("world", canvas, scene, words)
+        super().__init__(canvas, scene, words)
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0

@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from app.drawings.label_placement import beside
+from app.drawings.curve_names import beside
 from app.drawings.style import LIGHT
 from app.measure.meaning import meaning
 from app.measure.results import (

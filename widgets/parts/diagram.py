@@ -40,7 +40,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.drawings.label_placement import GAP_PX, beside, beside_curve
+from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from widgets.parts.highlight import faded
