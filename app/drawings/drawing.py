@@ -47,12 +47,14 @@ class Handles:
 
     `held` is highlighted, and stays visible while it moves. `shown` are those that can be taken,
     with their pixels from the pane's top left. `planes_drawn` are the distances from the eye plane
-    at which near and far are drawn; (0, 1) without planes.
+    at which near and far are drawn; (0, 1) without planes. `has_object` if the object shows its
+    axes, which have handles.
     """
 
     held: Handle | None = None
     shown: Sequence[tuple[Handle, Spot]] = ()
     planes_drawn = 0.0, 1.0
+    has_object = False
 
     def call(self, names: frozenset[str]) -> None:
         """Show the handles with these names or settings, though nothing is on them."""
@@ -203,10 +205,6 @@ class Drawing:
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes even where they coincide with the world's."""
-
-    @property
-    def has_object_axes(self) -> bool:
-        return False
 
     def hold(self, handle: Handle | None) -> None:
         """Highlight a handle, and keep it visible while it moves."""

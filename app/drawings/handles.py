@@ -87,6 +87,7 @@ class HandleMarks(Handles, Layer):
         """Find the visible handles, and mark them."""
         state, axes = self._state, self._axes.of_object
         size_px, self.planes_drawn = state.size_px, state.planes_drawn
+        self.has_object = axes is not None
         handles: Sequence[tuple[Handle, Spot]] = ()
         if "handles" not in state.canvas.hidden:
             handles = shown(

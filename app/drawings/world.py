@@ -149,10 +149,6 @@ class WorldDrawing(Drawing):
             self.axes.show_names()
             self._follow_pane(afresh=True)
 
-    @property
-    def has_object_axes(self) -> bool:
-        return self.axes.has_object
-
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.state.hidden = hidden
         before = self.own.around

@@ -168,7 +168,7 @@ class Manipulation(Gestures, QObject):
         projection = self._projection
         if handle.name == "object":
             drawing = self._world.drawing
-            is_gone = drawing is None or not drawing.has_object_axes
+            is_gone = drawing is None or not drawing.handles.has_object
         else:
             is_gone = not projection.has_camera
             if handle.face:
