@@ -110,7 +110,7 @@ class Drawing:
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self.layers.show_highlight(highlighted)
         is_new = self.state.emphasis.show(highlighted - self.state.strangers) or of_scene
-        if of_scene or (before != highlighted and not self.names.all):
+        if self.state.renames(before ^ highlighted, of_scene):
             self._show_named()
         return is_new
 

@@ -112,6 +112,10 @@ class PaneState:
         """How the pane looks at the world now, for picking."""
         raise NotImplementedError
 
+    def renames(self, changed: Highlight, of_scene: bool) -> bool:
+        """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
+        return bool(changed) and not self.names.all
+
     def seen(self, points: Array) -> Sequence[Spot]:
         """Where points of the pane's actors, (n, 3), are in its renderer."""
         raise NotImplementedError

@@ -16,7 +16,7 @@ from app.drawings.layer import PaneState, Placing
 from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
-from app.lecture.highlight import AXES, WINDOW
+from app.lecture.highlight import AXES, SIDES, WINDOW, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.picking import Sight
 from app.scenes.phenomena.illustration import Illustration
@@ -170,6 +170,13 @@ class WorldState(PaneState):
         away = np.linalg.norm(points - self.standing.eye, axis=1)
         near: Array = points[away <= _FARTHEST_MARK * self.standing.extent]
         return near
+
+    def renames(self, changed: Highlight, of_scene: bool) -> bool:
+        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
+        if self.step is None:
+            drawn |= set(AXES)
+        wanted = drawn if self.names.wanted is None else self.names.wanted
+        return of_scene or bool(changed & drawn - wanted)
 
     @property
     def left_out(self) -> frozenset[str]:

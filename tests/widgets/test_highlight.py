@@ -14,7 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document.view import EVERYTHING
-from app.drawings.pointing import pointed_at, volume_edges
+from app.drawings.pointing import Targets, pointed_at, volume_edges
 from app.lecture.highlight import CORNERS, NOTHING, OBJECT_AXES, corner_at, made_of
 from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
@@ -143,6 +143,7 @@ def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, 
 def test_the_nearest_point_then_line_then_face() -> None:
     corners = box()
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+    targets = Targets(points, volume_edges(corners), corners)
     for place, named in (
         ((101.0, 58.0), {"near_right_bottom"}),
         ((50.0, 61.0), {"near"}),  # its lower edge
@@ -150,25 +151,27 @@ def test_the_nearest_point_then_line_then_face() -> None:
         ((85.0, 10.0), {"right", "top"}),
         ((200.0, 200.0), set()),
     ):
-        assert pointed_at(place, 13.0, points, volume_edges(corners), corners) == named
+        assert pointed_at(place, 13.0, [targets]) == named
 
 
 @pytest.mark.parametrize("order", [1, -1])
 def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
     points = [(frozenset((name,)), (x, 0.0, 0.0)) for name, x in (("u", 2.0), ("v", -5.0))]
-    assert pointed_at((0.0, 0.0), 13.0, points[::order], [], []) == {"u"}
+    assert pointed_at((0.0, 0.0), 13.0, [Targets(points[::order])]) == {"u"}
 
 
 def test_a_point_without_a_place_is_not_highlighted() -> None:
     nowhere = [(math.nan, math.nan, math.nan)] * 8
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
-    assert pointed_at((5.0, 5.0), 13.0, points, volume_edges(nowhere), nowhere) == NOTHING
+    assert (
+        pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere), nowhere)]) == NOTHING
+    )
 
 
 def test_the_frontmost_face_by_its_depth_there() -> None:
     corners = box()
     behind = [(x, y, 2.0 - order) for x, y, order in corners]  # now the far face is in front
-    assert pointed_at((50.0, 30.0), 13.0, (), (), behind) == {"far"}
+    assert pointed_at((50.0, 30.0), 13.0, [Targets(corners=behind)]) == {"far"}
 
 
 # -- from a control to the panes
