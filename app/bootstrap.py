@@ -942,9 +942,11 @@ def for_good() -> Iterator[None]:
     Otherwise Python collects some 500 times while it imports VTK and Qt, which is a tenth of the
     time to the first frame, and later in the middle of a drag, for the duration of three frames.
     """
+    is_on = gc.isenabled()
     gc.disable()
     try:
         yield
     finally:
         gc.freeze()
-        gc.enable()
+        if is_on:
+            gc.enable()

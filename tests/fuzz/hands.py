@@ -476,6 +476,7 @@ def in_a_window(folder: Path, options: argparse.Namespace) -> int:
     logging.getLogger().addHandler(hands.findings)
     watch = ExceptionWatch(log_path())
     watch.install()
+    application.collect_when_idle()
     hands.open()
     hands.beat()
     qt.exec()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import logging
 import math
@@ -17,9 +18,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QStandardPaths
+from PySide6.QtCore import QEventLoop, QStandardPaths, QTimer
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from app import bootstrap
 from app.bootstrap import ROOT
 from app.commands.cli import main
 from app.document.codec import to_json
@@ -995,3 +997,36 @@ def test_the_tool_that_uses_the_window_starts_and_finds_nothing_at_once() -> Non
     command = [sys.executable, "-m", "tests.fuzz", "hands", "--minutes", "0.01", "--seed", "1"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0 and " 0 findings" in done.stdout, done.stdout + done.stderr
+
+
+class Kept:
+    """Garbage that only a collection finds, such as a widget with a closure over itself."""
+
+    def __init__(self, gone: list[threading.Thread]) -> None:
+        self.own, self._gone = self, gone
+
+    def __del__(self) -> None:
+        self._gone.append(threading.current_thread())
+
+
+@pytest.mark.usefixtures("display")
+def test_no_other_thread_destroys_the_window_s_garbage() -> None:
+    gone, made = list[threading.Thread](), list[list[int]]()
+    undo = application.collect_when_idle()
+    try:
+        Kept(gone)
+        thread = threading.Thread(target=lambda: made.extend([n] for n in range(200_000)))
+        thread.start()
+        thread.join()
+        assert not gone
+        for _ in range(3):
+            made.extend([n] for n in range(10_000))
+            loop = QEventLoop()
+            QTimer.singleShot(20, loop.quit)
+            loop.exec()
+        with bootstrap.for_good():
+            pass
+        assert not gc.isenabled()
+    finally:
+        undo()
+    assert gone == [threading.main_thread()] and gc.isenabled()

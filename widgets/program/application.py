@@ -12,6 +12,7 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 
 from __future__ import annotations
 
+import gc
 import locale
 import logging
 import logging.handlers
@@ -29,6 +30,7 @@ from typing import TYPE_CHECKING, Any
 
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
+    QAbstractEventDispatcher,
     QCoreApplication,
     QEvent,
     QEventLoop,
@@ -144,6 +146,28 @@ def close_on_interrupt(application: QApplication) -> Callable[[], None]:
     return undo
 
 
+def collect_when_idle() -> Callable[[], None]:
+    """Let Python collect garbage only while the window waits; return a function that undoes it.
+
+    Python would collect in any thread, and Qt may crash if another thread destroys a widget.
+    """
+    dispatcher = QAbstractEventDispatcher.instance()
+
+    def collect() -> None:
+        pairs = zip(gc.get_count(), gc.get_threshold(), strict=True)
+        due = [each for each, (count, most) in enumerate(pairs) if 0 < most < count]
+        if due:
+            gc.collect(due[-1])
+
+    def undo() -> None:
+        dispatcher.aboutToBlock.disconnect(collect)
+        gc.enable()
+
+    gc.disable()
+    dispatcher.aboutToBlock.connect(collect)
+    return undo
+
+
 def run_window(
     document: Document,
     saved: Document,
@@ -185,7 +209,7 @@ def run_window(
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
     watch.install()
-    undo_interrupt = close_on_interrupt(application)
+    undo_interrupt, undo_idle = close_on_interrupt(application), collect_when_idle()
     try:
         log.info(
             "Frustum Lab %s, Python %s, PySide6 %s, %s, OpenGL %s on %s",
@@ -240,6 +264,7 @@ def run_window(
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     finally:
         undo_interrupt()
+        undo_idle()
         watch.remove()
         qInstallMessageHandler(None)
     return 1 if any(failed) else 0
