@@ -227,14 +227,14 @@ def _ensure_system(missing: Sequence[System]) -> None:
     if not _is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
     packages = _packages(missing)
-    _say(f"this system lacks {' '.join(packages)}")
+    _log(f"this system lacks {' '.join(packages)}")
     with _stoppable(), _Activity() as progress:
         for text, command in (
             # An unreachable repository is no reason to stop: the necessary one may be reachable.
             ("updating the list of system packages", ["apt-get", "update"]),
             ("installing system packages", [*_APT_INSTALL, *packages]),
         ):
-            progress.say(text)
+            progress.show(text)
             done = subprocess.run(
                 command,
                 env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
@@ -421,19 +421,19 @@ class Environment:
             if self.is_complete():  # another start has just finished it
                 return
             if self.can_be_kept():
-                held.say(f"bringing {self.folder} up to date")
+                held.show(f"bringing {self.folder} up to date")
                 self._install(held)
             else:
                 if shutil.disk_usage(self.root).free < SPACE_GB * 1e9:
                     raise _no_space(self.root)
-                held.say(f"first start: setting up {self.folder} (once; needs the network)")
+                held.show(f"first start: setting up {self.folder} (once; needs the network)")
                 self._make_anew(held)
             lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("".join(lines), encoding="utf-8")
             fresh.replace(self.stamp)
             self._bring_back()
-        _say(f"set up in {time.monotonic() - started:.0f} s")
+        _log(f"set up in {time.monotonic() - started:.0f} s")
 
     def _make_anew(self, held: HeldLock) -> None:
         if self.read_stamp() in (None, _UNFINISHED):
@@ -542,7 +542,7 @@ class Environment:
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
         if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            held.say("the tested versions cannot be installed on this machine: trying others")
+            held.show("the tested versions cannot be installed on this machine: trying others")
             status, output = self._pip(held, [*pip, *wanted])
         if status != 0:
             to_do = f"check the network and run again: {_command_again()}"
@@ -572,13 +572,13 @@ class Environment:
             if line.startswith(_INSTALLING):  # everything is downloaded: pip changes nothing before
                 self.mark_unfinished()
                 before, count = self._installed(), line.count(",") + 1
-                held.say(
+                held.show(
                     f"  installing packages: {count}",
                     lambda: f"{max(0, self._installed() - before)} done",
                 )
             elif (text := _progress(line)) is not None and text not in told:
                 told.add(text)
-                held.say(f"  {text}")
+                held.show(f"  {text}")
 
         return held.run(command, follow), output
 
@@ -656,13 +656,13 @@ class _Activity:
         self._thread.join()
         self._end_line()
 
-    def say(self, text: str, more: Callable[[], str] = str) -> None:
+    def show(self, text: str, more: Callable[[], str] = str) -> None:
         """Set the current activity; `more` returns its progress."""
         with self._lock:
             if text != self._text:
                 self._end_line()
                 self._text, self._more, self._since = text, more, time.monotonic()
-                self._write() if self._live else _say(text)
+                self._write() if self._live else _log(text)
 
     def _tick(self) -> None:
         while not self._over.wait(TICK_S if self._live else TICK_ELSEWHERE_S):
@@ -675,7 +675,7 @@ class _Activity:
         how_far = [self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
         end = "".join(f", {part}" for part in how_far if part)
         if not self._live:
-            _say(self._text + end)
+            _log(self._text + end)
             return
         room = max(0, shutil.get_terminal_size().columns - len("frustum-lab: ") - 1)
         line = f"{self._text[: max(0, room - len(end))]}{end}".ljust(room)
@@ -738,7 +738,7 @@ def _lock(path: Path) -> Iterator[HeldLock]:
 
     with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
-            _say("another start is setting up Frustum Lab; waiting for it to finish")
+            _log("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
                 time.sleep(0.2)
         with HeldLock(file) as held:
@@ -858,8 +858,8 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         lacking = environment.still_lacks()
         if lacking is None:
             raise
-        _say(f"{error}")
-        _say(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
+        _log(f"{error}")
+        _log(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
         how = _AS_IT_IS
     os.environ[_AGAIN] = how
     again(environment.python)
@@ -888,13 +888,13 @@ def _stoppable() -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        _say(f"the set-up was stopped; to go on: {_command_again()}")
+        _log(f"the set-up was stopped; to go on: {_command_again()}")
         raise
 
 
 def fail(sentence: str) -> NoReturn:
     """End the set-up, and say what the user can do."""
-    _say(sentence)
+    _log(sentence)
     raise SystemExit(EXIT_NOT_SET_UP)
 
 
@@ -930,7 +930,7 @@ def _command_again() -> str:
     return command_line([Path(sys.executable).name, *sys.orig_argv[1:]])
 
 
-def _say(text: str) -> None:
+def _log(text: str) -> None:
     if sys.stderr is not None:
         print(f"frustum-lab: {text}", file=sys.stderr, flush=True)
 

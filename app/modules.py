@@ -1,7 +1,7 @@
 """Where Python looks for modules: its own come first, whatever surrounds the start.
 
 The current folder and PYTHONPATH may hold a ``numpy`` or a ``random.py`` that is not Python's.
-Hence nothing is imported here but what no file can hide.
+Hence this module imports only modules that no file can hide.
 """
 
 from __future__ import annotations

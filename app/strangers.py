@@ -63,7 +63,7 @@ def decode(content: bytes) -> tuple[str, str]:
         return content.decode(encoding, "replace"), DAMAGED
 
 
-def warn(path: str | os.PathLike[str], note: str) -> None:
+def log_warning(path: str | os.PathLike[str], note: str) -> None:
     """Log the note on a file's encoding, if there is one."""
     if note:
         import logging  # seldom: not at the start

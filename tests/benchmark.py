@@ -40,10 +40,8 @@ def main() -> int:
     if options.inside:
         print(json.dumps(PARTS[options.inside](0.1 if options.quick else 1.0)))
         return 0
-    # The libraries that the points are compared with are wanted for that only.
-    extras = ("test", "bench") if options.only in (None, "points") else ("test",)
     figures: dict[str, Any] = {}
-    with at_home(extras) as environment:
+    with at_home() as environment:
         for part in [options.only] if options.only else PARTS:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]
             command += ["--quick"] if options.quick else []
@@ -638,193 +636,6 @@ def until_seen(command: list[str], environment: dict[str, str]) -> tuple[float, 
     return whole, dock
 
 
-def project_points(scale: float) -> dict[str, Any]:
-    """``project`` of 10 000 points against a script that writes the same columns as CSV.
-
-    Whole processes in turn, from start to end.
-    """
-    import numpy as np
-
-    path = Path(os.environ["HOME"]) / "points.csv"
-    world = np.random.default_rng(1).uniform(-4.0, 4.0, (10_000, 3)).tolist()
-    path.write_text("x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in world))
-    commands = {"script": ["-c", SAME_COLUMNS, str(path)]} | {
-        form: ["-m", "app", "project", str(path), "--format", form]
-        for form in ("table", "csv", "json")
-    }
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
-    times: dict[str, list[float]] = {name: [] for name in commands}
-    for turn in range(1 + max(3, round(10 * scale))):
-        for name, command in commands.items():
-            began = time.perf_counter()
-            subprocess.run(
-                [sys.executable, *command], check=True, cwd=bootstrap.ROOT, env=environment,
-                stdout=subprocess.DEVNULL,
-            )  # fmt: skip
-            if turn:
-                times[name].append(time.perf_counter() - began)
-    script = times.pop("script")
-    return {
-        f"10000 points as {name} / a numpy script (median of pairs)": round(
-            p50([mine / its for mine, its in zip(found, script, strict=True)]), 2
-        )
-        for name, found in times.items()
-    }
-
-
-SAME_COLUMNS = """
-import sys
-import numpy as np
-
-points = np.loadtxt(sys.argv[1], delimiter=",", ndmin=2, skiprows=1)
-eye, target, up = np.array([6.0, 5.0, 9.0]), np.array([0.0, 2.2, 0.0]), np.array([0.0, 1.0, 0.0])
-n = eye - target
-n /= np.linalg.norm(n)
-u = np.cross(up, n)
-u /= np.linalg.norm(u)
-v = np.cross(n, u)
-view = (points - eye) @ np.array([u, v, n]).T
-near, far, width, height = 1.0, 30.0, 1280, 720
-cot = 1.0 / np.tan(np.radians(45.0) / 2.0)
-w = -view[:, 2]
-clip = np.column_stack([
-    cot * height / width * view[:, 0], cot * view[:, 1],
-    -(far + near) / (far - near) * view[:, 2] - 2 * far * near / (far - near), w])
-ndc = clip[:, :3] / w[:, None]
-image = np.column_stack([(ndc[:, 0] + 1) * width / 2, (1 - ndc[:, 1]) * height / 2])
-depth = (ndc[:, 2] + 1) / 2
-outside = [w < near, w > far, clip[:, 0] < -w, clip[:, 0] > w, clip[:, 1] < -w, clip[:, 1] > w]
-names = ["near", "far", "left", "right", "bottom", "top"]
-columns = np.column_stack([points, view, clip, ndc, image, depth]).tolist()
-out = ["world_x,world_y,world_z,view_x,view_y,view_z,clip_x,clip_y,clip_z,clip_w,ndc_x,ndc_y,ndc_z,"
-       "image_x_px,image_y_px,depth,inside,outside_of\\n"]
-for row, beyond in zip(columns, np.array(outside).T.tolist()):
-    where = " ".join(name for name, is_beyond in zip(names, beyond) if is_beyond)
-    if row[9] > 0:
-        cells = ",".join(map(repr, row))
-    else:
-        cells = ",".join(map(repr, row[:10])) + ",,,,,,"
-    out.append(f"{cells},{'false' if where or row[9] <= 0 else 'true'},{where}\\n")
-sys.stdout.write("".join(out))
-"""
-
-
-# --------------------------------------------------------------------------- memory
-
-
-# --------------------------------------------------------------------------- projecting points
-
-SIZES = (8, 1000, 1_000_000)
-
-
-def points(scale: float) -> dict[str, Any]:
-    """Following points through every stage, as the program does, against what others do; and
-    beside a renderer.
-
-    Others only make the picture. Each gets the points as its own kind of array and the picture's
-    matrix ready made, and what it answers is checked.
-    """
-    import numpy as np
-
-    from app.measure.arithmetic import peers, timed_projections
-    from app.model.projection import Projection
-
-    projection = Projection()
-    figures: dict[str, Any] = {}
-    for size in SIZES:
-        world = np.random.default_rng(1).uniform(-2.0, 2.0, (size, 3))
-        every, missing = peers(projection, world)
-        every |= timed_projections(projection, world, (0.0, 0.0, 0.0))
-        ours = every.pop("float64, every stage")
-        every.pop("exact")
-        expected = np.asarray(ours.rows(ours.run()))
-        for name, way in every.items():
-            tolerance = 1e-3 if name.startswith("float32") else 1e-9
-            answer = np.asarray(way.rows(way.run()))
-            np.testing.assert_allclose(answer, expected, rtol=tolerance, err_msg=name)
-        runs = {"ours": ours.run} | {name: way.run for name, way in every.items()}
-        calls = max(1, 5_000 // size)
-        turns = max(5, round(scale * (20 if size == 1_000_000 else 100)))
-        medians = {name: p50(times) for name, times in calls_in_turn(runs, calls, turns).items()}
-        own = medians.pop("ours")
-        figures[f"{size} points: ours (ns a point, median)"] = round(1e9 * own / size, 1)
-        for name, median in medians.items():
-            figures[f"{size} points: {name} / ours"] = round(median / own, 3)
-    if missing:
-        figures["not there"] = f"{', '.join(missing)}; pip install '.[bench]' brings them"
-    return figures | beside_a_renderer(projection, max(100, round(2000 * scale)))
-
-
-def calls_in_turn(
-    runs: dict[str, Callable[[], Any]], calls: int, turns: int
-) -> dict[str, list[float]]:
-    """Seconds a call of each, so many calls one after the other, turn after turn."""
-    times: dict[str, list[float]] = {name: [] for name in runs}
-    for turn in range(turns + 2):
-        for name, run in runs.items():
-            began = time.perf_counter()
-            for _ in range(calls):
-                run()
-            if turn >= 2:
-                times[name].append((time.perf_counter() - began) / calls)
-    return times
-
-
-def beside_a_renderer(projection: Any, calls: int) -> dict[str, Any]:
-    """How far single calls on 100 000 points lie above their median, without and with a renderer.
-
-    A loop that does nothing else for as long shows what the scheduler does to everybody.
-    """
-    import numpy as np
-
-    world = np.random.default_rng(1).uniform(-2.0, 2.0, (100_000, 3))
-
-    def idle_loop(seconds: float) -> None:
-        until = time.perf_counter() + seconds
-        while time.perf_counter() < until:
-            pass
-
-    figures = {}
-    for beside in ("nothing", "a software renderer"):
-        renderer = None
-        if beside != "nothing":
-            renderer = subprocess.Popen(
-                [sys.executable, "-c", RENDERER], cwd=bootstrap.ROOT, stdout=subprocess.PIPE
-            )
-            assert renderer.stdout is not None and renderer.stdout.readline() == b"drawn\n"
-        try:
-            projection.trace(world)
-            began = time.perf_counter()
-            projection.trace(world)
-            length = time.perf_counter() - began
-            runs = {
-                "ours": lambda: projection.trace(world),
-                "an empty loop as long": lambda length=length: idle_loop(length),
-            }
-            for name, times in calls_in_turn(runs, 1, calls).items():
-                p99 = statistics.quantiles(times, n=100)[-1]
-                figures[f"100000 points beside {beside}, {name}: median, p99, max (ms)"] = ms(
-                    p50(times), p99, max(times)
-                )
-        finally:
-            if renderer is not None:
-                renderer.kill()
-                renderer.wait()
-    return figures
-
-
-RENDERER = """
-import pyvista as pv
-plotter = pv.Plotter(off_screen=True, window_size=(1600, 900))
-plotter.add_mesh(pv.Sphere(theta_resolution=300, phi_resolution=300))
-plotter.show(auto_close=False)
-print("drawn", flush=True)
-while True:
-    plotter.camera.azimuth += 1.0
-    plotter.render()
-"""
-
-
 def a_talk(steps: int) -> Path:
     """A talk of so many steps, over several scenes, two after the other in the same one."""
     scenes = ("letter-f", "posts", "view-volumes", "affine-depth", "cube")
@@ -901,8 +712,6 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "adaptive": adaptive,
     "measuring": measuring,
     "first-frame": first_frame,
-    "project": project_points,
-    "points": points,
 }
 
 

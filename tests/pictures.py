@@ -89,7 +89,7 @@ def draw(name: str, path: Path) -> None:
         trades = tuple(trade for trade in results.trades if trade.name == command[0])
         drawn = replace(results, trades=trades, sweeps=() if trades else results.sweeps)
         cost = "bytes" if "bytes" in command else "time"
-        path.write_bytes(chart.picture(drawn.by(cost), path.name))
+        path.write_bytes(chart.picture(drawn.by_cost(cost), path.name))
     elif command[0] == "export":
         assert cli.main([*command, str(path)]) == 0, name
     else:
@@ -103,7 +103,7 @@ def captioned(page: str) -> str:
 
     def caption(found: re.Match[str]) -> str:
         trade, cost, name = PICTURES[found[2]]
-        part = trades[trade].by(cost)
+        part = trades[trade].by_cost(cost)
         (choice,) = (c for c in part.choices if c.name == name)
         said = " ".join(filter(None, (meaning(part).sentence(), bargain(part, choice))))
         return "\n".join([found[1], *textwrap.wrap(f"*{said}*", 100)])

@@ -87,18 +87,15 @@ def add(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
 
 
 def subtract(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
-    """``a - b``."""
     return add(a, DoubleDouble(-b.hi, -b.lo))
 
 
 def multiply(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
-    """``a b``."""
     hi, lo = two_product(a.hi, b.hi)
     return _fast_two_sum(hi, lo + (a.hi * b.lo + a.lo * b.hi))
 
 
 def divide(a: DoubleDouble, b: DoubleDouble) -> DoubleDouble:
-    """``a / b``."""
     quotient = a.hi / b.hi
     whole = DoubleDouble(quotient, np.zeros_like(quotient))
     rest = subtract(a, multiply(b, whole))

@@ -34,7 +34,7 @@ _NATIVE = {"float64": np.float64, "float32": np.float32, "float16": np.float16}
 
 @dataclass(frozen=True)
 class Format:
-    """Numbers with a limited number of digits, of a limited size.
+    """Numbers of limited size with a limited number of digits.
 
     Attributes
     ----------
@@ -113,7 +113,7 @@ class Grid(NamedTuple):
     step: float
 
     @classmethod
-    def over(cls, box: ArrayLike, bits: int) -> Grid:
+    def of_box(cls, box: ArrayLike, bits: int) -> Grid:
         """The grid over a box, (2, 3): lower and upper corner."""
         lower, upper = np.asarray(box, dtype=np.float64)
         side = float((upper - lower).max())

@@ -43,8 +43,8 @@ class Quotients:
         shifts = np.where(values != 0.0, exponents - least, 0).astype(object)
         return cls(whole << shifts, 1 << -least)
 
-    def _with(self, other: Any) -> tuple[Any, Any, Any]:
-        """Return both numerators over one denominator, and this."""
+    def _on_common_base(self, other: Any) -> tuple[Any, Any, Any]:
+        """Return both numerators over a common denominator, and that denominator."""
         above, below = _parts(other)
         if below is self.below:
             return self.above, above, below
@@ -57,7 +57,7 @@ class Quotients:
         return Quotients(-self.above, self.below)
 
     def __add__(self, other: Any) -> Quotients:
-        mine, its, below = self._with(other)
+        mine, its, below = self._on_common_base(other)
         return Quotients(mine + its, below)
 
     def __sub__(self, other: Any) -> Quotients:

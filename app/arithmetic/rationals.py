@@ -24,7 +24,6 @@ def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
 
 
 def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
-    """The dot product."""
     return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
 
 

@@ -15,7 +15,7 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
-from app.commands.options import CANNOT_DRAW, CliError, check_file, complain
+from app.commands.options import CANNOT_DRAW, CliError, check_file, print_error
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on
 from app.document.settings import open_with, set_values
@@ -180,7 +180,7 @@ def load_scene(scene: str, mesh: str = "", file: str | None = None) -> Scene:
 def _load_once(load: Callable[..., Scene], scene: str, mesh: str) -> Scene:
     loaded = load(scene, mesh=mesh)
     for note in loaded.notes:
-        complain(str(note), 0)
+        print_error(str(note), 0)
     return loaded
 
 

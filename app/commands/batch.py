@@ -26,8 +26,8 @@ from app.commands.options import (
     SETTABLE,
     CliError,
     Parser,
-    complain,
     parser_of,
+    print_error,
     write_out,
 )
 from app.document.document import is_mesh
@@ -83,13 +83,13 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
             if options.resume and _is_new(target, *line.sources, file):
                 said = " is there already"
             elif warning := draw(asked, target, file):
-                complain(f"{line.where}: {warning}", 0)
+                print_error(f"{line.where}: {warning}", 0)
             about = _about(target)
         except (CliError, Refusal) as error:
             if getattr(error, "status", 0) == CANNOT_DRAW:
                 raise
             wrong = str(error)
-            complain(f"{line.where}: {wrong}", 0)
+            print_error(f"{line.where}: {wrong}", 0)
         entries.append((out, wrong, about))
         write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
     page = os.path.join(folder, INDEX)
@@ -174,7 +174,7 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
         content = content_of(source, LARGEST_LIST)
     text, note = decode(content)
     if note:
-        complain(f"{source} {note}.", 0)
+        print_error(f"{source} {note}.", 0)
     rows = csv.reader(io.StringIO(text, newline=""), skipinitialspace=True, strict=True)
     columns, begin, is_empty = list[str](), 1, True
     try:
@@ -284,7 +284,7 @@ def _is_new(target: str, *sources: str | None) -> bool:
 
 
 def _about(figure: str) -> str:
-    """Return what a figure says of itself; nothing if it says nothing."""
+    """Return the description that a figure's file holds; empty without one."""
     try:
         content = content_of(figure, LARGEST_PICTURE)
         if figure.lower().endswith(".png"):

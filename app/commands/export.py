@@ -19,7 +19,7 @@ from app.commands.arguments import (
     importing,
     load_scene,
 )
-from app.commands.options import CliError, complain, parser_of
+from app.commands.options import CliError, parser_of, print_error
 from app.document.codec import picture_json
 from app.document.document import Document
 from app.document.files import (
@@ -65,7 +65,7 @@ def run(arguments: Sequence[str]) -> int:
         draw = _draw_page
     warning = draw(options, out, files[0] if files else None)
     if warning:
-        complain(warning, 0)
+        print_error(warning, 0)
     return 0
 
 
@@ -105,7 +105,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     states = sweep.with_views(options, file, states)
     if names:
         first: dict[int, str] = {}
-        for name, state in zip(names, _told(order), strict=True):
+        for name, state in zip(names, _with_progress(order), strict=True):
             if state in first:
                 write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
             else:
@@ -130,7 +130,8 @@ def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     check_drawing()
     states = sweep.with_views(asked, file, states)
     with _of_options(options):
-        large = page.write(options, out, _told(states), states, scene, partial(_options, options))
+        frames = _with_progress(states)
+        large = page.write(options, out, frames, states, scene, partial(_options, options))
     return next(filter(None, [large, *warnings]), "")
 
 
@@ -238,7 +239,7 @@ def _write_film(
         from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
-    for frame in _told(frames):
+    for frame in _with_progress(frames):
         if id(frame) not in done:
             pixels = _pixels(options, frame, scene)
             json = picture_json(frame)
@@ -250,7 +251,7 @@ def _write_film(
     write_bytes_atomically(out, film)
 
 
-def _told(frames: Sequence[_Frame]) -> Iterator[_Frame]:
+def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
     """Yield each frame, and tell a terminal how many there are."""
     terminal = sys.stderr if sys.stderr is not None and sys.stderr.isatty() else None
     try:

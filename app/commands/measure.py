@@ -14,9 +14,9 @@ from app.commands.options import (
     CANNOT_DRAW,
     INTERRUPTED,
     CliError,
-    complain,
     parse_number,
     parser_of,
+    print_error,
     standard_output,
     write_out,
 )
@@ -67,7 +67,7 @@ def run(arguments: Sequence[str]) -> int:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
-            complain(f"{error} Not measured: {', '.join(left_out)}.", 0)
+            print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
             return CANNOT_DRAW
@@ -86,7 +86,7 @@ def run(arguments: Sequence[str]) -> int:
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
         if options.chart is not None:
-            drawn = chart.picture(results.by(options.cost), options.chart)
+            drawn = chart.picture(results.by_cost(options.cost), options.chart)
             write_bytes_atomically(options.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 
@@ -154,7 +154,7 @@ def _measured(results: Measurements, cost: str) -> Iterator[str]:
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(trade), str.ljust)
-        yield f"{meaning(trade.by(cost)).sentence()}\n\n"
+        yield f"{meaning(trade.by_cost(cost)).sentence()}\n\n"
     for sweep in results.sweeps:
         shown = "smallest gap in world units" if sweep.parameter in GAPS else "largest error in px"
         yield f"{sweep.parameter}, {shown}{'' if sweep.complete else ' (cancelled)'}\n"

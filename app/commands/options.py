@@ -85,7 +85,7 @@ class CliError(Exception):
         self.status = status
 
 
-def complain(sentence: str, status: int) -> int:
+def print_error(sentence: str, status: int) -> int:
     """Write a sentence to standard error, on one line, and return the exit status."""
     if sys.stderr is not None:
         print(printable(" ".join(sentence.split())), file=sys.stderr)
@@ -146,7 +146,7 @@ class Parser(argparse.ArgumentParser):
         self._names = names
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
-    def _print_message(self, message: str, _file: object = None) -> None:
+    def _print(self, message: str, _file: object = None) -> None:
         """Print the help or the version; argparse would ignore write errors."""
         write_out([message])
 
@@ -190,7 +190,6 @@ class Parser(argparse.ArgumentParser):
         return [action for action in self._actions if action.option_strings]
 
     def add_set(self) -> None:
-        """Add ``--set``."""
         self.add_argument(
             "--set",
             action="append",
@@ -652,7 +651,7 @@ def outcome(run: Callable[[], _Status]) -> _Status | int:
     try:
         return run()
     except CliError as error:
-        return complain(str(error), error.status)
+        return print_error(str(error), error.status)
     except SystemExit as done:  # argparse, after --help and --version
         return int(done.code or 0)
     except BrokenPipeError:  # the reader, such as “| head”, has closed the pipe

@@ -54,7 +54,7 @@ def write(
     scene: Scene,
     drawing: Callable[[Document], dict[str, Any]],
 ) -> str:
-    """Write the page of states, which `told` yields too; return a warning if it is large."""
+    """Write the page of states, which `told` yields too, and warn if it is large."""
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, SliderPosition, drawn, page

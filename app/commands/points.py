@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, Self
 
 from app import bootstrap
-from app.commands.options import CliError, complain, parse_number
+from app.commands.options import CliError, parse_number, print_error
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.numerals import plain
@@ -106,7 +106,7 @@ def read(source: str) -> Read:
     if layout is None or not points:
         raise CliError(f"{name} has no points: it must have rows of x,y,z.")
     if note:
-        complain(f"{name} {note}.", 0)
+        print_error(f"{name} {note}.", 0)
     names = layout.names_of_others(max(map(len, kept)))
     for others in kept:
         others.extend([""] * (len(names) - len(others)))

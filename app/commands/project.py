@@ -284,7 +284,7 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
             lines.append(shown % (f"point {number}", *values))
             if known < len(labels):
                 numbers_of = block.numbers[i, :before_ndc].tolist()
-                why = answer.why_lost if lost else _why_none(numbers_of)
+                why = answer.why_lost if lost else _why_no_picture(numbers_of)
                 lines += [f"{label:>10}  none: {why}\n" for label in labels[known:]]
             if lost:
                 lines.append(next(others))
@@ -310,7 +310,7 @@ def _printable(text: str) -> str:
     return "".join(letter if letter.isprintable() else "\ufffd" for letter in text)
 
 
-def _why_none(numbers: list[float]) -> str:
+def _why_no_picture(numbers: list[float]) -> str:
     """Say why a point has no picture, from its numbers up to clip space."""
     at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
     if w > 0.0:

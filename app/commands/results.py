@@ -11,7 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from app.commands.arguments import check_out
-from app.commands.options import BAD_INPUT, CliError, complain, write_out
+from app.commands.options import BAD_INPUT, CliError, print_error, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.course import idea_named
 from app.lessons.record import RIGHT, SHOWN, WRONG
@@ -21,8 +21,8 @@ from app.strangers import printable
 
 MOST_LISTED = 40
 """Most answers without an idea that are listed."""
-LONGEST_SAID = 70
-"""Most characters of what a lesson says to an idea of its own."""
+LONGEST_RESPONSE = 70
+"""Most characters of a lesson's response to an idea of its own."""
 COLUMNS = (
     "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
     "right", "note",
@@ -42,7 +42,7 @@ def results(options: argparse.Namespace, files: Sequence[str]) -> int:
         try:
             read_files.append((Path(file).name, read(file)))
         except Refusal as error:
-            complain(str(error), BAD_INPUT)
+            print_error(str(error), BAD_INPUT)
     marker = Marker()
     marks = [(name, each, list(map(marker.marked, each.attempts))) for name, each in read_files]
     if options.csv:
@@ -115,7 +115,7 @@ def _summary(students: Sequence[Sequence[RemarkedAnswer]]) -> Iterator[str]:
         title = f"  {known.title}" if known is not None else ""
         if lesson:
             says = next(each.says for each in answers if _idea(each) == key)
-            idea, title = f"{lesson}: {idea}", f"  {says[:LONGEST_SAID]}"
+            idea, title = f"{lesson}: {idea}", f"  {says[:LONGEST_RESPONSE]}"
         yield f"{ideas[key]:>5} {count:>4}  {idea}{title}"
     unexplained = Counter(
         (a.lesson, a.exercise, a.seed, a.typed, right)

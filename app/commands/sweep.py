@@ -140,7 +140,7 @@ def _position(part: float) -> float:
 
 
 def _eased(part: float) -> float:
-    """Return how far something is on a way that it begins and ends slowly, as in the window."""
+    """Ease a share of the way: begin and end slowly, as in the window."""
     return 0.5 - 0.5 * math.cos(math.pi * part)
 
 

@@ -37,7 +37,7 @@ def talk(arguments: Sequence[str]) -> int:
         raise CliError("--for: needs --handout OUT.pdf.")
     status = 0
     if options.check:
-        wrong, sums = _tried(file_of(name))
+        wrong, sums = _faults_and_warnings(file_of(name))
         write_out(f"{printable(line)}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if options.handout is not None and not status:
@@ -45,8 +45,8 @@ def talk(arguments: Sequence[str]) -> int:
     return status
 
 
-def _tried(path: Path) -> tuple[list[str], list[str]]:
-    """Return everything that is wrong with a talk, and the warnings and lines that sum it up."""
+def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
+    """Return the faults of a talk, and its warnings and summary."""
     report, composed, left = CheckReport(), Composed(), ""
     try:
         course = report.take(read(path))

@@ -40,7 +40,7 @@ ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "
 ARROW = " \u2192 "
 _NAMING = ("settings", "lens", "camera", "image", "object", "depth")
 """The parts whose values name a picture, the most telling ones first."""
-_SAYS_ITSELF = ("lens.kind", "image", "depth")
+_WITHOUT_NAME = ("lens.kind", "image", "depth")
 """Fields whose values need no field name beside them."""
 _ALONG = 1e-9  # sine of the angle between two camera axes that count as equal
 
@@ -195,7 +195,7 @@ def names_in(
         label, texts = _written(path, differing, setting, written)
         if not all(texts) or all(own):
             continue
-        says_itself = path in _SAYS_ITSELF or (setting is not None and setting.choices)
+        says_itself = path in _WITHOUT_NAME or (setting is not None and setting.choices)
         texts = texts if says_itself else [f"{label} {text}" for text in texts]
         values = [(*before, text) for before, text in zip(values, texts, strict=True)]
         if all(name or values.count(texts) == 1 for name, texts in zip(own, values, strict=True)):

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, BinaryIO
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
-from app.strangers import decode, open_regular, warn
+from app.strangers import decode, log_warning, open_regular
 
 if sys.platform != "win32":
     import fcntl
@@ -144,7 +144,7 @@ def read(
                 raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)
             text, note = _decode(content)
             document = parse(text, folder)
-            warn(path, note)
+            log_warning(path, note)
             return document
         except Refusal as error:
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):

@@ -198,7 +198,7 @@ def _measured(
             projection = projection.with_fov_x(values["fov_x_deg"])
         elif "focal_length_mm" in values:
             fov_y_deg = fov_y_from_focal_length_35mm(values["focal_length_mm"], projection.aspect)
-            projection = replace(projection, lens=projection.lens.but(fov_y_deg=fov_y_deg))
+            projection = replace(projection, lens=projection.lens.replaced(fov_y_deg=fov_y_deg))
         else:
             now = projection.intrinsics
             focal = _focal_px(values, projection.image_size, now)

@@ -91,7 +91,6 @@ class Store(QObject):
 
     @property
     def document(self) -> Document:
-        """The current document."""
         return self._document
 
     @property
@@ -237,7 +236,6 @@ class Store(QObject):
         self._show(document)
 
     def set_projection(self, projection: Projection) -> None:
-        """Edit the projection."""
         if projection != self._document.projection:
             self._edit(replace(self._document, projection=projection))
 

@@ -173,7 +173,7 @@ def unlit_actor(mesh: pv.PolyData) -> FlatActor:
 
 
 def flat(actor: vtkActor) -> FlatActor:
-    """Return an actor, of which it is known that it is from `unlit_actor`."""
+    """Return an actor of `unlit_actor` with its own type."""
     assert isinstance(actor, FlatActor)
     return actor
 
@@ -288,7 +288,7 @@ class SceneActors:
             self._share_out()
 
     def show_slope(self, slope: tuple[float, float], size_px: tuple[int, int]) -> None:
-        """Say how depth changes along x and y in NDC of the pane's camera, and the pane's size."""
+        """Set how depth changes along x and y in NDC of the pane's camera, and the pane's size."""
         for lines in (self.lines, self.ground):
             if lines is not None:
                 properties: Any = lines.GetShaderProperty()

@@ -74,14 +74,14 @@ class Blurring:
     def begin(
         self, projection: Projection, aperture: Aperture | None, size: tuple[int, int]
     ) -> None:
-        """Average another picture from now on, so many pixels wide and high; None for none."""
+        """Average another picture of this width and height from now on; None for none."""
         shown = None if aperture is None else (projection, aperture)
         if shown == self._shown and size == self._size:
             return
         self._shown, self._size, self._count = shown, size, 0
         self.actor.SetVisibility(False)
 
-    def again(self) -> None:
+    def restart(self) -> None:
         """Average the same picture again, because the faces or lines of the scene have changed."""
         self._count = 0
         self.actor.SetVisibility(False)

@@ -1,7 +1,7 @@
 """The model's camera in the world pane: its body, eye, target, line of sight and axes.
 
-Eye, target and axes are shrunk towards the pane's own camera: they keep their pixels but come
-before what would hide them.
+Eye, target and axes are shrunk towards the pane's own camera: they keep their pixels but stand
+before everything that would hide them.
 """
 
 from __future__ import annotations

@@ -141,7 +141,6 @@ def compared_shapes(
     draw: Callable[..., tuple[list[Shape], tuple[float, float]]],
     style: Style,
 ) -> list[Shape]:
-    """The shapes of `compared_pixels`."""
     (width, height), drawn = compared.size, list[Shape]()
     line_px = _line_px(style)
     if compared.dividers:

@@ -180,7 +180,7 @@ def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
 
 
 def _points(document: Document, translate: Translate) -> Iterator[str]:
-    """Where the marked points are; not the rays of pixels."""
+    """Say where the marked points are; omit the rays of pixels."""
     probes = [probe for probe in document.view.probes if probe.row is not None]
     places, pixels = list[Vector](), list[list[float]]()
     for probe in probes:

@@ -409,7 +409,7 @@ class Dimensions(Layer):
 
     # -- what a lens does not have
 
-    def _say(self, ground: Ground, said: list[str]) -> None:
+    def _show_sentence(self, ground: Ground, said: list[str]) -> None:
         for number, label in enumerate(self._sentences):
             label.set_visible(number < len(said))
             if number < len(said):

@@ -1,4 +1,4 @@
-"""What a pane, a figure and the hand may ask of a drawing, whichever of the three it is."""
+"""The interface of the three drawings, for panes, figures and the hand."""
 
 from __future__ import annotations
 

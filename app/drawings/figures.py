@@ -47,7 +47,7 @@ from app.strangers import printable
 
 CROP_PX = 2.0 * PX_PER["mm"]
 """Margin of a figure that is cropped."""
-_TOLD_S, _SLOWING_S = 0.05, 5.0
+_REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 _Part = TypeVar("_Part")
 TOO_MANY_FOR = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -182,21 +182,21 @@ def _drawn(
 
 
 class _Watch:
-    """Tells the progress in a pane, whose end nobody knows, every twentieth second."""
+    """Reports the progress in a pane, whose duration is unknown, every twentieth of a second."""
 
     def __init__(self, progress: Callable[[float], bool] | None, panes: int) -> None:
         self._progress, self._panes = progress, panes
 
     def begin(self, number: int) -> None:
         self._number, self._begin = number, time.monotonic()
-        self._tell(0.0)
+        self._report(0.0)
 
     def __call__(self) -> None:
-        if time.monotonic() - self._told > _TOLD_S:
-            self._tell(1.0 - math.exp((self._begin - time.monotonic()) / _SLOWING_S))
+        if time.monotonic() - self._reported_at > _REPORT_EVERY_S:
+            self._report(1.0 - math.exp((self._begin - time.monotonic()) / _SLOWING_S))
 
-    def _tell(self, part: float) -> None:
-        self._told = time.monotonic()
+    def _report(self, part: float) -> None:
+        self._reported_at = time.monotonic()
         if self._progress is not None and not self._progress((self._number + part) / self._panes):
             raise Cancelled
 

@@ -1,4 +1,4 @@
-"""What of faces and lines on the screen is seen, and in which order faces are drawn.
+"""Hidden surfaces and painting order: which parts of faces and lines are visible.
 
 Everything is in pixels and depth, where planes stay planes for every lens. Faces are ordered by
 what two of them have in common. A face that passes through another one is split there. Lines lie
@@ -60,7 +60,7 @@ class ScreenCell:
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)
     flat: list[tuple[float, float]] = field(default_factory=list)
     is_tangled: bool = False
-    """Whether it is one of too many faces that cross others: only what is seen of it is drawn."""
+    """Whether it is one of too many crossing faces: only its visible parts are drawn."""
 
     @property
     def is_opaque(self) -> bool:
@@ -164,7 +164,7 @@ def _union(
 
 
 def common(one: ScreenCell, other: ScreenCell) -> Points:
-    """What two convex faces have in common on the screen."""
+    """Return the intersection of two convex faces on the screen."""
     part, around = one.flat, other.flat
     for i, begin in enumerate(around):
         part = _half(part, begin, around[(i + 1) % len(around)])
@@ -418,7 +418,7 @@ def visible(
 
 
 def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]) -> list[Points]:
-    """What opaque faces before a face leave of it, as convex polygons, while there is `work`."""
+    """Return the parts of a face that no opaque face hides, convex, while there is `work`."""
     rings = [face.flat]
     for other in others:
         part = common(face, other) if rings else []
@@ -444,7 +444,7 @@ def _without(face: ScreenCell, others: Iterable[ScreenCell], work: Iterator[int]
 
 
 def _outside(ring: Points, hole: Points) -> list[Points]:
-    """What a convex polygon leaves of another one, which stays whole if they are apart."""
+    """Return the parts of a convex polygon outside of another one; all of it if they are apart."""
     parts, inside = list[Points](), ring
     for begin, end in zip(hole, [*hole[1:], hole[0]], strict=True):
         outside = _half(inside, end, begin)
@@ -457,7 +457,7 @@ def _outside(ring: Points, hole: Points) -> list[Points]:
 
 
 def _half(part: Points, begin: tuple[float, float], end: tuple[float, float]) -> Points:
-    """What of a convex polygon is on the left of a line."""
+    """Return the part of a convex polygon on the left of a line."""
     (x, y), (to_x, to_y) = begin, end
     dx, dy = to_x - x, to_y - y
     sides = [dx * (q - y) - dy * (p - x) for p, q in part]
@@ -503,7 +503,7 @@ def _split(face: ScreenCell, other: ScreenCell) -> list[ScreenCell]:
 
 
 class Occlusion:
-    """What faces hide of lines and points, and through which ones they are seen."""
+    """Decides which parts of lines and points are hidden, and which faces tint them."""
 
     def __init__(self, faces: Sequence[ScreenCell]) -> None:
         self._faces = faces
@@ -576,7 +576,7 @@ class Occlusion:
 def _covered(
     face: ScreenCell, begin: Sequence[float], end: Sequence[float]
 ) -> tuple[float, float] | None:
-    """Return from where to where a segment runs behind a face, from 0 to 1; None if nowhere."""
+    """Return the interval, from 0 to 1, in which a segment runs behind a face, or None."""
     first, last = 0.0, 1.0
     corners = face.flat
     limits = []
@@ -610,7 +610,7 @@ def _covered(
 
 
 def _rest(hidden: Sequence[tuple[float, float]]) -> Iterator[tuple[float, float]]:
-    """Yield what intervals leave of that from 0 to 1."""
+    """Yield the gaps between intervals from 0 to 1."""
     at = 0.0
     for first, last in sorted(hidden):
         if first > at + 1e-9:

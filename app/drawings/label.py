@@ -268,7 +268,7 @@ class LabelText(NamedTuple):
     opacity: float
     underlined: bool
     anchor: int = 0
-    """What stays where it is in another font: -1 the left end, 0 the middle, 1 the right end."""
+    """The part that keeps its place in another font: -1 left end, 0 middle, 1 right end."""
 
 
 class LabelActor(vtkTexturedActor2D):
@@ -329,7 +329,7 @@ class SceneLabel:
 
     @property
     def is_visible(self) -> bool:
-        """What `set_visible` was told last."""
+        """The last value of `set_visible`."""
         return self._visible
 
     def set_text(self, text: str) -> None:

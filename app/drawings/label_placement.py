@@ -335,7 +335,7 @@ def place(
     """
     stays: dict[Hashable, PlacedLabel] = {}
     if kept:
-        stays = _stay(wishes, ground, kept, patient)
+        stays = _kept_labels(wishes, ground, kept, patient)
         wishes = [wish for wish in wishes if wish.key not in stays]
     choices = [(wish, wish.places()) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
@@ -350,7 +350,7 @@ def place(
     return stays
 
 
-def _stay(
+def _kept_labels(
     wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool
 ) -> dict[Hashable, PlacedLabel]:
     """The labels whose kept places are still free, or all; no other label may overlap them."""
@@ -408,7 +408,7 @@ def _costs(
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
-    costs[at] += _astray(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
+    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
     tried = []
     for start, count in zip(first.tolist(), counts.tolist(), strict=True):
         free_here = np.flatnonzero(free[start : start + count])
@@ -422,11 +422,11 @@ def _costs(
     return tried, costs[at], boxes, crossings
 
 
-def _astray(
+def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
     em: float,
 ) -> Floats:  # fmt: skip
-    """What it costs to be nearer to the mark of another label, or to have a leader across it."""
+    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
     foreign = of[:, None] != np.arange(len(marks))
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks

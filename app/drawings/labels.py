@@ -39,7 +39,7 @@ PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(
 MARGIN_EM = 0.3
 """Between labels and the pane's border."""
 DOT_EM = 0.4
-"""Half the width of what labels keep off at a point."""
+"""Half the width of the square at a point that labels keep free."""
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
 _AWAY_PX = -1e4
@@ -168,12 +168,12 @@ class Board:
         return self._kept != before
 
     def _forget_asked(self) -> None:
-        """Drop what refers to the drawing, and would keep it alive."""
+        """Drop the references that would keep the drawing alive."""
         if not self.is_restless:
             self._asked = None
 
     def _place(self, kept: Mapping[Hashable, KeptSpot] | None) -> dict[Hashable, PlacedLabel]:
-        """Place what was asked for last."""
+        """Place the labels that were wanted last."""
         assert self._asked is not None
         wishes, ground, taken = self._asked
         del ground.taken[taken:]

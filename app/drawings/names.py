@@ -1,4 +1,4 @@
-"""What a drawing names: the things it was told, and what the pointer or a hand is on."""
+"""The things that a drawing names: those of its view, and the one pointed at or held."""
 
 from __future__ import annotations
 

@@ -101,7 +101,7 @@ class PagePane(NamedTuple):
 
     size: tuple[float, float]
     shapes: Sequence[Shape]
-    said: str
+    description: str
 
 
 class SliderPosition(NamedTuple):
@@ -112,7 +112,7 @@ class SliderPosition(NamedTuple):
     panes: Sequence[PagePane]
     general: Sequence[str]
     """Sentences that a screen reader reads on demand."""
-    heard: Sequence[str]
+    announced: Sequence[str]
     """Sentences that it reads as soon as one of them changes."""
 
 
@@ -235,9 +235,9 @@ def _slots(state: SliderPosition) -> Iterable[tuple[str, bool]]:
     """Yield the texts of a page that change, in its order, and whether each is drawn."""
     for number, pane in enumerate(state.panes):
         yield drawing(pane.shapes, f"p{number}t"), True
-        yield escaped(pane.said), False
+        yield escaped(pane.description), False
     yield escaped(state.value), False
-    for sentences in (state.general, state.heard):
+    for sentences in (state.general, state.announced):
         yield "\n".join(map(escaped, sentences)), False
 
 

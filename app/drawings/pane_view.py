@@ -36,7 +36,7 @@ class PaneView(NamedTuple):
         """The size of a pixel in the world at a depth, a float or an array."""
         return 2.0 * (self.slope * depth + self.flat) / self.size_px[1]
 
-    def brought(self, point: Array, to_depth: float) -> tuple[float, Array]:
+    def moved_forward(self, point: Array, to_depth: float) -> tuple[float, Array]:
         """Bring a point to a smaller depth without moving its pixel.
 
         Returns the scale by which its surroundings shrink, and the new point.

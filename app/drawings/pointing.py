@@ -45,12 +45,12 @@ class Emphasis:
     def __init__(self, canvas: PropGroup) -> None:
         self._canvas = canvas
         self._marks: list[_Highlightable] = []
-        self._told: list[tuple[Highlight, Callable[[bool], object]]] = []
+        self._calls: list[tuple[Highlight, Callable[[bool], object]]] = []
         self._labels: list[tuple[str, SceneLabel]] = []
         self._shown = self._names = NOTHING
 
-    def _tell(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
-        self._told.append((frozenset(names), tell))
+    def _call_for(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
+        self._calls.append((frozenset(names), tell))
         self._names |= frozenset(names)
 
     def line(self, actor: vtkActor, *names: str, of: Sequence[str] = ()) -> None:
@@ -61,27 +61,27 @@ class Emphasis:
         mark = _Highlightable(actor, self._canvas.style.background, frozenset(of or names))
         self._marks.append(mark)
         if names:
-            self._tell(names, mark.highlight)
+            self._call_for(names, mark.highlight)
 
     def show_names(self, names: Names) -> None:
         """Draw those lines quietly whose things are not named."""
         for mark in self._marks:
-            mark.be_quiet(not any(name in names for name in mark.of))
+            mark.set_quiet(not any(name in names for name in mark.of))
 
     def point(self, actor: vtkActor, *names: str) -> None:
         """Draw these points larger."""
         point = actor.GetProperty()
         size = point.GetPointSize()
-        self._tell(names, lambda on: point.SetPointSize(size * (_LARGER if on else 1.0)))
+        self._call_for(names, lambda on: point.SetPointSize(size * (_LARGER if on else 1.0)))
 
     def hidden(self, actor: Any, *names: str) -> None:
         """Draw this only while one of the names is highlighted."""
         actor.SetVisibility(False)
-        self._tell(names, actor.SetVisibility)
+        self._call_for(names, actor.SetVisibility)
 
     def label(self, label: SceneLabel, name: str) -> None:
         """Underline this label; it can be pointed at, too."""
-        self._tell((name,), label.set_underlined)
+        self._call_for((name,), label.set_underlined)
         self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
@@ -113,7 +113,7 @@ class Emphasis:
         if shown == self._shown:
             return False
         self._shown = shown
-        for names, tell in self._told:
+        for names, tell in self._calls:
             tell(bool(names & shown))
         return True
 
@@ -139,7 +139,7 @@ class _Highlightable:
         self._highlighted = highlighted
         self._dress()
 
-    def be_quiet(self, quiet: bool) -> None:
+    def set_quiet(self, quiet: bool) -> None:
         if quiet != self._quiet:
             self._quiet = quiet
             self._dress()

@@ -80,7 +80,7 @@ def columns(
 def panes_in(
     size_px: tuple[int, int], aspects: Sequence[float | None], column: bool = False
 ) -> list[tuple[int, int, int, int]]:
-    """Return the parts of a figure for its panes, in a row or in a column.
+    """Return the rectangles of a figure's panes, in a row or in a column.
 
     `aspects` are those of images, and None for panes that fill any shape. The shares are equal, but
     that an image's pane is not so long that half of it would be empty, nor so short. The parts are

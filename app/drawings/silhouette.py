@@ -1,4 +1,4 @@
-"""Where a scene's objects are seen in a pane: labels hide as little of them as possible."""
+"""The area that a scene's objects cover in a pane, which labels leave free where they can."""
 
 from __future__ import annotations
 

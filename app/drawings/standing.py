@@ -1,4 +1,4 @@
-"""From where the world of a moving picture is seen.
+"""The viewpoints of the world in a moving picture.
 
 The free view of a figure depends on what it shows. In a moving picture it would jump about; so
 one place shows all of the frames, or a round of places shows one state.

@@ -20,7 +20,7 @@ from app.lessons.text import outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
 OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'
-"""What the elements inherit, here and on a page."""
+"""The attributes that elements inherit, here and on a page."""
 SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
 SEAM_PX = 0.4
 """Of an opaque face's own colour round it: no seam shows between neighbours."""
@@ -76,7 +76,7 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
 
 
 def kind_of(shape: Shape) -> object:
-    """What shapes that follow each other have in common if they are one element."""
+    """Return the key that consecutive shapes of one element share."""
     if isinstance(shape, Area):
         return "area", shape.colour, shape.opacity, shape.opacity < 1.0 and id(shape)
     if isinstance(shape, LineShape):

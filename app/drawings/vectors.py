@@ -1,4 +1,4 @@
-"""A pane as shapes instead of pixels: what its actors show, with what is hidden taken away.
+"""A pane as shapes instead of pixels: the visible parts of what its actors draw.
 
 The shapes are read from a pane that has been drawn::
 
@@ -32,7 +32,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
 MOST_CELLS = 50_000
-"""More cells than this make a file that no program opens gladly."""
+"""Most cells of a figure: viewers become slow above this."""
 TOO_MANY = QT_TRANSLATE_NOOP(
     "Refusal",
     "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
@@ -113,7 +113,7 @@ def moved(shape: Shape, right: float, down: float) -> Shape:
 
 
 def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape]:
-    """Yield what is between two columns of a figure."""
+    """Yield the parts of a shape between two columns of a figure."""
     for shape in shapes:
         if isinstance(shape, Area):
             rings = [_between(ring, left, right, True) for ring in shape.rings]
@@ -139,7 +139,7 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
 
 
 def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, float, float] | None:
-    """Return left, top, right and bottom of what is not empty; None if all of it is."""
+    """Return left, top, right and bottom of the shapes that are seen; None if there are none."""
     corners = list[tuple[float, float]]()
     empty = rgb(background)
     for shape in shapes:
@@ -221,7 +221,7 @@ def shapes_of(
 
 
 def refuse_too_many(window: Any) -> None:
-    """Raise the `Refusal` of `shapes_of` for what is known before a window is drawn."""
+    """Raise the `Refusal` of `shapes_of` that is certain before a window is drawn."""
     for renderer in window.GetRenderers():
         _, actors = _shown_in(renderer)
         if not any(map(_is_shaded, actors)):
@@ -447,7 +447,7 @@ class _VectorPane:
                 yield Disc(centre, point.width / 2.0 / self._finer, point.colour, point.opacity)
 
     def _behind(self, hiding: Occlusion, lines: list[ScreenCell]) -> Iterator[LineShape]:
-        """What is hidden of lines; a ground's would cover what matters."""
+        """The hidden parts of lines, except a ground's, which would cover the objects."""
         for line in lines:
             self._watch()
             for part in () if line.is_thin else hiding.behind(line):

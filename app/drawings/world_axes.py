@@ -68,7 +68,6 @@ class WorldAxes(Layer):
 
     @property
     def has_object(self) -> bool:
-        """Whether the object has axes."""
         return self._drawn.is_moved or self.is_wanted or "frame-o" in self._frames
 
     @property

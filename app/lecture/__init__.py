@@ -1,1 +1,1 @@
-"""What a lecture says of the model: notation, stages, typed matrices, the frame by steps."""
+"""The model in the lectures' terms: notation, stages, typed matrices, the frame by steps."""

@@ -68,7 +68,7 @@ class Ratio:
 
     def __truediv__(self, other: Ratio) -> Ratio:
         coefficient, letters, rest = _parts(other.above)
-        factors = Counter({_alone(name): power for name, power in letters})
+        factors = Counter({_single_letter(name): power for name, power in letters})
         if rest != _ONE:
             factors[rest] += 1
         upside_down = _scaled(_expanded(Counter(dict(other.below))), 1 / coefficient)
@@ -105,13 +105,12 @@ class Ratio:
 
 
 def number(value: Fraction | int) -> Ratio:
-    """A number as a ratio."""
     return Ratio(_polynomial({(): Fraction(value)}))
 
 
 def letter(name: str) -> Ratio:
     """A letter, or a function's text, as a ratio."""
-    return Ratio(_alone(name))
+    return Ratio(_single_letter(name))
 
 
 def _call(name: str, arguments: Sequence[Ratio]) -> Ratio:
@@ -140,7 +139,7 @@ def ratio(formula: Formula) -> Ratio:
 _ONE: Polynomial = (((), Fraction(1)),)
 
 
-def _alone(name: str) -> Polynomial:
+def _single_letter(name: str) -> Polynomial:
     """Return a letter as a sum of one product of one factor."""
     return ((((name, 1),), Fraction(1)),)
 
@@ -201,7 +200,7 @@ def _reduced(above: Polynomial, below: Mapping[Polynomial, int]) -> Ratio:
     left = Counter(dict(letters))
     factors = Counter(below)
     for name, power in letters:
-        factor = _alone(name)
+        factor = _single_letter(name)
         gone = min(power, factors[factor])
         factors[factor] -= gone
         left[name] -= gone

@@ -134,8 +134,8 @@ def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
             return _of_window(across, isinstance(node, Sum), state)
     (left, left_is_zero), (right, right_is_zero) = _of(node.left, state), _of(node.right, state)
     if isinstance(node, Quotient):
-        cancelled = _what_is_left(node.left, state)
-        if cancelled and cancelled == _what_is_left(node.right, state):
+        cancelled = _only_nonzero_plane(node.left, state)
+        if cancelled and cancelled == _only_nonzero_plane(node.right, state):
             return {field: None for field in left | right if field not in FIELDS[cancelled]}, False
         return (left if left_is_zero else left | right), left_is_zero
     if isinstance(node, Sum | Difference):
@@ -147,14 +147,14 @@ def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
     return left | right, False
 
 
-def _what_is_left(node: Formula, state: ProjectionState) -> str:
+def _only_nonzero_plane(node: Formula, state: ProjectionState) -> str:
     """Return the only plane of a sum that is not 0: f for ``f - n`` with n = 0."""
     if isinstance(node, Negative):
-        return _what_is_left(node.operand, state)
+        return _only_nonzero_plane(node.operand, state)
     if isinstance(node, Sum | Difference):
         for gone, other in ((node.left, node.right), (node.right, node.left)):
             if _of(gone, state)[1]:
-                return _what_is_left(other, state)
+                return _only_nonzero_plane(other, state)
     if isinstance(node, Letter) and node.name in ("n", "f") and node.name not in state.zeros:
         return node.name
     return ""

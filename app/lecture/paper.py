@@ -136,7 +136,7 @@ def _width(tex: str) -> float:
 
 
 def _of_group(tokens: Iterator[str]) -> float:
-    """The width of what comes before the next closing brace."""
+    """The width of the text before the next closing brace."""
     width = 0.0
     for token in tokens:
         if token == "}":

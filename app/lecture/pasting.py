@@ -38,7 +38,7 @@ class Pasted(NamedTuple):
     """A projection that has a pasted matrix, and what the matrix means."""
 
     projection: Projection
-    said: list[MatrixProperty]
+    properties: list[MatrixProperty]
 
 
 def pasted(

@@ -153,7 +153,7 @@ def _shortened(lens: Lens, has: Callable[[Lens], bool], projection: Projection) 
                     planes = {"near": lens.near, "far": lens.far, **short}
                     shortened = lens.cut(lens.window(aspect), **planes)
                 else:
-                    shortened = lens.but(**short)
+                    shortened = lens.replaced(**short)
             except Refusal:
                 continue
             if has(shortened):

@@ -125,7 +125,7 @@ def _count(steps: Sequence[Step], trial: Trial) -> None:
         (practice, MOST_PRACTICE, TOO_MUCH_PRACTICE),
     ):
         if len(some) > most:
-            trial.complain(refused(some[most].line, said, most + 1, most))
+            trial.add_fault(refused(some[most].line, said, most + 1, most))
 
 
 def _check_view(course: Course, place: int, trial: Trial) -> None:
@@ -140,7 +140,7 @@ def _check_view(course: Course, place: int, trial: Trial) -> None:
         drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in PANES))
         for name in document.view.names:
             if name not in drawn:
-                trial.complain(refused(line, NOT_NAMED, name))
+                trial.add_fault(refused(line, NOT_NAMED, name))
 
 
 def _check_texts(step: Step, trial: Trial) -> None:
@@ -151,25 +151,25 @@ def _check_texts(step: Step, trial: Trial) -> None:
             problem = _problem_of_tex(tex)
             if problem:
                 above = text[: text.find(tex)].count("\n")
-                trial.complain(refused(line + above, NOT_TEX, problem, value=tex))
+                trial.add_fault(refused(line + above, NOT_TEX, problem, value=tex))
     words = sum(len(each.text.split()) for each in step.words)
     if words > MOST_WORDS:
-        trial.complain(refused(step.line, TOO_LONG, words, MOST_WORDS))
+        trial.add_fault(refused(step.line, TOO_LONG, words, MOST_WORDS))
     words = len(step.note.text.split()) if step.note is not None else 0
     if step.note is not None and words > MOST_WORDS:
-        trial.complain(refused(step.note.line, LONG_NOTE, words, MOST_WORDS))
+        trial.add_fault(refused(step.note.line, LONG_NOTE, words, MOST_WORDS))
 
 
 def _check_signs(line: int, text: str, trial: Trial) -> None:
     """Report a dollar without its partner, and what would be a link in other Markdown."""
     for number, words in enumerate(MATH.sub("", _bare(text)).split("\n"), line):
         if "$" in words:
-            trial.complain(refused(number, UNCLOSED, value=words.strip()[:60]))
+            trial.add_fault(refused(number, UNCLOSED, value=words.strip()[:60]))
         link, html = _LINK.search(words), _HTML.search(words)
         if link is not None:
-            trial.complain(refused(number, NO_LINKS, value=link[0][:60]))
+            trial.add_fault(refused(number, NO_LINKS, value=link[0][:60]))
         elif html is not None:
-            trial.complain(refused(number, NO_HTML, value=html[0][:60]))
+            trial.add_fault(refused(number, NO_HTML, value=html[0][:60]))
 
 
 def _bare(text: str) -> str:
@@ -202,13 +202,13 @@ def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
         for tex in formulas_in(question.solution(here)):
             problem = _problem_of_tex(tex)
             if problem:
-                trial.complain(refused(question.key[1], NOT_TEX, problem, value=tex))
+                trial.add_fault(refused(question.key[1], NOT_TEX, problem, value=tex))
         if isinstance(question, MarkedQuestion) and RIGHT not in words:
-            trial.warn(refused(question.right_line, NO_RIGHT, part.name))
+            trial.add_warning(refused(question.right_line, NO_RIGHT, part.name))
     elif isinstance(question, Task):
         for wrong in question.wrong:
             if (wrong.idea or WRONG) not in words:
-                trial.complain(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
+                trial.add_fault(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
 
 
 def _problem_of_tex(tex: str) -> str:

@@ -114,11 +114,11 @@ class Course:
     def shown(self, place: int) -> ShownStep:
         """Return what a step shows, counted from 0; a `Refusal` names the line."""
         begin = place
-        while begin > 0 and begin not in self._shown and not self._anew(begin):
+        while begin > 0 and begin not in self._shown and not self._begins_anew(begin):
             begin -= 1
         for number in range(begin, place + 1):
             if number not in self._shown:
-                before = None if self._anew(number) else self._shown[number - 1].document
+                before = None if self._begins_anew(number) else self._shown[number - 1].document
                 state = self.lesson.steps[number].state
                 document = self.made(state, before)
                 view = {name: getattr(document.view, name) for name in self.managed}
@@ -129,13 +129,13 @@ class Course:
 
     def _try_scene(self, document: Document, place: int) -> None:
         """Refuse a scene that can no longer be read: a mesh may be deleted during a talk."""
-        while place > 0 and not self._anew(place):
+        while place > 0 and not self._begins_anew(place):
             place -= 1
         state = self.lesson.steps[place].state
         with on_line(state.line if state is not None else 1):
             scene_of(document)
 
-    def _anew(self, place: int) -> bool:
+    def _begins_anew(self, place: int) -> bool:
         state = self.lesson.steps[place].state
         return place == 0 or (state is not None and state.begins_anew)
 

@@ -38,7 +38,7 @@ from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import decode, open_regular, warn
+from app.strangers import decode, log_warning, open_regular
 
 if TYPE_CHECKING:
     from markdown_it.token import Token
@@ -52,7 +52,7 @@ LARGEST = 2 * 2**20
 MOST_STEPS = 500
 """Most steps of a talk."""
 _MOST_READ = 20_000
-"""Lines of a block that are read again to find all its faults; in a longer one only the first."""
+"""Most lines of a block whose faults are all found; of a longer block only the first is."""
 
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
@@ -95,7 +95,7 @@ BLOCK_INDENTED = QT_TRANSLATE_NOOP(
 )
 TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L25, separated by commas")
 
-Complain: TypeAlias = Callable[[Refusal], object]
+AddFault: TypeAlias = Callable[[Refusal], object]
 
 
 @dataclass(frozen=True)
@@ -174,7 +174,7 @@ def is_lesson(path: str) -> bool:
     return path.lower().endswith(ENDINGS)
 
 
-def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
+def read(path: AnyPath, complain: AddFault | None = None) -> Lesson:
     """Read a lesson from its file; a `Refusal` names the line that is wrong.
 
     Parameters
@@ -189,7 +189,7 @@ def read(path: AnyPath, complain: Complain | None = None) -> Lesson:
         if note and complain is not None:
             complain(Refusal.in_document(NOT_UTF8, file=os.fspath(path)))
         else:
-            warn(path, note)
+            log_warning(path, note)
         return lesson
 
 
@@ -213,7 +213,7 @@ def head_of(path: Path) -> Head:
         return Head(path, top["title"], about, is_talk)
 
 
-def parse_lesson(text: str, path: Path, complain: Complain | None = None) -> Lesson:
+def parse_lesson(text: str, path: Path, complain: AddFault | None = None) -> Lesson:
     """Read a lesson from its text, as `read` does; the file need not exist yet."""
     lines = _lines(text)
     top, first = _top(lines)
@@ -299,7 +299,7 @@ def slug(title: str) -> str:
 
 
 def _steps(
-    lines: Sequence[str], first: int, path: Path, complain: Complain | None
+    lines: Sequence[str], first: int, path: Path, complain: AddFault | None
 ) -> tuple[Step, ...]:
     steps: list[Step] = []
     names: dict[str, int] = {}
@@ -395,10 +395,10 @@ class _StepReader:
     """Reads one step from its tokens."""
 
     def __init__(
-        self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: Complain
+        self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: AddFault
     ) -> None:
         self._lines, self._first, self._tokens = lines, first, tokens
-        self._complain = complain
+        self._add_fault = complain
         self._lacking: list[str] = []
         """The kinds of the blocks that cannot be read."""
         self._names: dict[str, int] = {}
@@ -471,7 +471,7 @@ class _StepReader:
             return
         self._lacking.append(kind)
         for fault in faults:
-            self._complain(fault)
+            self._add_fault(fault)
 
     def _opened(self, token: Token, kind: str, given: str, line: int) -> tuple[type[Block], Body]:
         """Return the kind of a block and its unread lines."""
@@ -481,7 +481,7 @@ class _StepReader:
         cls = KINDS[kind]
         if cls.once and of_kind(self._blocks, cls):
             raise refused(line, ONLY_ONCE, kind)
-        name = self._name(given, kind, line) if cls.asks else ""
+        name = self._name(given, kind, line) if cls.needs_answer else ""
         return cls, Body(kind, name, line, self._body(token))
 
     def _end_words(self) -> None:

@@ -37,7 +37,6 @@ Lines = Sequence[tuple[int, str]]
 
 
 def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:
-    """Make the refusal of a line."""
     return Refusal.in_document(bound, *limits, field=f"line {line}", value=value)
 
 

@@ -80,7 +80,7 @@ _HEAD = re.compile(
     r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
     r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around)\b\.?)*"
 )
-"""What people write before a number: a name, and that it is rounded."""
+"""Text before a number: a name, and a sign that the number is rounded."""
 _GROUPED = re.compile(
     r"(?<![0-9.,])(?:[0-9]{1,3}([ '_])[0-9]{3}(?:\1[0-9]{3})*|[1-9][0-9]{0,2}"
     r"(?:(?:,[0-9]{3}){2,}|,[0-9]{3}(?=\.[0-9])|(?:\.[0-9]{3}){2,}|\.[0-9]{3}(?=,[0-9])))(?![0-9])"
@@ -110,7 +110,7 @@ _REWRITTEN = (
     (re.compile(r"\^\+"), "^"),
     (re.compile(r"(?<=[0-9)]) *(?=[a-z(])"), "*"),
 )
-"""What people write, and the same in the language of formulas."""
+"""Spellings of people, and the same in the language of formulas."""
 _ROOT = re.compile(rf"\^ *(?:\( *([-+]? *{_DECIMAL}(?: */ *{_DECIMAL})?) *\)|(-?[0-9]*\.[0-9]+))")
 """A power that is no whole number."""
 _BASE = re.compile(r"(?:(?<![0-9.])[0-9.]+|(?<![a-z])[a-z]+)$")

@@ -42,7 +42,7 @@ class PlacedExercise(NamedTuple):
 
     @property
     def words(self) -> tuple[TextBlock, ...]:
-        """Return what the step says before the exercise, whose letters it may define."""
+        """Return the texts of the step before the exercise, which may define its letters."""
         blocks = self.here.step.blocks
         return of_kind(blocks[: blocks.index(self.exercise)], TextBlock)
 
@@ -139,7 +139,7 @@ def topics() -> Mapping[str, Course]:
 
 
 def practised(names: Iterable[str]) -> dict[str, Course]:
-    """Return the lessons of all topics, and those of one's own with these names that are there."""
+    """Return the lessons of all topics, and the user's own lessons of these names that exist."""
     courses = dict(topics())
     own = {course.name for course in courses.values()}
     for name in sorted(set(names) - own):
@@ -158,7 +158,7 @@ def existing(keys: Iterable[tuple[str, str]]) -> dict[tuple[str, str], PlacedExe
 
 
 def hints_of(key: tuple[str, str]) -> int:
-    """Return how many hints an exercise of the program has; 0 of a lesson of one's own."""
+    """Return how many hints an exercise of the program has; 0 for a user's own lesson."""
     courses = (course for course in topics().values() if course.name == key[0])
     exercises = (each for course in courses for each in exercises_of(course) if each.key == key)
     return next((len(each.exercise.first.hints) for each in exercises), 0)
@@ -189,7 +189,7 @@ def named_test(name: str) -> tuple[list[str], int] | None:
     return None if match is None else (match[1].split(), int(match[2]))
 
 
-def drawn(names: Collection[str], number: int) -> list[SheetItem]:
+def draw_test(names: Collection[str], number: int) -> list[SheetItem]:
     """Draw the exercises of a test: `MOST` of some topics, about as many of each, mixed.
 
     The same topics and number give the same test to everyone.
@@ -204,14 +204,14 @@ def drawn(names: Collection[str], number: int) -> list[SheetItem]:
     while any(pools) and len(sheet) < MOST:
         for pool in filter(None, pools):
             seeds = (chance.randint(1, LARGEST_SEED) for _ in range(_DRAWS))
-            item = _suited(pool.pop(), seeds)
+            item = _first_suitable(pool.pop(), seeds)
             if item is not None and len(sheet) < MOST:
                 sheet.append(item)
     chance.shuffle(sheet)
     return sheet
 
 
-def _suited(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
+def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
         item = SheetItem(placed, seed)
@@ -242,7 +242,7 @@ class Waiting(NamedTuple):
 
 
 def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
-    """Return what is to be practised again of the exercises that still exist."""
+    """Return the exercises that still exist and are due for practice."""
     today = today or date.today()
     known = standings(attempts)
     there = existing(key for key, each in known.items() if each.due)
@@ -266,7 +266,7 @@ def to_review(
         if sum(map(len, items.values())) < MOST:
             # After the largest one comes 1 again.
             numbers = ((max(seen) + more) % LARGEST_SEED + 1 for more in range(LARGEST_SEED))
-            item = _suited(placed, islice((n for n in numbers if n not in seen), _DRAWS))
+            item = _first_suitable(placed, islice((n for n in numbers if n not in seen), _DRAWS))
             items.setdefault(placed.course.name, []).extend([] if item is None else [item])
     mixed: list[SheetItem] = []
     while any(items.values()):

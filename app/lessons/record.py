@@ -1,10 +1,10 @@
-"""The record: every answer of a student on this machine, and what follows from it.
+"""The record: every answer of a student on this machine, and the statistics over them.
 
 ::
 
     an answer -> Record.add: one line of JSON at the end of a file
     Record.read -> standings: each exercise as it was last solved, and when it is due again
-                -> met: the wrong ideas behind the answers
+                -> ideas_met: the wrong ideas behind the answers
 
 The record says what happened. Where a student stands in a lesson, and what is shown there, is
 `Progress`, which "Begin again" deletes; the record stays.
@@ -89,7 +89,7 @@ class Attempt(NamedTuple):
 
     @property
     def key(self) -> tuple[str, str]:
-        """Return what names the question."""
+        """Return the question's lesson and ``step/block``."""
         return self.lesson, self.exercise
 
 
@@ -217,7 +217,7 @@ def _attempt(line: bytes) -> Attempt | None:
 # --------------------------------------------------------------------------- what follows
 
 
-def mended(
+def corrected(
     attempts: Iterable[Attempt], hints_of: Callable[[tuple[str, str]], int]
 ) -> list[Attempt]:
     """Return the attempts without the hints that older programs counted in tests: all of them.
@@ -269,7 +269,7 @@ class Standing(NamedTuple):
 
 @dataclass
 class _QuestionHistory:
-    """A student's way with one question so far."""
+    """The history of a student's answers to one question."""
 
     outcome: str = ""
     due: date | None = None
@@ -338,7 +338,7 @@ class Met(NamedTuple):
     outcome: str
 
 
-def met(
+def ideas_met(
     attempts: Iterable[Attempt], known: Mapping[tuple[str, str], Standing]
 ) -> dict[tuple[str, str], Met]:
     """Return the wrong ideas behind a student's answers, by lesson and name of the idea."""

@@ -1,7 +1,7 @@
 """Result files: answers of a student for the teacher, who marks them again from what was typed.
 
-A file comes from a student, so nothing in it is believed but what was typed: its size is limited,
-lessons are found by their bare names only, and every mark is computed anew.
+A file comes from a student, so only the typed answers are trusted: its size is limited, lessons
+are found by their bare names only, and every mark is computed anew.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ from app.lessons.blocks.task import Task
 from app.lessons.course import Course, idea_named
 from app.lessons.marking import digits_shown
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
-from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, mended, one_line
+from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, corrected, one_line
 from app.lessons.text import plain_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.strangers import decode, warn
+from app.strangers import decode, log_warning
 
 FORMAT, VERSION = "frustum-lab-results", 1
 LARGEST = 4 * 2**20
@@ -118,7 +118,7 @@ def read(path: AnyPath) -> StudentResults:
             raise Refusal.in_document(NO_RESULTS) from error
         if not isinstance(tree, dict) or tree.get("format") != FORMAT:
             raise Refusal.in_document(NO_RESULTS)
-        warn(path, note)
+        log_warning(path, note)
         version, answers = tree.get("version"), tree.get("answers")
         if type(version) is not int or not isinstance(answers, list):
             raise Refusal.in_document(NO_RESULTS)
@@ -129,7 +129,7 @@ def read(path: AnyPath) -> StudentResults:
         lessons = tree.get("lessons")
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
-        attempts = mended(map(attempt_from, answers), hints_of)
+        attempts = corrected(map(attempt_from, answers), hints_of)
         return StudentResults(student, digests, attempts)
 
 
@@ -156,7 +156,6 @@ class Marker:
         self._posed: dict[tuple[str, str, int], tuple[Asked, Here] | None] = {}
 
     def marked(self, attempt: Attempt) -> RemarkedAnswer:
-        """Mark an answer again."""
         key = attempt.lesson, attempt.exercise, attempt.seed
         if key not in self._posed:
             course = self._course(attempt.lesson)
@@ -168,7 +167,7 @@ class Marker:
         question, here = posed
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        return RemarkedAnswer(attempt, word, _right(question, here), _says(question, word))
+        return RemarkedAnswer(attempt, word, _right(question, here), _response_text(question, word))
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
         """Whether the student had another version of a lesson."""
@@ -202,7 +201,7 @@ def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | Non
     return None
 
 
-def _says(question: Asked, word: str) -> str:
+def _response_text(question: Asked, word: str) -> str:
     if idea_named(word) is not None:
         return ""
     replies: Sequence[Reply] = ()

@@ -27,7 +27,6 @@ class State(NamedTuple):
 
 
 def path_of(assignment: str) -> str:
-    """Return the path that an assignment sets."""
     return assignment.partition("=")[0].strip()
 
 

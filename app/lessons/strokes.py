@@ -1,4 +1,4 @@
-"""What a lecturer has drawn on the slides of a talk, and the file beside the talk that keeps it."""
+"""The strokes of a lecturer on the slides of a talk, and the file beside the talk with them."""
 
 from __future__ import annotations
 

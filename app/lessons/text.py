@@ -235,12 +235,12 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
     return [piece.strip() for piece in pieces if piece.strip()]
 
 
-def said_of(text: str) -> str:
+def spoken_text(text: str) -> str:
     """Return a text without markup, with formulas in words, for a screen reader.
 
     ``A vector $\\vec{u}$`` is "A vector u": the text has said what it is.
     """
-    return re.sub(r"\b(vector) vector\b", r"\1", plain_of(text, spoken), flags=re.IGNORECASE)
+    return re.sub(r"\b(vector) vector\b", r"\1", plain_of(text, spoken_tex), flags=re.IGNORECASE)
 
 
 _WORDS = {
@@ -261,7 +261,7 @@ _OF_BRACES = (
 
 
 @lru_cache(maxsize=1024)
-def spoken(tex: str) -> str:
+def spoken_tex(tex: str) -> str:
     """Return a formula in words: ``M_{pp} M_{persp}`` is "M pp times M persp"."""
     before = ""
     while tex != before:

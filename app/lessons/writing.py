@@ -49,7 +49,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     the lesson's own `letters` are omitted. A `Refusal` if no list reproduces the document to the
     last bit.
     """
-    wanted = _said(document)
+    wanted = _as_state(document)
     view = replace(AS_EVER, letters=letters or AS_EVER.letters)
     start = Document(document.scene, scene_of(document).start, view=view, mesh=document.mesh)
     lists = [texts for texts in _lists(start, wanted) if _gives(start, texts, wanted)]
@@ -61,7 +61,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
 
 
 def changes(before: Document, after: Document) -> list[str]:
-    """Return what turned one document into another, as in a sample of a task."""
+    """Return the assignments that turn one document into another, as in a sample of a task."""
     given, texts = _texts(before), _texts(after)
     lines = [f"scene={after.scene}"] if after.scene != before.scene else []
     lines += [
@@ -74,7 +74,7 @@ def changes(before: Document, after: Document) -> list[str]:
     return [*lines, *([f"view.panes={','.join(turned)}"] if turned else [])]
 
 
-def _said(document: Document) -> Document:
+def _as_state(document: Document) -> Document:
     """Return a document with only those parts of its view that belong to a state."""
     view = replace(document.view, panes={}, pinned=frozenset())
     if view.panel != "frame":  # the step of the frame is not visible

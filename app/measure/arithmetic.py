@@ -40,7 +40,7 @@ _PRECISIONS: dict[str, Precision] = {
     "float64, every stage": "float64",
     "exact": "exact",
 }
-"""The ways that are precisions of the model, which predicts their errors."""
+"""The projections that are precisions of the model, which predicts their errors."""
 _OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
 _SINGLE = {**_OWN, "settings.vertices": "float32", "settings.numbers": "float32"}
 CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
@@ -193,7 +193,7 @@ def summed(
 def peers(
     projection: Projection, world: Array
 ) -> tuple[dict[str, TimedProjection], dict[str, str]]:
-    """Return the ways of other libraries in float64, and the reasons why some are missing.
+    """Return the projections of other libraries in float64, and why some are missing.
 
     Each library gets the matrix and the points in its own kind of array; numpy does what it lacks.
     """

@@ -107,7 +107,7 @@ def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
 
 
 def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
-    """Say what a reader of the chart must know: a busy machine, a mesh that is not the scene's."""
+    """Write the remark of a chart: a busy machine, a mesh that is not the scene's."""
     notes = [BUSY if trade.is_busy else ""]
     if trade.name == "detail":
         notes += [choice.note for choice in trade.choices[:1]]
@@ -183,7 +183,7 @@ def diagrams(
 
 
 def in_use(trade: Trade, current: Mapping[str, str]) -> ChartPoint | None:
-    """Return the choice that says most of what is in use; None if none does."""
+    """Return the most specific choice whose settings are in use; None if there is none."""
     matching = [c for c in trade.choices if c.use and c.use.items() <= current.items()]
     return max(matching, key=lambda choice: len(choice.use), default=None)
 

@@ -26,7 +26,7 @@ FARTHEST = 1e4
 _EDGES = 4
 """Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
 
-NOT_TOLD = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
+NOTHING_APART = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
 
 
@@ -89,7 +89,7 @@ def gaps(
         buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         told = Prediction(gap, gap) if math.isfinite(gap) else None
-        answers[name] = told, Prediction(predicted, predicted), "" if told else NOT_TOLD
+        answers[name] = told, Prediction(predicted, predicted), "" if told else NOTHING_APART
     return answers
 
 

@@ -51,7 +51,7 @@ _BARGAINS = {
 _AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.")
 _PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
 _MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
-_TOLD = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
+_SEPARATES = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
@@ -96,7 +96,7 @@ def meaning(trade: Trade) -> Meaning:
 
 
 def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:
-    """Say what a choice buys and what it pays, compared with the usual one; empty if it cannot."""
+    """State what a choice gains and costs against the usual one; empty if that is unknown."""
     usual = next((c for c in trade.choices if c.name == USUAL[trade.name]), choice)
     if usual.name == choice.name or not (usual.cost and choice.cost) or choice.error is None:
         return ""
@@ -107,7 +107,7 @@ def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = 
         template = _AS_DEAR
     error = choice.error if choice.predicted is None else max(choice.predicted, choice.error)
     off = _MEASURED if choice.predicted is None else _PREDICTED
-    off = translate(_TOLD if trade.name == "depth" else off)
+    off = translate(_SEPARATES if trade.name == "depth" else off)
     off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
     names = (named(each.name, translate) for each in (choice, usual))
     return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)

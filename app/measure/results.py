@@ -202,7 +202,7 @@ class Trade:
         """The fields of `ChartPoint` that are costs here."""
         return ("cost",) if self.cost_unit == "B" else ("cost", "cost_p95", "bytes")
 
-    def by(self, cost: str) -> Trade:
+    def by_cost(self, cost: str) -> Trade:
         """Return the trade with its bytes as its costs, if it has both and ``"bytes"`` is asked."""
         if cost != "bytes" or all(choice.bytes is None for choice in self.choices):
             return self
@@ -302,9 +302,9 @@ class Measurements:
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True
 
-    def by(self, cost: str) -> Measurements:
+    def by_cost(self, cost: str) -> Measurements:
         """Return the results with every trade `by` this cost."""
-        return replace(self, trades=tuple(trade.by(cost) for trade in self.trades))
+        return replace(self, trades=tuple(trade.by_cost(cost) for trade in self.trades))
 
 
 # --------------------------------------------------------------------------- text
@@ -395,7 +395,7 @@ class _ResultsReader:
         self.expect(isinstance(self.value, bool), "true or false")
         return bool(self.value)
 
-    def maybe(self) -> float | None:
+    def number_or_none(self) -> float | None:
         return None if self.value is None else self.number()
 
     def number(self) -> float:
@@ -412,7 +412,7 @@ class _ResultsReader:
         return {key: part.number() for key, part in self.items()}
 
     def column(self) -> tuple[float | None, ...]:
-        return tuple(part.maybe() for part in self.parts())
+        return tuple(part.number_or_none() for part in self.parts())
 
     def notes(self) -> tuple[str, ...]:
         return tuple(part.text() for part in self.parts())
@@ -421,7 +421,7 @@ class _ResultsReader:
 _READ: dict[str, Callable[[_ResultsReader], Any]] = {
     "str": _ResultsReader.text,
     "bool": _ResultsReader.flag,
-    "float | None": _ResultsReader.maybe,
+    "float | None": _ResultsReader.number_or_none,
     "Mapping[str, float]": _ResultsReader.numbers,
     "Mapping[str, str]": _ResultsReader.texts,
     "tuple[float | None, ...]": _ResultsReader.column,

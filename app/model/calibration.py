@@ -1,4 +1,4 @@
-"""Calibrated cameras: what their numbers must be, and what is said of those of other conventions.
+"""Calibrated cameras: check their numbers, and convert those of other conventions.
 
 K maps x right, y down, z forward to pixels that are counted from the centre of the first one, as
 `Intrinsics` describes.
@@ -137,7 +137,7 @@ class TakenApart(NamedTuple):
 
 
 def taken_apart(p: Any) -> TakenApart:
-    """Take a camera matrix apart, (3, 4); a `Refusal` if its left 3x3 block is singular."""
+    """Decompose a camera matrix, (3, 4); a `Refusal` if its left 3x3 block is singular."""
     cells = np.array(p, dtype=np.float64)
     size = float(np.abs(cells).max()) or 1.0
     m = cells[:, :3] / size

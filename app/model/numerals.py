@@ -37,7 +37,7 @@ def number(text: str) -> float | None:
 
 
 def numbers(text: str) -> list[float] | None:
-    """Read numbers separated by commas or blanks, perhaps in brackets; None if one is none."""
+    """Read numbers separated by commas or blanks, perhaps in brackets; None for any other text."""
     text = plain(text)
     for begin, end in ("()", "[]", "{}"):
         if text.count(begin) != text.count(end):

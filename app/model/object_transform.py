@@ -63,7 +63,6 @@ class WorldPoints(NamedTuple):
         return cls(world, None, np.zeros(len(world)))
 
     def part(self, which: slice) -> WorldPoints:
-        """Return some of the points."""
         rest = None if self.rest is None else self.rest[which]
         return WorldPoints(self.world[which], rest, self.lost[which])
 

@@ -120,7 +120,6 @@ class Stage(NamedTuple):
 
 
 def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
-    """The stage that is the product of its factors."""
     whole = _diagonal(1, 1, 1, 1)
     for _, factor in factors:
         whole = product(whole, factor)

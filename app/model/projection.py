@@ -270,7 +270,7 @@ class Projection(Pipeline):
         """Return the same camera with a symmetric lens of this horizontal field of view."""
         fov_x_deg = between("fov_x_deg", fov_x_deg, 0, 180)
         fov_y_deg = fov_x_from_fov_y(fov_x_deg, 1.0 / self.aspect)
-        return replace(self, lens=self.lens.but(fov_y_deg=fov_y_deg))
+        return replace(self, lens=self.lens.replaced(fov_y_deg=fov_y_deg))
 
     def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.

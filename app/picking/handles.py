@@ -273,7 +273,7 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
     return replace(
         projection,
         camera=replace(projection.camera, **camera),  # type: ignore[arg-type]
-        lens=projection.lens.but(**lens),
+        lens=projection.lens.replaced(**lens),
         placement=replace(projection.placement, **placement),  # type: ignore[arg-type]
     )
 

@@ -1,1 +1,1 @@
-"""Levels of precision and their predicted error, what is at risk, the quality that is drawn."""
+"""Levels of precision and their predicted errors, risks, and the drawing quality."""

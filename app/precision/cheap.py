@@ -200,7 +200,7 @@ def _loaded(
     else:
         if box is None:
             box = (points.min(axis=0), points.max(axis=0)) if len(points) else (origin, origin)
-        kept = Grid.over(checked_points(box) - origin, QUANTISED[vertices])
+        kept = Grid.of_box(checked_points(box) - origin, QUANTISED[vertices])
     stored = kept.rounded(local)
     error = _UNIT_64 * np.abs(local) + np.where(stored != local, kept.lost(local), 0.0)
     loaded = stored

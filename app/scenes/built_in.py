@@ -34,11 +34,11 @@ from app.scenes.shapes import (
 Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
 NAMES = ("eye", "near", "far", "x", "y", "z")
-"""The things that the pictures of these scenes, and of the user's meshes, name."""
+"""The things named in the pictures of these scenes and of the user's meshes."""
 SIDE = (20.0, 14.0)
-"""From where the world of these scenes is seen: beside the camera, which sets the planes apart."""
+"""The world is seen from beside the camera, so that near and far stand apart."""
 CUBE_SIDE = (75.0, 10.0)
-"""From where the cube of the posts is seen: nearly from the side, along which they crowd."""
+"""The cube of the posts is seen nearly from the side, along which they crowd."""
 TITLES = {
     "letter-f": QT_TRANSLATE_NOOP("phenomena", "Letter F"),
     "cube": QT_TRANSLATE_NOOP("phenomena", "Unit cube"),
@@ -97,7 +97,7 @@ _POST_SPACING = 6.0
 
 
 def _posts() -> Parts:
-    """Posts of equal height and spacing, numbered on geometry, so that every pane projects it."""
+    """Posts of equal height and spacing, numbered with geometry that every pane projects."""
     lit = brightness(np.repeat(np.eye(3), 2, axis=0) * np.tile([[1.0], [-1.0]], (3, 1)))
     wood = (lit[:, None] * PAINT_RGB).astype(np.uint8)
     plate_rgb = (np.clip(lit + 0.25, 0.0, 1.0)[:, None] * PLATE_RGB).astype(np.uint8)

@@ -294,7 +294,7 @@ class MeshSource:
         report(self.progress, fraction)
 
     def check_size(self, vertices: int, faces: int, corners: int) -> None:
-        """Refuse a mesh with too many of these, before memory is allocated for them."""
+        """Refuse too many vertices, faces or corners before memory is allocated for them."""
         most, most_bytes = self.largest
         triangles = max(faces, corners - 2 * faces)
         # The factor 2: parts of a mesh are joined in a second copy.

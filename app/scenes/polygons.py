@@ -131,7 +131,7 @@ def _cut(points: Floats, area: Floats) -> Ints:
 
 
 def _ears(flat: Floats) -> Ints:
-    """Return what mapbox-earcut makes of a counter-clockwise outline (n, 2)."""
+    """Divide a counter-clockwise outline (n, 2) into triangles with mapbox-earcut."""
     from mapbox_earcut import triangulate_float64  # few meshes need it
 
     rings = [(_shoelace(flat[ring]), ring) for ring in _rings(flat)]

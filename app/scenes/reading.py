@@ -81,7 +81,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
     assert child.stdout is not None
     answers: SimpleQueue[Any] = SimpleQueue()
     # Not every system can wait for a pipe together with the window's events.
-    listener = threading.Thread(target=_listen, args=(child.stdout, answers), daemon=True)
+    listener = threading.Thread(target=_queue_answers, args=(child.stdout, answers), daemon=True)
     listener.start()
     done, heard = 0.0, time.monotonic()
     try:
@@ -108,7 +108,7 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
         child.stdout.close()
 
 
-def _listen(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
+def _queue_answers(pipe: BinaryIO, answers: SimpleQueue[Any]) -> None:
     """Queue the answers of the process; None when it has ended."""
     try:
         while line := pipe.readline():

@@ -217,7 +217,7 @@ class Scene:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """The ids of the things that its pictures name, unless the document says others."""
+        """The ids of the things named in its pictures, unless the document names others."""
         return NAMES if self.phenomenon is None else self.phenomenon.names
 
     @property
@@ -292,7 +292,6 @@ class Scene:
 
     @property
     def faces(self) -> int:
-        """The number of faces."""
         surface = self.__dict__["surface"]
         return 0 if surface is None else int(surface.n_cells)
 

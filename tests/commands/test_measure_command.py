@@ -45,11 +45,6 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
         assert choice.name in done.stdout
 
 
-def test_json_can_go_to_standard_output() -> None:
-    done = run_here("measure", "--trade", "interpolation", "--quick", "--json", "-")
-    assert [trade.name for trade in from_json(done.stdout).trades] == ["interpolation"]
-
-
 def test_tables_can_go_to_standard_output_as_csv(tmp_path: Path) -> None:
     out = tmp_path / "out.json"
     words = ("--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)
@@ -230,7 +225,7 @@ def test_a_bargain_names_what_is_bought_and_what_is_paid(cost: str, name: str, w
         ChartPoint("wide", 10.4, 11.0, 1e-13, bytes=24.0),
         ChartPoint("untimed", None, None, 1.0, bytes=6.0),
     )
-    trade = Trade("arithmetic", "ns", "px", choices, 7).by(cost)
+    trade = Trade("arithmetic", "ns", "px", choices, 7).by_cost(cost)
     (chosen,) = (each for each in trade.choices if each.name == name)
     assert bargain(trade, chosen) == words
 

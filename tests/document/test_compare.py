@@ -112,7 +112,7 @@ def test_a_document_opens_even_if_it_cannot_have_a_compared_picture_now() -> Non
     document = set_values(of("letter-f"), ["view.compare=lens.near=6"])
     nearer = replace(
         document,
-        projection=replace(document.projection, lens=document.projection.lens.but(far=5.0)),
+        projection=replace(document.projection, lens=document.projection.lens.replaced(far=5.0)),
     )
     again = parse(to_json(nearer))
     with pytest.raises(Refusal, match=r"lens.near = 6"):
@@ -145,7 +145,7 @@ def test_pictures_are_set_by_values_or_by_the_name_of_a_comparison() -> None:
     )
     near, wide, own = (pictured(document, each).projection for each in document.view.compare)
     assert (near.lens.near, near.lens.far) == (2.0, 40.0)
-    assert wide == replace(own, lens=own.lens.but(fov_y_deg=60.0))
+    assert wide == replace(own, lens=own.lens.replaced(fov_y_deg=60.0))
     document = set_values(of("eye-plane"), ["view.compare=divides", "view.dividers=0.2,0.7"])
     assert document.settings["drawn"] == "clipped", "the last, if it is none of them"
     assert document.view.dividers == (0.2, 0.7)
@@ -227,7 +227,9 @@ def test_an_author_names_pictures_and_says_which_is_the_documents_own() -> None:
 
 def test_only_what_differs_is_found() -> None:
     start = of("letter-f").projection
-    other = replace(start, lens=start.lens.but(near=8.0, fov_y_deg=60.0), image_size=(720, 720))
+    other = replace(
+        start, lens=start.lens.replaced(near=8.0, fov_y_deg=60.0), image_size=(720, 720)
+    )
     assert differences([Held(start), Held(start)]) == []
     assert differences([Held(start), Held(other), Held(start)]) == [
         ("lens.fov_y_deg", (45.0, 60.0, 45.0)),

@@ -260,12 +260,6 @@ def test_a_recovered_document_is_unsaved(store: Store) -> None:
     assert store.modified
 
 
-def test_a_change_of_scene_can_be_undone(store: Store) -> None:
-    store.set_document(replace(store.document, scene="cube"))
-    store.undo()
-    assert store.document.scene == "letter-f"
-
-
 def test_the_history_is_bounded(store: Store) -> None:
     for i in range(UNDO_LIMIT + 10):
         store.set_projection(seen(50.0 + i / 1000.0))

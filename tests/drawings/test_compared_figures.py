@@ -145,7 +145,7 @@ def test_a_picture_that_there_is_not_is_refused_in_one_sentence() -> None:
     document = set_values(
         Document("letter-f", load("letter-f").start), ["view.compare=lens.near=6"]
     )
-    lens = document.projection.lens.but(far=5.0)
+    lens = document.projection.lens.replaced(far=5.0)
     document = replace(document, projection=replace(document.projection, lens=lens))
     with pytest.raises(Refusal, match=r"^lens.near = 6: must be less than far, which is 5\.$"):
         figure(document)

@@ -539,20 +539,6 @@ def projected(screen: OffScreen, own: dict[Any, Any]) -> list[str]:
     ]
 
 
-def test_drawings_of_one_scene_draw_the_same_as_each_for_itself(off_screen: MakeScreen) -> None:
-    scene = load("letter-f")
-    narrow = replace(scene.start, lens=Perspective(0.01, 1, 30))
-    pictures: list[Any] = []
-    for apart in (False, True):
-        for kind in (ImageDrawing, StageDrawing):
-            screen = off_screen(300, 200)
-            drawing = kind(screen, replace(scene) if apart else scene, WORDS, LIGHT)
-            drawing.show_projection(narrow)
-            assert drawing.precision == "float64"
-            pictures.append(screen.pixels())
-    assert (pictures[0] == pictures[2]).all() and (pictures[1] == pictures[3]).all()
-
-
 def test_faces_and_lines_choose_for_themselves(off_screen: MakeScreen) -> None:
     """Float32 can draw the trees of this avenue, but not the lines of its ground."""
     scene = load("far-plane-popping")

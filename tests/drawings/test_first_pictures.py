@@ -190,7 +190,7 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
     drawing = WorldDrawing(off_screen(*LARGE), scene, WORDS, LIGHT)
     drawing.show_names(None)
     for far, is_broken in ((14.0, False), (20.0, True)):
-        projection = replace(scene.start, lens=scene.start.lens.but(far=far))
+        projection = replace(scene.start, lens=scene.start.lens.replaced(far=far))
         drawing.show_projection(projection, illustrated(scene, projection))
         assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
 

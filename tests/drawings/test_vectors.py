@@ -499,7 +499,7 @@ def test_neighbours_in_a_plane_become_one_face() -> None:
 
 
 def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    monkeypatch.setattr("app.drawings.figures._REPORT_EVERY_S", 0.0)
     scene, told = load("cube"), list[float]()
 
     def go_on(fraction: float) -> bool:
@@ -514,7 +514,7 @@ def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPat
 def test_a_pdf_is_cancelled_while_matplotlib_draws_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("app.drawings.figures._TOLD_S", 0.0)
+    monkeypatch.setattr("app.drawings.figures._REPORT_EVERY_S", 0.0)
     monkeypatch.setattr("app.drawings.pdf._WATCHED", 2)
     areas = [Area([[(0.0, 0.0), (9.0, 0.0), (9.0, float(k))]], (0, 0, 0), 1.0) for k in range(1, 9)]
     calls: list[int] = []

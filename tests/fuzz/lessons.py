@@ -31,7 +31,7 @@ from app.lessons.lesson import read
 from app.lessons.practice import find_waiting, to_review, topics
 from app.lessons.quantities import FUNCTIONS
 from app.lessons.strokes import COLOURS, path_beside, read_strokes
-from app.lessons.text import html_of, outline, said_of
+from app.lessons.text import html_of, outline, spoken_text
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from tests.fuzz.files import DAMAGE, NUMBERS, WORDS, structure
@@ -334,7 +334,7 @@ def _try_part(part: ReadBlock, here: Any) -> None:
         texts.append(part.solution(here))
     for text in texts:
         _, formulas = html_of(text)
-        said_of(text)
+        spoken_text(text)
         for tex in formulas:
             with contextlib.suppress(ValueError):  # then it is shown as it was typed
                 outline(tex)
@@ -361,7 +361,7 @@ def _try_record(path: Path) -> None:
     attempts = record.read()
     known = records.standings(attempts)
     to_review(find_waiting(attempts).due, known)
-    records.met(attempts, known)
+    records.ideas_met(attempts, known)
     str(record.problem)
     with contextlib.suppress(Refusal):
         record.add(records.Attempt(1, "l", "s/e", 1, "1", records.RIGHT))

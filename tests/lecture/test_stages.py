@@ -127,31 +127,6 @@ def test_the_path_arrives_at_every_stop(lens: Lens, depth: str) -> None:
                 assert np.abs(euclid(drawn @ matrix(close).T) - at).max() < 1e-6
 
 
-@pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)
-def test_straight_lines_stay_straight(lens: Lens) -> None:
-    """For 1 000 random segments and positions, a point between the ends stays between them."""
-    random = np.random.default_rng(4)
-    strip = morph(lens)
-    # In the view volume, where all is finite: from random points of the box.
-    box = random.uniform((-1.0, -1.0, 0.02), (1.0, 1.0, 1.0), (1000, 2, 3))
-    from_box = strip.display_from_box(VIEW)
-    local_from_view = np.linalg.inv(strip.display_from_stage(VIEW) @ strip.stage_from_local(VIEW))
-    ends = euclid(np.concatenate([box, np.ones((1000, 2, 1))], axis=-1) @ from_box.T)
-    ends = ends @ local_from_view[:3, :3].T + local_from_view[:3, 3]
-    worst = 0.0
-    for (a, b), position, part in zip(
-        ends, random.uniform(0.0, 5.0, 1000), random.uniform(0.05, 0.95, 1000), strict=True
-    ):
-        three = np.array([[*a, 1.0], [*b, 1.0], [*(a + part * (b - a)), 1.0]])
-        a_seen, b_seen, between = euclid(three @ strip.display_from_local(position).T)
-        along = b_seen - a_seen
-        length = math.hypot(*along)
-        off = math.hypot(*np.cross(between - a_seen, along / length))
-        worst = max(worst, off / length)
-        assert -1e-12 <= float((between - a_seen) @ along) / length**2 <= 1.0 + 1e-12
-    assert worst <= 1e-12
-
-
 @pytest.mark.parametrize(("lens", "depth"), with_depths(LENSES))
 def test_scene_and_view_volume_move_as_one(lens: Lens, depth: str) -> None:
     """The scene's matrix maps the model's own corners to the volume's corners."""

@@ -11,7 +11,7 @@ import pytest
 from app.bootstrap import ROOT
 from app.lessons.checking import CheckReport
 from app.lessons.lesson import MOST_STEPS, Lesson, head_of, is_lesson, parse_lesson, read
-from app.lessons.text import formulas_in, markdown, said_of, spoken
+from app.lessons.text import formulas_in, markdown, spoken_tex, spoken_text
 from app.model.refusal import Refusal
 from app.strangers import LATIN_1
 
@@ -183,11 +183,11 @@ def test_markdown_leaves_formulas_alone_and_dollars_can_be_prices() -> None:
     ],
 )  # fmt: skip
 def test_a_formula_is_heard_in_words(tex: str, words: str) -> None:
-    assert spoken(tex) == words
+    assert spoken_tex(tex) == words
 
 
 def test_a_vector_is_heard_once() -> None:
-    assert said_of(r"Vector $\vec{u}$ is $\vec{n}$.") == "Vector u is vector n."
+    assert spoken_text(r"Vector $\vec{u}$ is $\vec{n}$.") == "Vector u is vector n."
 
 
 FILES = [

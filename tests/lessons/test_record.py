@@ -11,7 +11,15 @@ from pathlib import Path
 import pytest
 
 from app.lessons import record
-from app.lessons.record import Attempt, Record, due, mended, met, minutes_each, standings
+from app.lessons.record import (
+    Attempt,
+    Record,
+    corrected,
+    due,
+    ideas_met,
+    minutes_each,
+    standings,
+)
 from app.model.refusal import Refusal
 
 DAY_S = 86_400
@@ -154,9 +162,9 @@ def test_what_waits_longest_comes_first_and_ideas_are_counted() -> None:
     known = standings(said)
     assert due(known, today(2))[0] == ("l03", "x/y") and len(known) == 3
     assert known["l03", "x/y"].due == today(0) + timedelta(days=1)
-    assert met(said, known) == {("l03", "a"): (2, ""), ("l04", "b"): (1, "")}
+    assert ideas_met(said, known) == {("l03", "a"): (2, ""), ("l04", "b"): (1, "")}
     said.append(attempt(1, exercise="x/y"))
-    assert met(said, standings(said))["l03", "a"] == (2, "helped"), "as where it was met last"
+    assert ideas_met(said, standings(said))["l03", "a"] == (2, "helped"), "as where it was met last"
 
 
 def test_an_exercise_takes_as_long_as_most_have_taken() -> None:
@@ -178,10 +186,10 @@ def test_the_hints_that_older_programs_counted_in_tests_are_left_out() -> None:
 
     def hints(*said: Attempt) -> list[int]:
         known = {("l03", "practise/wide"): 2}
-        return [each.hints for each in mended(said, lambda key: known.get(key, 0))]
+        return [each.hints for each in corrected(said, lambda key: known.get(key, 0))]
 
     assert hints(attempt(5000, hints=2), attempt(77, "wrong", hints=2)) == [0, 0]
-    (standing,) = standings(mended([attempt(5000, hints=2)], lambda _key: 2)).values()
+    (standing,) = standings(corrected([attempt(5000, hints=2)], lambda _key: 2)).values()
     assert standing.outcome == "alone"
     for said in (
         [attempt(5000, hints=1)],  # not all

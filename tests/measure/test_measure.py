@@ -36,7 +36,7 @@ from app.measure.arithmetic import (
     timed_projections,
     values_of,
 )
-from app.measure.depth import BEYOND, NOT_TOLD, gaps, smallest_gap
+from app.measure.depth import BEYOND, NOTHING_APART, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
 from app.measure.detail import TOO_FEW, outline
 from app.measure.detail import measure as measure_detail
@@ -336,7 +336,7 @@ def test_a_sweep_of_near_or_far_shows_gaps_that_the_formula_predicts(parameter: 
     for name, curve in swept.curves.items():
         assert any(curve.errors), name
         for gap, predicted, note in zip(curve.errors, curve.predicted, curve.notes, strict=True):
-            assert (gap is None) == (note == NOT_TOLD), name
+            assert (gap is None) == (note == NOTHING_APART), name
             if gap is not None:  # beside the far plane the last code is cut short
                 assert 0.5 * predicted <= gap <= 4.0 * predicted, name
 
@@ -500,7 +500,9 @@ def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
     assert [row[-1] for row in table(trade)[1:]] == ["", BUSY]
     assert chart.diagrams(trade)[0].title == f"Arithmetic: {BUSY}"
     assert chart.diagrams(replace(trade, choices=(calm,)))[0].title == "Arithmetic"
-    assert chart.diagrams(trade.by("bytes"))[0].title == "Arithmetic", "bytes are never disturbed"
+    assert chart.diagrams(trade.by_cost("bytes"))[0].title == "Arithmetic", (
+        "bytes are never disturbed"
+    )
 
 
 def test_a_part_scales_its_progress_and_the_percentile_interpolates() -> None:
@@ -579,11 +581,11 @@ def test_the_frontier_is_made_of_the_programs_own_choices() -> None:
 def test_bytes_are_another_axis() -> None:
     sizes = (12.0, 6.0, 24.0, None)
     choices = [replace(c, bytes=size) for c, size in zip(TRADE.choices, sizes, strict=True)]
-    trade = replace(TRADE, choices=tuple(choices)).by("bytes")
+    trade = replace(TRADE, choices=tuple(choices)).by_cost("bytes")
     assert [choice.name for choice in trade.frontier] == ["dominated", "cheap", "good"]
     assert trade.cost_unit == "B" and "bytes" in chart.diagrams(trade)[0].x_label
-    assert TRADE.by("time") is TRADE
-    assert measure_depth(START).by("bytes").cost_unit == "B"
+    assert TRADE.by_cost("time") is TRADE
+    assert measure_depth(START).by_cost("bytes").cost_unit == "B"
 
 
 def test_a_spreadsheet_can_read_the_table() -> None:

@@ -375,18 +375,6 @@ def in_cone(point: Array, corners: Array) -> bool:
     return False
 
 
-def area_ndc(points: list[Rational]) -> Fraction:
-    """Exact area of a polygon's NDC x, y."""
-    flat = [(p[0] / p[3], p[1] / p[3]) for p in points]
-    return (
-        sum(
-            (a[0] * b[1] - a[1] * b[0] for a, b in zip(flat, flat[1:] + flat[:1], strict=True)),
-            Fraction(0),
-        )
-        / 2
-    )
-
-
 def square(low: float, high: float, z: float = 0.0) -> list[tuple[float, ...]]:
     return [(low, low, z, 1), (high, low, z, 1), (high, high, z, 1), (low, high, z, 1)]
 
@@ -410,29 +398,6 @@ def test_polygons_cut_by_hand(polygon: object, left: object, edges: tuple[str | 
     got = clip_polygon(polygon)  # type: ignore[arg-type]
     assert np.array_equal(got.points_clip, np.reshape(left, (-1, 4)))
     assert got.edges == edges
-
-
-@given(seed=st.integers(0, 2**32 - 1), depth=DEPTHS)
-def test_two_halves_of_a_polygon_have_the_area_of_the_whole(seed: int, depth: str) -> None:
-    """Floor triangles through the eye plane; areas summed in rationals, in NDC."""
-    rng = np.random.default_rng(seed)
-    a, b, c = np.column_stack([rng.uniform(-3, 3, (3, 3)), rng.uniform(-1, 2, 3)])
-    middle = (a + b) / 2.0
-    areas = []
-    for polygon in ([a, b, c], [a, middle, c], [middle, b, c]):
-        points = clip_polygon(polygon, depth).points_clip
-        if len(points):
-            assume(points[:, 3].min() > 1e-3)
-        areas.append(area_ndc([rational(p) for p in points]) if len(points) else Fraction(0))
-    assert float(areas[0]) == pytest.approx(float(areas[1] + areas[2]), abs=1e-9)
-    # The clipped polygon is convex and keeps its sense of turning.
-    points = [rational(p) for p in clip_polygon([a, b, c], depth).points_clip]
-    flat = [(float(p[0] / p[3]), float(p[1] / p[3])) for p in points]
-    turns = [
-        (q[0] - p[0]) * (r[1] - q[1]) - (q[1] - p[1]) * (r[0] - q[0])
-        for p, q, r in zip(flat, flat[1:] + flat[:1], flat[2:] + flat[:2], strict=True)
-    ]
-    assert all(turn >= -1e-9 for turn in turns) or all(turn <= 1e-9 for turn in turns)
 
 
 @given(seed=st.integers(0, 2**32 - 1), depth=DEPTHS)

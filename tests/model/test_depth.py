@@ -320,19 +320,6 @@ def test_pairs_farther_apart_than_the_gap_are_told_apart(
     assert 0.1 < buffer.collapsed_share(w, half) < 0.7
 
 
-def test_the_gap_of_24_bits_is_the_folklores() -> None:
-    """Within 5 % of z^2/(n 2^24), from 20 n on to where it is 4.7 % of z."""
-    for near in (1e-6, 0.1, 1.0, 250.0):
-        for mapping in DEPTH_RANGES:
-            buffer = buffer_of("fixed24", mapping, near, math.inf)
-            z = near * np.geomspace(1.0, 0.047 * 2**24, 200)
-            ratio = buffer.gap(z) / (z * z / (near * 2.0**24))
-            assert np.abs(ratio - 1.0).max() <= 0.05
-            far = replace(buffer, lens=replace(buffer.lens, far=1e6 * near))
-            ratio = far.gap(z[z < far.far / 2]) / buffer.gap(z[z < far.far / 2])
-            assert np.abs(ratio - 1.0).max() <= 1e-5
-
-
 def test_the_gap_of_float32_reversed_is_a_share_of_the_distance() -> None:
     """2^-24 to 2^-23 of it, from near to 1e30 near, far plane at infinity (Reed)."""
     for near in (1e-6, 0.1, 1e3):

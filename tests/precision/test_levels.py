@@ -733,24 +733,6 @@ def test_no_point_of_a_cloud_is_off_by_more_than_predicted(
     assert cloud is not None and np.isfinite(list(cloud.values())).all()
 
 
-def test_one_point_far_to_the_side_or_deep_in_the_volume_counts() -> None:
-    """Issue 16's: among 20 000 a sample of 4 096 misses it, and nothing else tells of it."""
-    points = np.random.default_rng(18).uniform(-2.0, 2.0, (20_000, 3))
-    aside, deep = points.copy(), points.copy()
-    aside[12_345] += 3e6 * SLANTED.frame[0]
-    deep[12_345] = SLANTED.eye - 9e5 * SLANTED.frame[2]
-    box = Orthographic(-4.0, 4.0, -3.0, 3.0, 1.0, 1e6)
-    for lens, cloud, level, least in (
-        (Perspective(45.0, 1.0, 30.0), aside, "float64", 1e-9),
-        (box, deep, "float32", 0.1),
-    ):
-        projection = Projection(SLANTED, lens, HD)
-        px, _ = measured(projection, cloud[12_345:12_346], (0.0, 0.0, 0.0))[level]
-        without, whole = (predict(projection, some) for some in (points, cloud))
-        assert without is not None and whole is not None
-        assert without[level].px < least < px <= whole[level].px < 100.0 * px
-
-
 @given(
     st.sampled_from(list(CLOUDED)),
     st.sampled_from(list(DEPTH_RANGES)),
@@ -788,7 +770,7 @@ def test_predictions_of_scattered_points_are_as_tight_as_the_readme_says(
     rng, ratios = np.random.default_rng(32), []
     starts = [load(name).start for name in BUILT_IN] * 2
     for start in (start.with_depth(depth) for start in starts for depth in DEPTH_RANGES):
-        lens = start.lens.but(near=1.01 * start.lens.near)
+        lens = start.lens.replaced(near=1.01 * start.lens.near)
         projection = replace(start, lens=lens)
         points = seen(projection, points_in_view(projection, rng, count))
         ratios += check_predictions(start.lens.kind, projection, points, (0.0, 0.0, 0.0))
@@ -811,7 +793,7 @@ def test_predictions_of_the_readmes_documents_are_as_tight_as_it_says() -> None:
         for near in np.geomspace(1e-3, 10.0, 5).tolist()
     ]
     # A round near leaves errors of 0 now and then, which no bound is a multiple of.
-    unround = [(scene, replace(at, lens=at.lens.but(near=1.01 * at.lens.near)))
+    unround = [(scene, replace(at, lens=at.lens.replaced(near=1.01 * at.lens.near)))
                for scene, at in documents]  # fmt: skip
     of_ratios = [start.with_depth(depth) for _, start in unround for depth in DEPTH_RANGES]
     for scene, start in [*unround, *documents]:

@@ -578,10 +578,10 @@ def test_a_pane_hidden_during_the_drag_is_restored_too(
     window.store.begin_gesture()
     for i in range(6):
         step(window, 40.0 + i)
-    window.slots.bring("world")
+    window.slots.make_large("world")
     window.store.end_gesture()
     settle()
-    window.slots.bring("world")
+    window.slots.make_large("world")
     fresh = make_window(window.store.document)
     assert same(pictures(window), pictures(fresh)) == ALL_SAME
 

@@ -12,7 +12,7 @@ import pytest
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
 from app.model.projection import Array, Camera, FreeMatrix, Frustum, Projection
-from app.scenes.phenomena.clipping import CARDS, PHENOMENON, TRIANGLE, cut_by, sorted_out, steps
+from app.scenes.phenomena.clipping import CARDS, PHENOMENON, TRIANGLE, classified, cut_by, steps
 from app.scenes.phenomena.illustration import Illustration
 from tests.oracles.illustrations import reading, showing, subject_of, value
 
@@ -130,12 +130,12 @@ def test_l15_a_face_past_an_edge_of_the_volume_is_outside() -> None:
     past = [(4.5, 0.0, -2.0), (0.0, 4.5, -2.0), (4.5, 4.5, -2.0)]
     through = [(3.0, 0.0, -2.0), (0.0, 3.0, -2.0), (3.0, 3.0, -2.0)]
     assert not SIMPLE.trace(past).outside.all(axis=0).any()
-    assert sorted_out(SIMPLE, np.array([past, through])) == ([], [0], [1])
+    assert classified(SIMPLE, np.array([past, through])) == ([], [0], [1])
 
 
 def test_l15_cards_are_pale_where_they_are_outside_and_nowhere_else() -> None:
     veil = faces(show(), "background")
-    _, outside, crossing = sorted_out(START, CARDS)
+    _, outside, crossing = classified(START, CARDS)
     for piece in veil:
         assert START.trace(piece.mean(axis=0)).outside.any()
     inside = 0.0

@@ -212,22 +212,6 @@ def test_the_mirrored_end_is_the_formula_s_and_the_frame_minus_the_right_one() -
             assert note is not None and note.values == pytest.approx(tuple(principal))
 
 
-def test_by_hand() -> None:
-    """Eye in 0, 90 degrees, 200 x 200 px: (1, 2, 4) is at w = -4, its picture at x = -1/4.
-
-    Naive: 100 (1 - 1/4) = 75 and 100 (1 + 2/4) = 150; the right end (1, 2, -4) is at 125 and 50,
-    and 200 - 125 = 75, 200 - 50 = 150.
-    """
-    projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(90.0, 1.0, 10.0), (200, 200))
-    illustration = show(projection, (0, 0, -2), (1, 2, 4))
-    for label in ("mirrored end", "frame size minus right end"):
-        assert value(illustration, label) == pytest.approx((75.0, 150.0), abs=1e-12)
-    assert case_of(illustration) == 4
-    # From (100, 100) to (75, 150); the right arc leaves the other way, along (1, -2), to y = 0.
-    assert value(illustration, "AB drawn wrongly") == pytest.approx(math.hypot(25, 50), rel=1e-12)
-    assert value(illustration, "AB missed") == pytest.approx(math.hypot(50, 100), rel=1e-12)
-
-
 def test_the_circle_has_the_two_arcs() -> None:
     """The segment's own arc includes the top only if its ends are on both sides of the plane."""
     rng = np.random.default_rng(9)

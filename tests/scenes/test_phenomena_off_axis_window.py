@@ -58,7 +58,7 @@ def test_the_halves_join_exactly_for_fifty_random_windows() -> None:
 def test_halves_that_do_not_join_are_found_out() -> None:
     left, right = halves(PHENOMENON.start)
     # 0.001 of a window 1.6 wide is shown on 640 pixels: a gap of 0.4 px at its edge.
-    lens = right.lens.but(left=right.lens.left + 0.001)
+    lens = right.lens.replaced(left=right.lens.left + 0.001)
     pair = left, replace(right, lens=lens)
     assert join_error_px(pair) == pytest.approx(0.001 / 1.599 * 640, rel=1e-9)
     difference = largest_difference_px(PHENOMENON.start, pair, SUBJECT.points)

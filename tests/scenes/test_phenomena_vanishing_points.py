@@ -70,20 +70,6 @@ def test_vanishing_points_are_the_limits_of_fifty_random_pictures() -> None:
     assert perspectives > 10
 
 
-def test_vanishing_points_by_hand() -> None:
-    """Azimuth 40, level: tan 40 = 0.8391 right of the middle, and cot 40 = 1.19175 left of it.
-
-    With 70 degrees up and 720 px, the plane at distance 1 has 360/tan 35 = 514.13 px a unit.
-    """
-    illustration = shown(PHENOMENON.start)
-    k = 360 / math.tan(math.radians(35))
-    right, left = math.tan(math.radians(40)), 1 / math.tan(math.radians(40))
-    assert pixel(illustration, "along z") == pytest.approx((640 + k * right, 360.0), abs=1e-9)
-    assert pixel(illustration, "along x") == pytest.approx((640 - k * left, 360.0), abs=1e-9)
-    found = reading(illustration, "along y")
-    assert found.value is None and found.note is not None and found.note.values == ("y", 90.0)
-
-
 @pytest.mark.parametrize(("points", "finite"), [("1", "z"), ("2", "xz"), ("3", "xyz")])
 @pytest.mark.parametrize("target", [(0.0, 1.3, 0.0), (0.1, 1.1, -7.3), (12345.6, 0.7, 1e-3)])
 def test_the_presets_have_as_many_as_they_say(
@@ -218,30 +204,6 @@ def test_all_horizontal_directions_vanish_on_the_horizon() -> None:
     assert checked > 10
     down = Camera((0.0, 20.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0))
     assert horizon(replace(PHENOMENON.start, camera=down)) is None
-
-
-@pytest.mark.parametrize(
-    ("line", "ends"),
-    [
-        ((0.0, 1.0, 2.0), [(0, 2), (10, 2)]),
-        ((1.0, 0.0, 3.0), [(3, 0), (3, 5)]),
-        ((1.0, -1.0, 0.0), [(0, 0), (5, 5)]),
-        ((1.0, 1.0, 12.0), [(7, 5), (10, 2)]),
-        ((1.0, -1.0, 20.0), None),
-        ((0.0, 1.0, 7.0), None),
-        ((0.0, 1.0, -1.0), None),
-        ((3.0, 1.0, 6.0), [(1 / 3, 5), (2, 0)]),
-    ],
-)
-def test_a_line_in_a_rectangle(
-    line: tuple[float, float, float], ends: list[tuple[float, float]] | None
-) -> None:
-    held = line_in_rectangle(line, (0.0, 0.0), (10.0, 5.0))
-    if ends is None:
-        assert held is None
-    else:
-        assert held is not None
-        assert np.allclose(sorted(held.tolist()), sorted(ends), atol=1e-12)
 
 
 def test_guide_lines_go_through_their_vanishing_point() -> None:

@@ -10,7 +10,9 @@ from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractScrollArea,
     QCheckBox,
+    QComboBox,
     QLabel,
+    QLineEdit,
     QScrollBar,
     QToolButton,
     QWidget,
@@ -89,6 +91,14 @@ def cut(window: QWidget) -> list[str]:
             outside = sides.left() < 0 or sides.right() > area.viewport().width()
             if outside and bar.maximum() == bar.minimum():
                 found.append(f"{text!r} is beside what {area.accessibleName()!r} shows")
+    for field in (field for field in window.findChildren(QLineEdit) if field.isVisible()):
+        across = field.fontMetrics().horizontalAdvance(field.displayText())
+        if field.text() and across > field.contentsRect().width() - 4:
+            found.append(f"{field.accessibleName()} = {field.text()}")
+    for box in (box for box in window.findChildren(QComboBox) if box.isVisible()):
+        longest = max(map(box.itemText, range(box.count())), key=len, default="")
+        if box.fontMetrics().horizontalAdvance(longest) > box.width() - 24:
+            found.append(longest)
     return found
 
 

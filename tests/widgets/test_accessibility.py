@@ -146,7 +146,7 @@ def test_a_message_is_announced_and_esc_closes_it(
     field.setFocus()
     messages = window.messages
     for sentence in ("An offer.", "A refusal.", "A refusal."):
-        messages.say(sentence, *[("Take it", lambda: None)][: sentence == "An offer."])
+        messages.show_message(sentence, *[("Take it", lambda: None)][: sentence == "An offer."])
     assert heard == ["An offer.", "A refusal."]
     QTest.keyClicks(field, "x")
     QTest.keyClick(field, escape)

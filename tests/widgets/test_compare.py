@@ -43,7 +43,7 @@ def hold(window: MainWindow) -> Any:
 
 def change(window: MainWindow, **lens: float) -> Projection:
     """Change the lens, as a control would."""
-    projection = seen(window, lens=window.store.document.projection.lens.but(**lens))
+    projection = seen(window, lens=window.store.document.projection.lens.replaced(**lens))
     window.store.set_projection(projection)
     settle()
     return projection
@@ -64,7 +64,7 @@ def words(window: MainWindow) -> str:
 
 
 def test_the_held_picture_is_left_of_the_divider_and_the_live_one_right(window: MainWindow) -> None:
-    window.slots.bring("image")
+    window.slots.make_large("image")
     settle()
     compare = hold(window)
     held = window.store.document.projection
@@ -218,7 +218,7 @@ def test_only_the_live_side_reacts_to_the_mouse(window: MainWindow) -> None:
     assert len(window.probe_panel.probes) == 1 and not window.slots.whole
     assert other.pane.probes == window.probe_panel.probes, "the same point in both"
     assert window.store.document.projection == replace(
-        before.projection, lens=before.projection.lens.but(fov_y_deg=40.0)
+        before.projection, lens=before.projection.lens.replaced(fov_y_deg=40.0)
     )
 
 

@@ -23,7 +23,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
-    QAbstractButton,
     QApplication,
     QComboBox,
     QLabel,
@@ -36,11 +35,10 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.fields import IMAGE, lens_fields
-from app.document.files import NO_FILE
 from app.document.settings import set_values
 from app.drawings.figure_size import SCALED_WIDTH
 from app.drawings.figures import render
-from app.model.limits import ABOVE, DISTINCT
+from app.model.limits import DISTINCT
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,
@@ -81,6 +79,7 @@ from tests.support.controls import (
     press,
     release,
 )
+from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
@@ -1337,37 +1336,6 @@ def unfold(controls: Column) -> None:
     QApplication.processEvents()
 
 
-def cut(controls: Column) -> list[str]:
-    """Return the texts that are cut, and the widgets that reach out of the dock."""
-    told = []
-    kinds = (QLabel, QLineEdit, QComboBox, QAbstractButton, QSlider)
-    for widget in [each for kind in kinds for each in controls.findChildren(kind)]:
-        if not widget.isVisible():
-            continue
-        if not isinstance(widget, QLineEdit) or controls.isAncestorOf(widget.parentWidget()):
-            left = widget.mapTo(controls, QPoint()).x()
-            if left < 0 or left + widget.width() > controls.width():
-                told.append(f"{widget} is outside")
-        if isinstance(widget, QLabel):
-            needed = widget.heightForWidth(widget.width()) if widget.wordWrap() else 0
-            across = widget.minimumSizeHint().width()
-            if widget.width() < across or widget.height() < needed:
-                told.append(widget.text())
-        elif isinstance(widget, QLineEdit):
-            across = widget.fontMetrics().horizontalAdvance(widget.displayText())
-            if across > widget.contentsRect().width() - 4 and widget.text():
-                told.append(f"{widget.accessibleName()} = {widget.text()}")
-        elif isinstance(widget, QComboBox):
-            longest = max(map(widget.itemText, range(widget.count())), key=len)
-            if widget.fontMetrics().horizontalAdvance(longest) > widget.width() - 24:
-                told.append(longest)
-        elif isinstance(widget, QAbstractButton) and (
-            widget.width() < widget.minimumSizeHint().width()
-        ):
-            told.append(widget.text())
-    return told
-
-
 @pytest.mark.parametrize("font", [1.0, 1.25, 1.5])
 def test_nothing_is_cut_in_the_narrowest_dock_with_any_lens(
     controls: Column, font: float, larger_text: Callable[[float], None]
@@ -1498,8 +1466,6 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         words = {  # noqa: RUF012
             "Near": "Bliža ravnina",
             "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
-            "does not exist": "ne postoji",
-            "must be greater than {0}": "mora biti veće od {0}",
             meshes.EMPTY: "{0}: datoteka je prazna.",
             scene.NEARLY_A_SCENE: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
             SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
@@ -1517,10 +1483,6 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         with pytest.raises(Refusal) as caught:
             Perspective(45.0, 3.0, 2.5)
         assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
-        missing = Refusal.in_document(NO_FILE, file="a.json")
-        assert sentence(missing) == "a.json ne postoji."
-        wrong = Refusal.in_document(ABOVE, 0, field="lens.near", value=-1)
-        assert sentence(wrong) == "lens.near = -1: mora biti veće od 0."
         with pytest.raises(Refusal) as unknown:
             scene.load("kube")
         *others, last = scene.BUILT_IN

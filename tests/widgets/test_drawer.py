@@ -41,7 +41,7 @@ def test_a_folded_panel_hears_of_nothing_until_it_is_opened(qtbot: QtBot) -> Non
     def tell(document: Document) -> ShownData:
         shown = ShownData(document, scene, None)
         panels.keep(shown)
-        panels.tell()
+        panels.notify()
         return shown
 
     start = tell(document)

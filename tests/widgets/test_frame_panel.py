@@ -292,6 +292,17 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
 
 
+def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
+    panel, before = window.frame_panel, window.store.document.projection
+    panel.angle.slider.sliderPressed.emit()
+    for position in (200, 150, 100):
+        panel.angle.slider.setValue(position)
+    panel.angle.slider.sliderReleased.emit()
+    assert up_and_view(window.store.document.projection.camera).angle_deg < 1e-8
+    window.store.undo()
+    assert window.store.document.projection == before and not window.store.can_undo
+
+
 @pytest.mark.undrawn
 def test_a_refused_angle_shows_the_models_sentence(window: MainWindow) -> None:
     panel, before = window.frame_panel, window.store.document.projection

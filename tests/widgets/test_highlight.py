@@ -255,7 +255,7 @@ def test_the_world_knows_what_is_under_the_mouse(
     """With the pane's own sight, which is tested against VTK's camera."""
     window.menus.name_everything.trigger()
     projection = window.store.document.projection
-    window.slots.bring("world")
+    window.slots.make_large("world")
     window.store.set_view(names=EVERYTHING)  # the target is drawn only if it is named
     settle()
     drawing = window.panes["world"].drawing

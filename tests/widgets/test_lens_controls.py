@@ -100,23 +100,6 @@ def test_every_slider_of_every_lens_goes_to_an_end(column: Column, reader: Reade
                 assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
-def test_a_drag_of_any_number_of_a_lens_is_one_gesture(column: Column) -> None:
-    for kind in LENSES:
-        show(column, SHOWN[kind])
-        for key, row in lens_rows(column).items():
-            show(column, SHOWN[kind])
-            column.ensureWidgetVisible(row)
-            record = Record(column)
-            before = row.slider.value()
-            scale = row.scale
-            press(row.slider)
-            for step in (1, 2, 3):
-                drag(row.slider, before + step * scale.stops.key)
-            assert row.scale is scale, key  # not under the hand
-            release(row.slider)
-            assert record.events == ["start", "edit", "edit", "edit", "finish"], key
-
-
 def test_the_numbers_of_other_lenses_are_left_alone(column: Column) -> None:
     for kind in LENSES:
         show(column, START)

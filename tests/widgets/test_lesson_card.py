@@ -41,7 +41,7 @@ from app.lessons.course import Course, contained, idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
 from app.lessons.state import path_of
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
 from tests.support.keys import clashes
@@ -61,13 +61,13 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.parts.lesson_text import LessonText
-from widgets.parts.progress import Tell
+from widgets.parts.progress import ReportProgress
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.click import ClickView
 from widgets.window.lesson_blocks.exercise import ExerciseView
 from widgets.window.lesson_blocks.task import DONE, TaskView
-from widgets.window.lesson_blocks.view import TOLD, BlockView
+from widgets.window.lesson_blocks.view import REVEALED, BlockView
 from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
@@ -391,7 +391,7 @@ def test_a_hint_is_that_of_the_question_with_the_cursor(window: MainWindow, tmp_
     press(KEY.Key_I, ALT)
     assert "Drag it." in texts(near), "which no cursor can be in"
     assert "Show the answer" in buttons(near), "a right state, although nothing says why"
-    near.give_away()
+    near.reveal_answer()
     settle()
     assert "a state that fulfils the task" in texts(near) and "Show it" in buttons(near)
     assert "One by two." not in texts(card) and not card.hint.isEnabled()
@@ -783,8 +783,8 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     press(KEY.Key_I, ALT)
     assert "Show the answer" in buttons(view), "after a hint"
     press(KEY.Key_A, ALT)
-    assert said_of(view.asked.question.solution(view.variant.here)) in texts(view)
-    assert view.answer == f"77 {TOLD}" and "Show the answer" not in buttons(view)
+    assert spoken_text(view.asked.question.solution(view.variant.here)) in texts(view)
+    assert view.answer == f"77 {REVEALED}" and "Show the answer" not in buttons(view)
     view.seed.setText("1")
     view.begin()
     view.asked.field.setText(f"{right:.4g}")
@@ -862,7 +862,7 @@ def test_a_check_runs_beside_the_window_and_can_be_cancelled(
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
     threads, said, ended = list[threading.Thread](), list[str](), threading.Event()
 
-    def check(_report: CheckReport, _path: Path, progress: Tell) -> None:
+    def check(_report: CheckReport, _path: Path, progress: ReportProgress) -> None:
         threads.append(threading.current_thread())
         end = time.monotonic() + 10.0
         while progress(0.0) and time.monotonic() < end:  # one long piece: no other fraction
@@ -1352,12 +1352,12 @@ def test_every_response_is_seen_whole_and_announced(
             page = card.findChild(QScrollArea)
             (view,) = card.blocks
             assert page is not None and heard, of
-            for widget in view.said:
+            for widget in view.response:
                 corner = widget.mapTo(page.viewport(), QPoint())
                 seen = page.viewport().rect().contains(QRect(corner, widget.size()))
                 assert seen and widget not in said, of
-            said[:] = view.said
-            text = "\n".join(texts(widget) for widget in view.said)
+            said[:] = view.response
+            text = "\n".join(texts(widget) for widget in view.response)
             assert heard[-1].split()[0] in text or heard[-1].split()[1] in text, of
             heard.clear()
             return text
@@ -1396,7 +1396,7 @@ def test_every_response_is_seen_whole_and_announced(
             press(KEY.Key_I, ALT)
             assert "Hint" in response(f"hint {of}")
             press(KEY.Key_A, ALT)
-            assert response(f"shown {of}") and view.answer == f"1 {TOLD}"
+            assert response(f"shown {of}") and view.answer == f"1 {REVEALED}"
             card.room_wanted.emit(30)
             view.go_on()
             come_to_rest(window)
@@ -1406,7 +1406,7 @@ def test_every_response_is_seen_whole_and_announced(
             said_last = response(f"right {of}")
             assert view.answer.startswith("2 "), of
             if not isinstance(view.asked, TaskView):  # the way, besides its reason
-                way = said_of(view.asked.question.solution(view.variant.here))
+                way = spoken_text(view.asked.question.solution(view.variant.here))
                 assert way in said_last and "." in said_last.replace(way, ""), of
             window.controls.rows["near"].field.setFocus()
             settle()

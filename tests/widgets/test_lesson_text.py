@@ -183,7 +183,7 @@ def test_it_is_as_high_as_what_it_holds(qtbot: Any) -> None:
     document = text.document()
     assert document.size().height() <= text.height() and document.idealWidth() <= 160
     low = text.heightForWidth(160)
-    text.say("Short.")
+    text.show_text("Short.")
     assert text.heightForWidth(160) < low
 
 
@@ -206,7 +206,7 @@ def test_formulas_are_copied_as_tex_and_read_out_in_words(qtbot: Any) -> None:
     text.selectAll()
     assert text.createMimeDataFromSelection().text() == r"See $x_p$ $y$, and $\frac{1}{2}$."
     assert text.accessibleName() == "See x p y, and 1 over 2."
-    text.say("| $a$ | $b$, |\n|---|---|\n| $c$ | 2 |")
+    text.show_text("| $a$ | $b$, |\n|---|---|\n| $c$ | 2 |")
     text.selectAll()
     assert text.createMimeDataFromSelection().text().split() == ["$a$", "$b$,", "$c$", "2"]
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"

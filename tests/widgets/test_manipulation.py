@@ -132,7 +132,7 @@ def along(window: MainWindow, handle: Handle, **fields: float) -> tuple[int, int
 def window(window: MainWindow) -> MainWindow:
     """With the world pane alone, in which the near face is large."""
     window.store.set_projection(replace(model(window), lens=LENSES["perspective"]))
-    window.slots.bring("world")
+    window.slots.make_large("world")
     window.slots.reset_views()
     window.panes["image"].show()
     settle()
@@ -277,31 +277,31 @@ def test_the_text_about_a_handle_is_fully_visible_and_does_not_jump(window: Main
     def place() -> str:
         line, note = held_line(window), pane.note
         if line.isVisible():
-            assert note.text() == "" and hand.said == line.text()
+            assert note.text() == "" and hand.handle_text == line.text()
             assert line.geometry().top() == pane.canvas.y() and line.width() == pane.width()
             assert line.height() >= line.heightForWidth(line.width())
             return "line"
-        assert hand.said == note.text()
+        assert hand.handle_text == note.text()
         assert note.fontMetrics().horizontalAdvance(note.text()) <= note.width()
         return "title"
 
     pane.title.setMinimumWidth(pane.width() // 2)  # as on a small screen: little room beside it
     settle()
     move(window, "world", at, button=Qt.MouseButton.NoButton)
-    assert "Eye = (6, 5, 9)" in hand.said and place() == "line"
+    assert "Eye = (6, 5, 9)" in hand.handle_text and place() == "line"
     press(window, "world", at)
     for way in ((12, 0), (60, 30), (200, 0)):
         move(window, "world", at + QPoint(*way))
-        assert "Eye = (" in hand.said and place() == "line"
+        assert "Eye = (" in hand.handle_text and place() == "line"
     pane.title.setMinimumWidth(0)
     settle()
     move(window, "world", at + QPoint(12, 2))
     assert place() == "line", "it stays where it is while it is held"
     release(window, "world", at + QPoint(12, 2))
     move(window, "world", point_of((3.0, 3.0)), button=Qt.MouseButton.NoButton)
-    assert hand.said == "" and place() == "title"
+    assert hand.handle_text == "" and place() == "title"
     move(window, "world", point_of(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
-    assert "Near = 1" in hand.said
+    assert "Near = 1" in hand.handle_text
     place()
 
 
@@ -314,7 +314,7 @@ def test_the_text_about_a_handle_disappears_with_its_drawing(
     pane.title.setMinimumWidth(pane.width() // 2)
     settle()
     move(window, "world", point_of(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
-    assert hand.said and held_line(window).isVisible()
+    assert hand.handle_text and held_line(window).isVisible()
     if change == "scene":
         window.guide.choose("cube")
     else:
@@ -334,7 +334,11 @@ def test_a_refusal_replaces_the_text_about_a_handle_while_it_is_shown(window: Ma
     move(window, "world", point_of(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
     assert hand.message.isVisible() and not held_line(window).isVisible()
     release(window, "world", point_of(spot))
-    assert not hand.message.isVisible() and "Near = " in hand.said and held_line(window).isVisible()
+    assert (
+        not hand.message.isVisible()
+        and "Near = " in hand.handle_text
+        and held_line(window).isVisible()
+    )
 
 
 def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
@@ -345,7 +349,7 @@ def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
         settle()
         for spot in marks(window).values():
             move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
-            texts.add(window.manipulation.said)
+            texts.add(window.manipulation.handle_text)
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
     for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
@@ -658,7 +662,7 @@ def test_the_panes_stand_still_during_a_drag_although_the_readout_grows(
     press(window, "world", at)
     move(window, "world", at + QPoint(30, 0))
     before = card.height()
-    card.warning.say("Such a long warning that there is no room for it. " * 5)
+    card.warning.show_text("Such a long warning that there is no room for it. " * 5)
     card.readout.show_readings([Reading("a number", (-1.23456e-12, -6.54321e-12), "px")] * 9)
     settle()
     assert card.height() > before and pane.size() == size

@@ -433,7 +433,7 @@ def test_the_quotient_of_a_typed_fraction_is_reported(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     told: list[str] = []
-    panel.told.connect(told.append)
+    panel.adjusted.connect(told.append)
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
     assert "1/3" in field.toolTip() and field.placeholderText() == "1/3"
     assert "a fraction such as 1/3" in panel.explanation.text()
@@ -514,7 +514,7 @@ def test_a_refused_cell_is_named_and_nothing_changes(
     qtbot.keyClick(field, Qt.Key.Key_Return)
     cell = f"{stage_title(name)}, row 1, column 3"
     assert panel.explanation.text() == f"Not possible. {cell} = {sentence}"
-    assert panel.explanation.styleSheet() and panel.explanation.warns
+    assert panel.explanation.styleSheet() and panel.explanation.is_warning
     assert panel.views[name].field is field  # to be mended
     assert edits == []
     field.selectAll()
@@ -522,7 +522,7 @@ def test_a_refused_cell_is_named_and_nothing_changes(
     qtbot.keyClick(field, Qt.Key.Key_Return)
     assert len(edits) == 1 and panel.views[name].texts != before
     qtbot.keyClick(panel.views[name], Qt.Key.Key_Right)
-    assert not panel.explanation.warns and not panel.explanation.styleSheet()
+    assert not panel.explanation.is_warning and not panel.explanation.styleSheet()
 
 
 @pytest.mark.undrawn

@@ -313,6 +313,22 @@ def test_a_click_on_a_point_or_a_row_uses_the_choice(panel: MeasurePanel, tmp_pa
     assert used.count() == 2, "a click beside the points uses nothing"
 
 
+def test_a_choice_that_the_panes_cannot_draw_with_is_not_used(
+    panel: MeasurePanel, tmp_path: Path
+) -> None:
+    used = QSignalSpy(panel.used)
+    peers = replace(TRADE, choices=tuple(replace(c, use={}) for c in TRADE.choices))
+    panel.load(write(tmp_path / "a.json", replace(RESULTS, trades=(peers,))))
+    panel.choose("arithmetic")
+    click_spot(panel, "good")
+    assert not panel.table.selectedItems() and used.count() == 0
+    click_cell(panel, 1)
+    assert not panel.table.selectedItems() and used.count() == 0
+    panel.load(write(tmp_path / "a.json", RESULTS))
+    click_cell(panel, 1)
+    assert {item.row() for item in panel.table.selectedItems()} == {1} and used.count() == 1
+
+
 def test_the_caption_says_what_a_clicked_choice_buys_and_pays(
     panel: MeasurePanel, tmp_path: Path
 ) -> None:
@@ -598,7 +614,7 @@ def test_a_refusal_stays_until_the_panel_is_used_again(window: MainWindow, tmp_p
     panel.run()
     assert bar.text == ""
     refuse()
-    bar.say("Something else went wrong.")
+    bar.show_message("Something else went wrong.")
     panel.choose("depth")
     assert bar.text == "Something else went wrong.", "that is not the panel's to take back"
 

@@ -229,7 +229,7 @@ def test_a_warning_has_its_sign_beside_its_text(dressed: Callable[..., None], qt
     assert label.text() == "near" and label.indent() > side and inked() > 20
     label.setText("")
     assert inked() == 0
-    label.set_warns(False)
+    label.set_is_warning(False)
     label.setText("")
     assert label.indent() == 0
 

@@ -143,7 +143,7 @@ def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     assert read_strokes(talk) == {}
     QTest.keyClick(pen, Qt.Key.Key_K)
     assert read_strokes(talk) == wanted
-    assert window.band.note == "Kept for the handout: talk.strokes.json"
+    assert window.band.message == "Kept for the handout: talk.strokes.json"
     window.lessons.close()
     settle()
     assert pen.here == []

@@ -25,7 +25,14 @@ from pytestqt.qtbot import QtBot
 from app.lessons import practice
 from app.lessons.course import Course
 from app.lessons.lesson import read as read_lesson
-from app.lessons.practice import ExerciseMark, Sheet, drawn, exercises_of, find_waiting, to_review
+from app.lessons.practice import (
+    ExerciseMark,
+    Sheet,
+    draw_test,
+    exercises_of,
+    find_waiting,
+    to_review,
+)
 from app.lessons.record import RIGHT, WRONG, Attempt, standings
 from app.lessons.results import read
 from tests.support.exercises import WIDE
@@ -86,7 +93,7 @@ def own_topics(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Iterator[None
 
 def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
     """The file that keeps a test until it is handed in may be damaged."""
-    sheet = Sheet("", "", drawn(["L5"], 7), is_test=True)
+    sheet = Sheet("", "", draw_test(["L5"], 7), is_test=True)
     (item,), (step,) = sheet.items, sheet.lesson.steps
     key = f"{step.name}/choose"
     for typed in ("abc", "3", "-1", "2" * 5000, "1" + "\N{SUPERSCRIPT TWO}"):
@@ -98,18 +105,18 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
 
 def test_a_number_gives_everyone_the_same_test() -> None:
     def keys(names: list[str], number: int) -> list[tuple[str, int]]:
-        return [(item.placed.exercise.name, item.seed) for item in drawn(names, number)]
+        return [(item.placed.exercise.name, item.seed) for item in draw_test(names, number)]
 
     assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
     assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
     assert len({tuple(keys(["L3", "L5"], number)) for number in range(1, 30)}) == 29
     assert keys(["L4"], 1) == [] and {name for name, _ in keys(["L5"], 1)} == {"choose"}
-    (item,) = drawn(["L5"], 3)
+    (item,) = draw_test(["L5"], 3)
     assert [found.key[1] for found in exercises_of(item.placed.course)] == ["practise/choose"]
 
 
 @pytest.fixture
-def tested(window: MainWindow) -> MainWindow:
+def with_test(window: MainWindow) -> MainWindow:
     """Return a window whose card shows test 4 of both topics."""
     activate(window)
     window.practice.begin_test(["L3", "L5"], 4)
@@ -161,14 +168,16 @@ def test_a_test_is_chosen_by_keyboard_alone(window: MainWindow) -> None:
     assert len(window.lessons.lesson.steps) == 3 and window.panels.open_panel is None
 
 
-def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(tested: MainWindow) -> None:
-    card, menus = tested.lesson_card, tested.menus.lesson_menu
+def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(
+    with_test: MainWindow,
+) -> None:
+    card, menus = with_test.lesson_card, with_test.menus.lesson_menu
     assert not card.hint.isVisible() and not card.anew.isVisible()
     assert not menus.hint.isEnabled() and not menus.anew.isEnabled()
     for place in range(3):
         (view,) = card.blocks
         assert "Angles go from bottom to top." in texts(card), "what the step says before it"
-        assert tested.store.document == view.variant.here.document
+        assert with_test.store.document == view.variant.here.document
         assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
         assert place or view.visibleRegion().boundingRect() == view.rect(), "it makes room"
         if view.block.name == "wide":
@@ -182,7 +191,7 @@ def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(tested: M
             buttons(card)["Hand it in"].click()
             settle()
             assert "Nothing is changed yet." in texts(card)
-        answer(tested)
+        answer(with_test)
         assert not view.is_open and "Your answer is kept until the end." in texts(card)
         assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
         assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
@@ -191,48 +200,48 @@ def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(tested: M
         assert keyboard() is card.next
         if place < 2:
             press(KEY.Key_Return)
-            come_to_rest(tested)
+            come_to_rest(with_test)
 
 
-def test_a_test_that_is_left_is_gone_on_with(tested: MainWindow) -> None:
-    card = tested.lesson_card
-    answer(tested)
+def test_a_test_that_is_left_is_gone_on_with(with_test: MainWindow) -> None:
+    card = with_test.lesson_card
+    answer(with_test)
     card.leave()
-    assert tested.messages.text == "The test is kept." and tested.panels.open_panel is None
-    (go_on,) = tested.messages.choices
+    assert with_test.messages.text == "The test is kept." and with_test.panels.open_panel is None
+    (go_on,) = with_test.messages.choices
     go_on.click()
-    come_to_rest(tested)
+    come_to_rest(with_test)
     (view,) = card.blocks
     assert not view.is_open and "Your answer is kept" in texts(card)
-    assert tested.lessons.place == 0 and keyboard() is card.next
+    assert with_test.lessons.place == 0 and keyboard() is card.next
 
 
 def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
-    tested: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    with_test: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    card = tested.lesson_card
-    given = dict([answer(tested)])
+    card = with_test.lesson_card
+    given = dict([answer(with_test)])
     for place in (1, 2):
         press(KEY.Key_Return)
-        come_to_rest(tested)
+        come_to_rest(with_test)
         if place == 2:
             press(KEY.Key_N, ALT)
             assert "Not answered yet: 3." in texts(card)
             buttons(card)["Back to exercise 3"].click()
-            come_to_rest(tested)
-        given |= [answer(tested)]
+            come_to_rest(with_test)
+        given |= [answer(with_test)]
     press(KEY.Key_Return)
-    come_to_rest(tested)
+    come_to_rest(with_test)
     said = texts(card)
-    assert "2 of 3 right" in said and tested.lessons.lesson is None
+    assert "2 of 3 right" in said and with_test.lessons.lesson is None
     assert keyboard().visibleRegion().boundingRect() == keyboard().rect(), (
         "what to do is above the fold"
     )
     assert f"Your answer: {given['wide']}" in said and "The tangent grows faster." in said
     assert "Your answer: no" in said and given["set"] in said
     assert "The idea behind it" in said
-    assert not tested.practice.begun and tested.panels.open_panel is None
-    attempts = {each.exercise.partition("/")[2]: each for each in tested.record.read()}
+    assert not with_test.practice.begun and with_test.panels.open_panel is None
+    attempts = {each.exercise.partition("/")[2]: each for each in with_test.record.read()}
     assert {name: each.typed for name, each in attempts.items()} == given
     assert attempts["wide"].idea == "angle-linear" and attempts["set"].verdict == "right"
     assert {(each.hints, each.is_test) for each in attempts.values()} == {(0, True)}
@@ -242,7 +251,7 @@ def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
     monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
     press(KEY.Key_Return)
-    assert tested.messages.text == f"The result is in {out}."
+    assert with_test.messages.text == f"The result is in {out}."
     result = read(out)
     assert result.student == "Ana" and len(result.attempts) == 3
     assert {each.exercise.partition("/")[2]: each.typed for each in result.attempts} == given
@@ -258,7 +267,7 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     assert menu.review.text() == "&Review" and not menu.test_again.isVisible()
     menu.review.trigger()
     assert window.messages.text.endswith("What you do not solve alone comes back in a day.")
-    assert not window.messages.findChild(WarningLabel).warns, "all is well"
+    assert not window.messages.findChild(WarningLabel).is_warning, "all is well"
     for exercise, verdict in (("choose", "wrong"), ("wide", "right"), ("gone", "shown")):
         lesson = practice.topics()["L3" if exercise == "wide" else "L5"].name
         record.add(Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict))

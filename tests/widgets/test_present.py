@@ -141,11 +141,11 @@ def test_the_keys_of_the_panes_choose_another_slide(window: MainWindow) -> None:
         return [name for name, pane in window.panes.items() if pane.isVisible()]
 
     begin(window)
-    window.slots.bring("image")
+    window.slots.make_large("image")
     assert seen() == ["image"]
-    window.slots.bring("image")
+    window.slots.make_large("image")
     assert seen() == ["world", "ndc", "image"]
-    window.slots.bring("ndc")
+    window.slots.make_large("ndc")
     assert seen() == ["ndc"]
     window.slots.go_back()
     assert seen() == ["world"]
@@ -251,7 +251,7 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
     least = 0.022 * window.screen().size().height()
     press(window, Qt.Key.Key_F4)
     for name in window.panes:
-        window.slots.bring(name)
+        window.slots.make_large(name)
         settle()
         assert cut(window) == []
         for widget in window.findChildren(QWidget):
@@ -294,10 +294,10 @@ def test_a_class_sees_the_controls_that_matter_and_nothing_else(window: MainWind
 def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     taken: list[int] = []
     bar = window.messages
-    bar.say("Work of yesterday was not saved.", ("Recover it", lambda: taken.append(1)))
+    bar.show_message("Work of yesterday was not saved.", ("Recover it", lambda: taken.append(1)))
     begin(window)
     assert not bar.isVisible()
-    bar.say("near must be less than far.")  # what the speaker has just done
+    bar.show_message("near must be less than far.")  # what the speaker has just done
     assert bar.isVisible()
     bar.done()
     assert not bar.isVisible()
@@ -308,7 +308,7 @@ def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     button.click()
     assert taken == [1] and not bar.isVisible()
     begin(window)
-    bar.say("Begun again.", ("Undo", lambda: None))  # asked for by what was done now
+    bar.show_message("Begun again.", ("Undo", lambda: None))  # asked for by what was done now
     assert bar.isVisible()
 
 
@@ -429,7 +429,7 @@ def test_b_blanks_the_screen_and_every_exit_restores_it(window: MainWindow) -> N
 
 def test_the_pointer_marks_in_all_panes_what_the_mouse_is_over(window: MainWindow) -> None:
     begin(window)
-    window.slots.bring("world")  # all panes
+    window.slots.make_large("world")  # all panes
     settle()
     canvas = window.panes["image"].canvas
     ((x, y),) = window.panes["image"].drawing.sight.seen([[0.5, 4.5, 1.0]]).tolist()
@@ -517,10 +517,10 @@ def test_esc_leaves_presenting_at_once_and_all_stays(window: MainWindow, what: s
     if what == "a comparison":
         window.comparing.button.click()
     elif what == "a message":
-        window.messages.say("Something to be read.")
+        window.messages.show_message("Something to be read.")
     elif what == "a whole pane":
-        window.slots.bring("world")
-        window.slots.bring("world")
+        window.slots.make_large("world")
+        window.slots.make_large("world")
     elif what == "a dock without its place":
         window.menus.controls.trigger()
     elif what == "a dock of another width":
@@ -530,7 +530,7 @@ def test_esc_leaves_presenting_at_once_and_all_stays(window: MainWindow, what: s
     for key in (Qt.Key.Key_Escape, Qt.Key.Key_F5):
         begin(window)
         if what == "a pane made whole":
-            window.slots.bring(window.slots.large)
+            window.slots.make_large(window.slots.large)
         elif what == "a dock without its place":
             window.menus.controls.trigger()
         settle()

@@ -620,7 +620,7 @@ def test_a_report_that_fails_is_only_logged(
     monkeypatch: pytest.MonkeyPatch,
     caplog: pytest.LogCaptureFixture,
 ) -> None:
-    monkeypatch.setattr(report.ErrorReport, "tell", lambda *_: 1 // 0)
+    monkeypatch.setattr(report.ErrorReport, "show_error", lambda *_: 1 // 0)
     fail(display, ValueError("the moon"))
     assert [m for m in caplog.messages if "report" in m] == ["the report itself failed"]
 
@@ -882,7 +882,7 @@ def test_a_picture_is_no_place_to_save_in_whatever_its_name(
     assert main(["notes"]) == main(["figure"]) == 0
     window = make_window(shown=False, drawn=False)
     for path, place in zip(given, (tmp_path / "notes", None), strict=True):
-        window.files.take_up(path)
+        window.files.note_opened(path)
         assert window.files.path == place
 
 

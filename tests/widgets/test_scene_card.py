@@ -629,20 +629,6 @@ def test_it_needs_no_more_than_the_narrowest_dock(owner: Owner, qapp: QApplicati
         all_digits.set(False)
 
 
-def test_everything_has_a_name_for_a_screen_reader(owner: Owner) -> None:
-    row: Any
-    for row in owner.card.rows.values():
-        if isinstance(row, VectorRow):
-            names = [field.accessibleName() for field in row.fields]
-            assert names == ["Light x", "Light y", "Light z"]
-        elif isinstance(row, NumberRow):
-            assert row.field.accessibleName() and row.slider.accessibleName()
-        elif isinstance(row, CheckRow):
-            assert row.box.accessibleName() == "Correct"
-    assert owner.card.players["turn"].button.accessibleName() == "Play: Turn"
-    assert owner.card.readout.lines[0][1].accessibleDescription() == "gap"
-
-
 # -- languages
 
 

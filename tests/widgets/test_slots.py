@@ -130,7 +130,7 @@ def test_esc_leaves_what_is_on_top_first(window: MainWindow) -> None:
     window.probe_panel.follow(point=(0.0, 0.0, 0.0))
     by_key(window, "image")
     by_key(window, "image")
-    window.messages.say("A refusal.")
+    window.messages.show_message("A refusal.")
     settle()
 
     def escape() -> tuple[bool, bool, int]:

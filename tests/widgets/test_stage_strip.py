@@ -512,7 +512,7 @@ def test_play_moves_by_itself_and_a_hand_or_a_hidden_pane_stops_it(
     assert not strip.playing
     assert strip.position == 3.0
     strip.play()
-    window.slots.bring("world")
+    window.slots.make_large("world")
     assert not strip.playing
 
 

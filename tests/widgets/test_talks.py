@@ -368,7 +368,7 @@ def test_the_keys_of_a_clicker(window: MainWindow) -> None:
     ):  # fmt: skip
         press(window, key)
         if key == PAGE_DOWN and len(found) == 4:
-            assert window.band.note == "This is the last step."
+            assert window.band.message == "This is the last step."
         found.append((lessons.place, window.talks.revealed, present.is_blank))
     assert found == [
         (1, 0, False), (1, 1, False), (1, 2, False), (2, 0, False), (2, 0, False),
@@ -383,26 +383,26 @@ def test_the_keys_of_a_clicker(window: MainWindow) -> None:
 @pytest.mark.undrawn
 def test_a_key_without_effect_says_why_and_the_times_have_names(window: MainWindow) -> None:
     press(window, Qt.Key.Key_W)
-    assert window.band.note == "There is only one screen."
+    assert window.band.message == "There is only one screen."
     go_to(window.lessons, 2)
     press(window, PAGE_DOWN)
-    assert window.band.note == "This is the last step."
+    assert window.band.message == "This is the last step."
     assert {"Time", "Elapsed"} <= {*read_on(speaker_of(window))}
 
 
 @pytest.mark.undrawn
 def test_digits_and_enter_jump(window: MainWindow) -> None:
     type_number(window, 3)
-    assert window.band.note == "To step 3…" and window.lessons.place == 0
+    assert window.band.message == "To step 3…" and window.lessons.place == 0
     press(window, Qt.Key.Key_Return)
-    assert (window.lessons.place, window.band.note) == (2, "")
+    assert (window.lessons.place, window.band.message) == (2, "")
     type_number(window, 999)
     press(window, Qt.Key.Key_Enter)
     assert window.lessons.place == 2
-    assert window.band.note == "There is no step 999; the last is 3."
+    assert window.band.message == "There is no step 999; the last is 3."
     type_number(window, 1)
     press(window, Qt.Key.Key_Escape)
-    assert window.band.note == "" and window.present.is_on
+    assert window.band.message == "" and window.present.is_on
     type_number(window, 1)
     timer(window.talks, TYPED_MS).timeout.emit()  # a pause
     press(window, Qt.Key.Key_Return)
@@ -792,7 +792,7 @@ def test_a_faulty_file_is_reported_once_presenting_has_ended(
     """On one screen the speaker's window may be hidden behind the other one."""
     change(window, "# {#one")
     assert not window.messages.text
-    assert window.band.note == "The file was changed, and cannot be read."  # on the one screen
+    assert window.band.message == "The file was changed, and cannot be read."  # on the one screen
     speaker = speaker_of(window)
     assert any("talk.md" in text for text in read_on(speaker))
     change(window, TALK)
@@ -858,7 +858,7 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
         way()
         assert [text for text in read_on(speaker) if said in text and "house.obj" in text]
         assert window.lessons.place == 1 and window.store.document == shown
-        assert not window.messages.text and not window.band.note
+        assert not window.messages.text and not window.band.message
         press(speaker, Qt.Key.Key_1, Qt.Key.Key_Escape)
         window.lessons.read_again()  # a folder that changes, but not the file
         assert any(said in text for text in read_on(speaker))

@@ -192,7 +192,7 @@ def test_a_change_reaches_only_the_listeners_that_it_concerns(
 
 
 def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWindow) -> None:
-    window.slots.bring("world")
+    window.slots.make_large("world")
     settle()
     asked: list[Projection] = []
     drawing = window.panes["image"].drawing
@@ -207,7 +207,7 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
             settle()
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
-    window.slots.bring("world")
+    window.slots.make_large("world")
     settle()
     assert asked == [window.store.document.projection]
 
@@ -265,26 +265,6 @@ def test_a_slider_moves_all_three_and_undo_brings_them_back(window: MainWindow) 
     assert window.store.document.projection == start and row.value() == 45.0
     assert (menus.undo.isEnabled(), menus.redo.isEnabled()) == (False, True)
     assert (pixels(window, "image") == before).all()
-
-
-def test_the_image_pane_shows_what_the_model_computes(make_window: MakeWindow) -> None:
-    """The topmost corner of the letter F, in the pane's pixels, is where its colour ends."""
-    window = make_window(Document("letter-f", Projection(camera=Camera((0.0, 2.5, 12.0)))))
-    settle()
-    scene = load("letter-f")
-    rectangle = window.panes["image"].drawing.picture_rectangle_px
-    left, top, width, _ = rectangle
-    trace = window.store.document.projection.trace(
-        [(scene.lower[0], scene.upper[1], scene.upper[2])]
-    )
-    scale = width / window.store.document.projection.image_size[0]
-    x, y = (trace.image[0] * scale + (left, top)).tolist()
-    picture = pixels(window, "image").astype(int)
-    inside = picture[round(y) + 4, round(x) + 4]
-    above = picture[round(y) - 4, round(x) + 4]
-    beside = picture[round(y) + 4, round(x) - 4]
-    assert np.abs(inside - above).max() > 40
-    assert np.abs(inside - beside).max() > 40
 
 
 # -- the panes' own views
@@ -704,22 +684,22 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     assert not window.files.save_to(nowhere / "lesson.json") and window.store.modified
     assert "lesson.json" in messages.text
     assert window.files.save_to(path) and messages.text == ""
-    messages.say("An offer.", ("Take it", partial(taken.append, "it")))
+    messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(path) and messages.text == "An offer."
     assert not window.files.save_to(nowhere / "lesson.json")
     assert "no such folder" in messages.text and messages.choices == ()
     assert window.files.save_to(path) and messages.text == "An offer."
-    messages.say("A refusal.")
+    messages.show_message("A refusal.")
     named(messages, QToolButton, "Dismiss this message").click()
     assert messages.text == "An offer."
-    messages.say("A refusal.")
-    messages.take_back("A refusal.")
+    messages.show_message("A refusal.")
+    messages.hide_message("A refusal.")
     messages.choices[0].click()
     assert messages.text == "" and taken == ["it"]
-    messages.say("A refusal.")
+    messages.show_message("A refusal.")
     messages.done()
     assert messages.text == ""
-    messages.say("Another offer.", ("Take it", lambda: None))
+    messages.show_message("Another offer.", ("Take it", lambda: None))
     named(messages, QToolButton, "Dismiss this message").click()
     messages.done()
     assert messages.text == ""
@@ -1628,7 +1608,7 @@ def test_a_grid_that_runs_behind_the_pane_is_lines(
     lines_of_three_px = 1.5 * LIGHT.font_size / window.screen().size().height()
     monkeypatch.setattr(palette, "LABEL_SHARE", lines_of_three_px)
     window.look.set_presenting(True)
-    window.slots.bring("world")  # which has the whole window then
+    window.slots.make_large("world")  # which has the whole window then
     QApplication.processEvents()
     hand = window.panes["world"].hand
     hand.camera.SetPosition(0.3, 0.4, 3.2)
@@ -1681,7 +1661,7 @@ def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     title, note = pane.title, pane.note
     window.slots.toggle_float("image")
     for text in ("Image", "Canonical parallel"):
-        pane.header.say(text, "1920 × 1080")
+        pane.header.show_title(text, "1920 × 1080")
         whole = []
         for width in range(700, 190, -7):
             pane.resize(width, 200)
@@ -1773,7 +1753,7 @@ window.resize(1000, 600)
 window.show()
 assert QTest.qWaitForWindowExposed(window, int(sys.argv[1]))
 for change in (None, lambda: window.slots.setSizes([301, 302, 303]),
-               lambda: window.messages.say("Something."),
+               lambda: window.messages.show_message("Something."),
                lambda: window.slots.toggle_float("ndc"),
                lambda: window.slots.toggle_float("ndc")):
     if change is not None:

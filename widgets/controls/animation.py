@@ -155,7 +155,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._clock.ticked.connect(self.advance)
         self._make_widgets()
         self._show_state()
-        self._say("")
+        self._show_error("")
 
     def _make_widgets(self) -> None:
         self.button = tool_button(self.tr("Play"), act=self.toggle, icon="play")
@@ -233,7 +233,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         """Store the camera; if it differs from the last frame's, the walk continues from it."""
         if camera == self._shown:
             return
-        self._say("")
+        self._show_error("")
         self._forget_refusals()
         before, self._shown = self._shown, camera
         if self._start is None or before is None:
@@ -255,7 +255,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         if self.playing or self._shown is None or not self.isEnabled():
             return
         self._clock.start()
-        self._say("")
+        self._show_error("")
         if self._start is None:
             self._begin_at(self._shown)
         self._show_state()
@@ -279,7 +279,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             camera = camera_at(self._start, self._elapsed_s, self._motion)
         except Refusal as error:
             self.pause()
-            self._say(self._why(error))
+            self._show_error(self._why(error))
             return
         if camera != self._shown:
             self._shown = camera
@@ -334,7 +334,7 @@ class AnimationBar(QWidget, Playing, Gestures):
                 row.clear_error()
 
     def _settings_edited(self) -> None:
-        self._say("")
+        self._show_error("")
         self._forget_refusals()
         if self._start is not None and self._shown is not None:
             self._go_on_from(self._shown, self._start.target[1])
@@ -370,7 +370,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         for row in (self.lowest, self.highest):
             row.setVisible(self.height_mode.value() != "fixed")
 
-    def _say(self, text: str) -> None:
+    def _show_error(self, text: str) -> None:
         stopped = self.tr("Stopped.")
         self._error.setText(f"{stopped} {text}" if text else "")
         self._error.setVisible(bool(text))

@@ -122,14 +122,14 @@ class Controls(Dock, RowHolder):
         )
         self._fixed = others.fixed
         self.animation = AnimationBar()
-        self.animation.edited.connect(self._walked)
+        self.animation.edited.connect(self._adopt_camera)
         named["animation"].add(self.animation)
         self._bindings: dict[str, Binding] = {}
         for rows in self._parts:
             self._bindings |= rows.bindings
         for section in self.sections.values():
             section.toggled.connect(partial(self._folded, section))
-        self.sections["object"].toggled.connect(self._tell_of_object)
+        self.sections["object"].toggled.connect(self._emit_object_unfolded)
         for key, binding in self._bindings.items():
             self._connect(binding)
             about = _about(binding)
@@ -151,7 +151,7 @@ class Controls(Dock, RowHolder):
             self._has_fixed_objects = shown.scene.phenomenon is not None
             self._fixed.setVisible(self._has_fixed_objects)
             self.set_scene(shown.scene.size, shown.scene.start)
-            self._tell_of_object()
+            self._emit_object_unfolded()
         self._show(shown.projection)
         if changed & {"illustration", "settings"}:
             self.card.take(shown, changed)
@@ -259,7 +259,7 @@ class Controls(Dock, RowHolder):
             return
         self._lifted, self._replaced = lifted, replaced
         for part in self._parts:
-            part.bring_home()
+            part.return_borrowed()
         self.card.lift(self.rows[key] for key in lifted)
         self._show_matches(self._matches)
 
@@ -288,7 +288,7 @@ class Controls(Dock, RowHolder):
             return
         self._lent.clear()
         for part in self._parts:
-            part.bring_home()
+            part.return_borrowed()
         self.card.take_back()
         self.card.lift(self.rows[key] for key in self._lifted)
         self._show_matches(self._matches)
@@ -377,7 +377,7 @@ class Controls(Dock, RowHolder):
 
     # -- the sections
 
-    def _tell_of_object(self) -> None:
+    def _emit_object_unfolded(self) -> None:
         """Report whether the numbers of a movable object are unfolded."""
         if self._matches is None:
             is_open = self.sections["object"].is_open
@@ -471,7 +471,7 @@ class Controls(Dock, RowHolder):
             self._show(projection)
             self.edited.emit(projection)
 
-    def _walked(self, camera: Camera) -> None:
+    def _adopt_camera(self, camera: Camera) -> None:
         self._adopt(replace(self._projection, camera=camera))
 
     def _reveal(self, row: Row) -> None:

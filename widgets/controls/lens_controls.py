@@ -371,7 +371,7 @@ def _field(field: str) -> Read:
 
 def _with_field(field: str) -> Write:
     def write(projection: Projection, value: Any) -> Projection:
-        return replace(projection, lens=projection.lens.but(**{field: value}))
+        return replace(projection, lens=projection.lens.replaced(**{field: value}))
 
     return write
 
@@ -383,7 +383,7 @@ def _fov_y(projection: Projection) -> float:
 
 
 def _with_fov_y(projection: Projection, fov_y_deg: float) -> Projection:
-    return replace(projection, lens=projection.lens.but(fov_y_deg=fov_y_deg))
+    return replace(projection, lens=projection.lens.replaced(fov_y_deg=fov_y_deg))
 
 
 def _by_fov(

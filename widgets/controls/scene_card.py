@@ -142,11 +142,11 @@ class SceneCard(QWidget, RowHolder):
             self._phenomenon, self._settings, self._illustration = phenomenon, {}, None
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
-            self._be_about(())  # marks these rows
+            self._highlight_subject(())  # marks these rows
             self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
-            self.warning.say("")
+            self.warning.show_text("")
         self.title.setText(breakable(title, WORD))
         self.tries.setText("\n".join(map(of_phenomena, tries)))
         has_place = phenomenon is not None and phenomenon.own_mesh
@@ -210,7 +210,6 @@ class SceneCard(QWidget, RowHolder):
 
     @property
     def has_controls(self) -> bool:
-        """Whether the card has rows."""
         return self._rows.count() > 0
 
     def take(self, shown: ShownData, changed: Changed) -> None:
@@ -227,7 +226,7 @@ class SceneCard(QWidget, RowHolder):
         if illustration is self._illustration and settings == self._settings:
             return
         anew = self._illustration is None
-        self._be_about(() if illustration is None else illustration.about)
+        self._highlight_subject(() if illustration is None else illustration.about)
         self._illustration, self._settings = illustration, settings
         self._projection = projection
         for name, player in self.players.items():
@@ -238,7 +237,7 @@ class SceneCard(QWidget, RowHolder):
         if anew:  # values of the previous scene must not stay
             self._readable.settle()
 
-    def _be_about(self, names: Iterable[str]) -> None:
+    def _highlight_subject(self, names: Iterable[str]) -> None:
         """Highlight what the scene is about."""
         about = frozenset(names)
         if about != self._about:
@@ -250,7 +249,6 @@ class SceneCard(QWidget, RowHolder):
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
-        """End the gesture."""
         self._readable.end_gesture()
 
     def show_count(self, illustration: Illustration, share: float) -> None:
@@ -283,7 +281,6 @@ class SceneCard(QWidget, RowHolder):
         return Refusal(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
-        """Pause all players."""
         for player in self.players.values():
             player.pause()
 
@@ -387,7 +384,7 @@ class SceneCard(QWidget, RowHolder):
         self.explanation.setText(self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…"))
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else full_sentence(warning.sentence(of_phenomena, read_text))
-        self.warning.say(why)
+        self.warning.show_text(why)
         self._let_choose(values, why if illustration is not None and illustration.idle else "")
 
     def _with_count(self, reading: Reading) -> Reading:

@@ -298,9 +298,9 @@ class KindsPanel(ReadablePanel):
         for name, node in self.nodes.items():
             node.show_state(lit=name == now, on_path=name in way, style=self._style)
         self._tree.update()
-        self.condition.setText(self._said(now))
+        self.condition.setText(self._description(now))
 
-    def _said(self, now: str | None) -> str:
+    def _description(self, now: str | None) -> str:
         """Describe the kind under the pointer, or else the current one, with scale factors."""
         assert self._shown is not None
         about = self._pointed or now

@@ -159,7 +159,7 @@ class MatrixPanel(ReadablePanel):
         self.copy.setMenu(QMenu(self.copy))
         add_copies(self.copy.menu(), lambda form: self._copy(form, *self.shown))
         self.explanation = WarningLabel()
-        self.explanation.set_warns(False)
+        self.explanation.set_is_warning(False)
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
@@ -189,7 +189,7 @@ class MatrixPanel(ReadablePanel):
 
     def _new_view(self, name: str) -> MatrixView:
         view = MatrixView(stage_title(name), self.sentence, editable=name in EDITABLE)
-        view.pointed.connect(partial(self._said, view))
+        view.pointed.connect(partial(self._explain_cell, view))
         view.copied.connect(self._copy)
         view.highlighted.connect(self.highlighted)
         view.show_highlight(self._highlight)
@@ -209,13 +209,13 @@ class MatrixPanel(ReadablePanel):
             matrix, row, column, writing.letters, rows=writing.rows, typed=typed
         )
 
-    def _said(self, view: MatrixView, text: str) -> None:
+    def _explain_cell(self, view: MatrixView, text: str) -> None:
         self._speaker = view
         self._explain(text)
 
     def _explain(self, text: str, sheet: str = "") -> None:
         self.explanation.setStyleSheet(sheet)
-        self.explanation.set_warns(bool(sheet))
+        self.explanation.set_is_warning(bool(sheet))
         self.explanation.setText(rich(text) if ARROW in text else text)
 
     # -- typing
@@ -238,7 +238,7 @@ class MatrixPanel(ReadablePanel):
             return
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
-            self.told.emit(taken.format(text.strip(), cell_text(value)))
+            self.adjusted.emit(taken.format(text.strip(), cell_text(value)))
         cells: Any = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
         cells[into][of] = sign * value
@@ -267,7 +267,7 @@ class MatrixPanel(ReadablePanel):
                 for i, row in enumerate(rows)
             ]
             meanings = pasted(projection, name, signed, read_text)
-            if signed != rows and not meanings[0].said:  # of another program, not a lecture's
+            if signed != rows and not meanings[0].properties:  # of another program, not a lecture's
                 meanings = pasted(projection, name, rows, read_text)
         except Refusal as error:
             self._explain(refusal(sentence(error)), REFUSAL_SHEET)
@@ -280,12 +280,12 @@ class MatrixPanel(ReadablePanel):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         menu.addAction(self.tr("This matrix may mean:")).setEnabled(False)
         for meaning in meanings:
-            menu.addAction(_words(meaning.said), partial(self._take_meaning, meaning))
+            menu.addAction(_words(meaning.properties), partial(self._take_meaning, meaning))
         menu.popup(view.mapToGlobal(view.cell_rect(*view.place).bottomLeft().toPoint()))
 
     def _take_meaning(self, meaning: Pasted) -> None:
         self._edit(meaning.projection)
-        self._explain(_words(meaning.said))
+        self._explain(_words(meaning.properties))
 
     def _in_hand(self) -> tuple[str, int, tuple[int, int]] | None:
         """Return name, left edge and cell of the matrix that has the focus."""
@@ -378,7 +378,7 @@ class MatrixPanel(ReadablePanel):
             self._row.keep_in_place(self.views[name], left_px)
             self.views[name].take_over(cell)
         if self._speaker is not None:
-            self._speaker.say_again()
+            self._speaker.describe_again()
 
     def _build(self) -> None:
         boxes = []
@@ -414,7 +414,7 @@ class MatrixPanel(ReadablePanel):
             self._stop = stop
             reached = self._mark_reached()
             if reached is not None and self.isVisible():
-                self._row.bring(reached)
+                self._row.scroll_to(reached)
 
     def _mark_reached(self) -> MatrixBox | None:
         by_name = {box.name: box for box in self._row.boxes}

@@ -139,7 +139,6 @@ class MatrixRow(QWidget):
         in_row(*parts, on=self, margins=(0, 0, 0, 0), gap=0)
 
     def fill(self, boxes: list[MatrixBox]) -> None:
-        """Show other boxes."""
         self.close_gap()
         for box in self.boxes:
             for view in box.views:
@@ -175,7 +174,7 @@ class MatrixRow(QWidget):
         if starts:
             self._bar.setValue(starts[0] if starts[0] > now else now + page)
 
-    def bring(self, box: MatrixBox) -> None:
+    def scroll_to(self, box: MatrixBox) -> None:
         """Scroll so that a box is fully visible and none is cut off at the left."""
         margin = self.boxes[0].x()
         least = box.geometry().right() + 1 - self._bar.pageStep()

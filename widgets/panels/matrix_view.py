@@ -187,7 +187,7 @@ class MatrixView(QWidget):
         self._writing = MatrixNotation()
         self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
-        self._told: tuple[int, int] | None = None
+        self._described: tuple[int, int] | None = None
         """The cell of the last sentence."""
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
@@ -213,7 +213,7 @@ class MatrixView(QWidget):
             self.texts = [[read_text(value) for value in row] for row in matrix.values]
         self._measure(rewritten or old is None or old.name != matrix.name)
         if self.hasFocus():
-            self._say()
+            self._describe_cell()
         self.update()
 
     # -- places
@@ -371,7 +371,7 @@ class MatrixView(QWidget):
         field.pasted.connect(self.pasted)
         field.textEdited.connect(self._mend)
         field.selectAll()
-        self._say()
+        self._describe_cell()
         field.show()
         field.setFocus()
 
@@ -386,7 +386,7 @@ class MatrixView(QWidget):
     def take_over(self, place: tuple[int, int]) -> None:
         """Take over the focus from another view, at the same cell."""
         self.place = place
-        self._say()
+        self._describe_cell()
         self.setFocus()
 
     def refuse(self) -> None:
@@ -440,23 +440,23 @@ class MatrixView(QWidget):
 
     # -- pointing
 
-    def _say(self) -> None:
+    def _describe_cell(self) -> None:
         if self._matrix is not None:
-            self._told = self.place
+            self._described = self.place
             sentence = self._explain(self._matrix, *self.place)
             self.setAccessibleDescription(sentence)
             self.pointed.emit(sentence)
             self._point_at(self.place)
 
-    def say_again(self) -> None:
+    def describe_again(self) -> None:
         """Repeat the sentence about a cell that may have changed, unless one is being typed."""
-        if self._matrix is not None and self._told is not None and self.field is None:
-            self.pointed.emit(self._explain(self._matrix, *self._told))
+        if self._matrix is not None and self._described is not None and self.field is None:
+            self.pointed.emit(self._explain(self._matrix, *self._described))
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
         cell = self._cell_at(event.position())
         if cell is not None and self._matrix is not None:
-            self._told = cell
+            self._described = cell
             self.pointed.emit(self._explain(self._matrix, *cell))
         self._point_at(cell)
 
@@ -487,13 +487,13 @@ class MatrixView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.place = self._cell_at(event.position()) or self.place
-        self._say()
+        self._describe_cell()
         self.update()
         super().mousePressEvent(event)
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
-        self._say()
+        self._describe_cell()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
@@ -504,7 +504,7 @@ class MatrixView(QWidget):
             down, right = _STEPS[Qt.Key(event.key())]
             row, column = self.place
             self.place = min(max(row + down, 0), 3), min(max(column + right, 0), 3)
-            self._say()
+            self._describe_cell()
             self.update()
         elif event.key() in (Qt.Key.Key_F2, Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.edit_cell(*self.place)

@@ -83,7 +83,7 @@ class MeasurePanel(DiagramPanel):
 
     used = Signal(object)
     """The `use` of a choice that was clicked: a dict of str."""
-    went_on = Signal(str)
+    refusal_withdrawn = Signal(str)
     """The sentence of a refusal that no longer applies, because the panel was used again."""
     succeeded = Signal()
     """A file was read or written."""
@@ -100,7 +100,7 @@ class MeasurePanel(DiagramPanel):
         self._gestures = 0
         self._picked = ""
         """The choice that was clicked last, until the document changes."""
-        self._said = ""
+        self._refusal = ""
         """The last refusal, until the panel is used again."""
         self._asked: list[str] = []
         """The trades and sweeps that are being measured."""
@@ -137,7 +137,7 @@ class MeasurePanel(DiagramPanel):
             item = QListWidgetItem(of_measurements(title), self.list)
             item.setData(_NAME, name)
         self.list.setCurrentRow(0)
-        self.list.currentItemChanged.connect(self._go_on)
+        self.list.currentItemChanged.connect(self._withdraw_refusal)
         self.list.currentItemChanged.connect(self._readable.changed)
         self.list.setMinimumHeight(40)
         self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
@@ -170,7 +170,7 @@ class MeasurePanel(DiagramPanel):
         self.cost.setAccessibleName(self.tr("Cost"))
         tip = self.tr("What errors are drawn over: time, or bytes, the same on every machine")
         set_tip(self.cost, tip)
-        self.cost.currentIndexChanged.connect(self._go_on)
+        self.cost.currentIndexChanged.connect(self._withdraw_refusal)
         self.cost.currentIndexChanged.connect(self._readable.changed)
         buttons = QGridLayout()
         buttons.setSpacing(3)
@@ -261,7 +261,7 @@ class MeasurePanel(DiagramPanel):
         """Measure the chosen trades and sweeps."""
         if self.measuring.running:
             return
-        self._go_on()
+        self._withdraw_refusal()
         self._asked = self.chosen
         self.progress.setValue(0)
         trades = [name for name in self._asked if name not in SWEPT]
@@ -284,7 +284,7 @@ class MeasurePanel(DiagramPanel):
                 self.measured.pop(name, None)
         if missing and not cancelled:
             self._refuse(said)
-        done = not cancelled and any(map(_says_something, measured.values()))
+        done = not cancelled and any(map(_has_numbers, measured.values()))
         self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._readable.changed()
@@ -332,7 +332,7 @@ class MeasurePanel(DiagramPanel):
             elif ending == ".json":
                 content = to_json(shown).encode()
             else:
-                priced = [each and each.by(self.cost.currentData()) for each in (shown, other)]
+                priced = [each and each.by_cost(self.cost.currentData()) for each in (shown, other)]
                 content = chart.picture(
                     priced[0] or shown, path.name, self._current(), priced[1], of_measurements
                 )
@@ -388,7 +388,7 @@ class MeasurePanel(DiagramPanel):
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
             both = (self.measured.get(name), self.loaded.get(name))
-            has = any(each and _says_something(each) for each in both)
+            has = any(each and _has_numbers(each) for each in both)
             self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
@@ -412,7 +412,7 @@ class MeasurePanel(DiagramPanel):
 
     def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""
-        return _part(results.by(self.cost.currentData()))
+        return _part(results.by_cost(self.cost.currentData()))
 
     def _bargain(self, trade: Trade) -> str:
         """Say what the choice that was clicked, or else the one in use, buys and pays."""
@@ -506,17 +506,16 @@ class MeasurePanel(DiagramPanel):
         return [(part, c) for part in parts if isinstance(part, Trade) for c in part.choices]
 
     def _refuse(self, text: str) -> None:
-        self._said = text
+        self._refusal = text
         self.refused.emit(text)
 
-    def _go_on(self, *_: object) -> None:
-        """Withdraw the last refusal."""
-        if self._said:
-            said, self._said = self._said, ""
-            self.went_on.emit(said)
+    def _withdraw_refusal(self, *_: object) -> None:
+        if self._refusal:
+            said, self._refusal = self._refusal, ""
+            self.refusal_withdrawn.emit(said)
 
     def _row_used(self, row: int, column: int = 0) -> None:
-        self._go_on()
+        self._withdraw_refusal()
         choices, (shown, _) = self._choices(), self._shown()
         if row < len(choices):
             self._use(choices[row][1])
@@ -558,7 +557,7 @@ def _part(results: Measurements) -> Trade | Sweep:
     return parts[0]
 
 
-def _says_something(results: Measurements) -> bool:
+def _has_numbers(results: Measurements) -> bool:
     """Whether split results contain a number."""
     part = _part(results)
     if isinstance(part, Trade):

@@ -84,11 +84,11 @@ class Measuring(QObject):
         """Pause before the next timing, or resume."""
         if paused != self._paused:
             self._paused = paused
-            self._tell(PAUSE if paused else RESUME)
+            self._send(PAUSE if paused else RESUME)
 
     def cancel(self) -> None:
         """Stop after the current timing; `finished` has the results until then."""
-        self._tell(CANCEL)
+        self._send(CANCEL)
 
     def kill(self) -> None:
         """End the process at once; `finished` is not emitted."""
@@ -100,7 +100,7 @@ class Measuring(QObject):
         process.waitForFinished(_KILLED_WITHIN_MS)
         self._clear()
 
-    def _tell(self, words: bytes) -> None:
+    def _send(self, words: bytes) -> None:
         if self._process is not None:
             self._process.write(words)
 

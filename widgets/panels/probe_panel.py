@@ -205,7 +205,7 @@ class ProbePanel(ReadablePanel):
                     row[axis] = finite(name, field.read())
             moved = Probe.of(self._chosen, homogeneous(*row))
         except Refusal as error:
-            self.error.say(refusal(sentence(error)))
+            self.error.show_text(refusal(sentence(error)))
             field.setAccessibleDescription(self.error.text())
             return
         if self._chosen:
@@ -236,7 +236,7 @@ class ProbePanel(ReadablePanel):
             field.show_number(None if row is None else row[axis])
             field.take_back()
             field.setAccessibleDescription("")
-        self.error.say("")
+        self.error.show_text("")
         self.pin.setChecked(self._chosen in self._pinned)
         for button in (self.pin, self._remove):
             button.setEnabled(probe is not None)

@@ -59,7 +59,7 @@ class Adaptive(QObject):
         self._dragging = False
         self._began: float | None = None
         self._drawn_at = 0.0
-        self._told: tuple[bool, int] = (False, 0)
+        self._emitted: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
         self.budget = FrameBudget([FrameQuality(False, 1.0)], 0.0)
@@ -77,7 +77,7 @@ class Adaptive(QObject):
             self._scene, self.quality = scene, quality
             self._plan()
 
-    def ahead(self, scene: Scene) -> None:
+    def reduce_ahead(self, scene: Scene) -> None:
         """Make the coarser versions of a scene that may be shown next."""
         if self._target_ms > 0.0:
             for share in shares_for_dragging(scene):
@@ -133,14 +133,14 @@ class Adaptive(QObject):
             fewer = reduced(self._scene, share)
         for pane in self._panes.values():
             pane.set_smoothing(smoothing)
-            pane.ask("detail", fewer)
+            pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
-            self._tell()
+            self._emit_changed()
 
     def _swapped(self) -> None:
         """A pane's picture has reached the screen, with those of the other panes of its window."""
         self._end_frame(time.perf_counter())
-        self._tell()
+        self._emit_changed()
 
     def _drawn(self) -> None:
         """A pane's picture was drawn; the last one before the next step ends the frame."""
@@ -152,10 +152,10 @@ class Adaptive(QObject):
             self.budget.frame(1e3 * (at - self._began))
             self._began = None
 
-    def _tell(self) -> None:
+    def _emit_changed(self) -> None:
         state = self.late_ms > 0.0, self.samples
-        if state != self._told:
-            self._told = state
+        if state != self._emitted:
+            self._emitted = state
             self.changed.emit()
 
     def _plan(self) -> None:

@@ -354,7 +354,7 @@ class Hand(QObject):
         """Where the left button was pressed, while it may be a click."""
         self._dragged_from: QPointF | None = None
         self._holds = False
-        self.tells = True
+        self.has_tooltip = True
         """Whether the canvas has a tooltip."""
         self.may_turn: Callable[[], bool] = lambda: True
         """Whether a drag turns the camera; otherwise it only shifts it."""
@@ -364,7 +364,7 @@ class Hand(QObject):
         # By Tab only: a click leaves the focus in a field that is being typed.
         canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         FocusRing(canvas)
-        self._describe()
+        self._set_tips()
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
             kinds.MouseButtonPress: self._press,
@@ -375,11 +375,11 @@ class Hand(QObject):
             kinds.KeyPress: self._key,
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
-            kinds.ToolTip: lambda _event: not self.tells,
+            kinds.ToolTip: lambda _event: not self.has_tooltip,
         }
         canvas.installEventFilter(self)
 
-    def _describe(self) -> None:
+    def _set_tips(self) -> None:
         if self._orbits:
             tip = self.tr(
                 "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
@@ -399,9 +399,9 @@ class Hand(QObject):
             "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
         )
         self._keys = f"{keys} {cursor_keys}"
-        self.say("")
+        self.describe("")
 
-    def say(self, about: str) -> None:
+    def describe(self, about: str) -> None:
         """Tell a screen reader what the pane shows, before the keys."""
         self._canvas.setAccessibleDescription(f"{about} {self._keys}".strip())
 
@@ -542,7 +542,7 @@ class Hand(QObject):
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:
-        """Bring the camera nearer by `factor`."""
+        """Move the camera nearer by `factor`."""
         camera = self.camera
         if camera.GetParallelProjection():
             camera.SetParallelScale(camera.GetParallelScale() / factor)

@@ -120,7 +120,7 @@ class _Other(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self.picture = picture
         self._of = pane
-        self.pane = pane.another(f"{pane.name}: {picture.name}")
+        self.pane = pane.make_copy(f"{pane.name}: {picture.name}")
         self.pane.setFrameShape(Pane.Shape.NoFrame)
         self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -173,7 +173,7 @@ class _TwoLineLabel(PlainLabel):
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._parts: Sequence[str] = ()
 
-    def say(self, parts: Sequence[str]) -> None:
+    def show_parts(self, parts: Sequence[str]) -> None:
         """Show all parts, or as many of the first as fit."""
         if parts != self._parts:
             self._parts = parts
@@ -366,7 +366,7 @@ class Compare(QObject):
         if seen != self._laid_out:
             self._laid_out = seen
             self._lay_out()
-        self._say(shown)
+        self._name_pictures(shown)
 
     @property
     def _seen(self) -> list[ShownData | None]:
@@ -396,7 +396,7 @@ class Compare(QObject):
 
     # -- in words
 
-    def _say(self, shown: ShownData) -> None:
+    def _name_pictures(self, shown: ShownData) -> None:
         phenomenon = PHENOMENA.get(shown.document.scene)
         settings = () if phenomenon is None else phenomenon.settings
         written = DifferenceWriter(field_name, of_phenomena, read_text)
@@ -418,7 +418,7 @@ class Compare(QObject):
             texts.append(self.tr("different shapes: side by side, at equal heights"))
         named = " | ".join(name for name in names if name)
         parts = [f"{named}:  " if named else "", *(f"{text}, " for text in texts[:-1]), texts[-1]]
-        self.words.say([parts[0] + parts[1], *parts[2:]])
+        self.words.show_parts([parts[0] + parts[1], *parts[2:]])
 
     # -- where they are
 
@@ -482,7 +482,7 @@ class Compare(QObject):
         return [round(place.left() + part * place.width()) for part in self.dividers]
 
     def _cells(self) -> list[QRect]:
-        """Places beside each other, or also above each other if that makes images larger."""
+        """Return the places in one row, or in several rows if that makes the images larger."""
         whole, em = self._pane.surface.rect(), float(self._pane.fontMetrics().height())
         em = max(em, LABEL_SHARE * self._screen_px)
         aspects = [1.0 if shown is None else shown.projection.aspect for shown in self._seen]

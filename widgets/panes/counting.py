@@ -49,7 +49,6 @@ class Counting(QObject):
             self._timer.start()
 
     def stop(self) -> None:
-        """Cancel the count."""
         self._shown = None
         self._timer.stop()
 

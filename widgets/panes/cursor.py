@@ -184,7 +184,7 @@ class Cursor(QObject):
         spot = self._spot()
         if spot is not None:
             self._pane.hand.hovered.emit(spot)
-        self._announce()
+        self._speak()
 
     def _next_vertex(self, forwards: bool) -> Vertex | None:
         from app.drawings.probes import next_vertex
@@ -231,19 +231,19 @@ class Cursor(QObject):
         if not self._is_dragging:
             self._notice = self.tr("There is nothing to drag here")
         self._is_shifted, self._away = is_shifted, QPointF()
-        self._announce()
+        self._speak()
 
     def _drag(self, right: float, down: float, step_px: float) -> None:
         self._away += QPointF(right, down) * (step_px * self._pane.canvas.pixel_ratio)
         self._pane.hand.dragged.emit(self._away, self._is_shifted)
-        self._announce()
+        self._speak()
 
     def let_go(self) -> None:
         """End a drag at its present place."""
         if self._is_dragging:
             self._is_dragging = False
             self._pane.hand.drag_ended.emit()
-            self._announce()
+            self._speak()
 
     def _leave(self) -> None:
         """Hide the cursor; the next key goes on from its place."""
@@ -331,7 +331,7 @@ class Cursor(QObject):
         label.setGeometry(x, y, width, height)
         label.raise_()
 
-    def _announce(self) -> None:
+    def _speak(self) -> None:
         self._follow()
         if self.text:
             event = QAccessibleAnnouncementEvent(self._pane.canvas, self.text)

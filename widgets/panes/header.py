@@ -58,7 +58,7 @@ class Header(QWidget):
         self.setVisible(named or not on)
         self.fit()
 
-    def say(self, title: str, note: str) -> None:
+    def show_title(self, title: str, note: str) -> None:
         """Name the content of the pane; its accessible name stays."""
         self.title.setText(title)
         self.note.setText(note)

@@ -154,11 +154,11 @@ class Manipulation(Gestures, QObject):
             self._line.clear()
         else:
             canvas.setCursor(Qt.CursorShape.OpenHandCursor)
-            self._tell(handle)
+            self._describe_handle(handle)
 
-    def _tell(self, handle: Handle) -> None:
+    def _describe_handle(self, handle: Handle) -> None:
         """Say what a drag of a handle does, and the present value."""
-        self._say(f"{self._does(handle)[1]}: {self.now(handle)}")
+        self._show_handle_text(f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
         """Return a handle's field and value: ``Near = 4``; empty if the handle is gone."""
@@ -178,7 +178,7 @@ class Manipulation(Gestures, QObject):
         values = present(projection, self._does(handle)[0])
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 
-    def _say(self, text: str) -> None:
+    def _show_handle_text(self, text: str) -> None:
         """Show a text beside the pane's title, or in a line over the pane if that is too narrow.
 
         A text that needed the line keeps it, so that it does not jump while its numbers change.
@@ -195,7 +195,7 @@ class Manipulation(Gestures, QObject):
             line.raise_()
 
     @property
-    def said(self) -> str:
+    def handle_text(self) -> str:
         """The text about the handle under the mouse, or in the hand."""
         return self._line.text() or self._world.note.text()
 
@@ -374,7 +374,7 @@ class Manipulation(Gestures, QObject):
         bar, width = self.message, pane.width()
         self._line.hide()
         bar.setParent(pane)
-        bar.say(sentence(six_digits(error)))
+        bar.show_message(sentence(six_digits(error)))
         layout = bar.layout()
         assert layout is not None
         bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))

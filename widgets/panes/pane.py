@@ -124,7 +124,7 @@ class Pane(QFrame):
         self._to_build: tuple[object, ...] | None = None
         self._built_with: tuple[object, ...] | None = None
         self._waits = False
-        self._asked = dict(AS_BUILT)
+        self._requested = dict(AS_BUILT)
         self._due: set[str] = set()
         """What the drawing has yet to show."""
         self._hidden: frozenset[str] = frozenset()
@@ -156,7 +156,7 @@ class Pane(QFrame):
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
-        self.hand.may_turn = lambda: self.hand.tells or not self._asked["fixed"]
+        self.hand.may_turn = lambda: self.hand.has_tooltip or not self._requested["fixed"]
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(self._clicked)
         self.hand.hovered.connect(self._point_at)
@@ -200,7 +200,7 @@ class Pane(QFrame):
         """
         self.shown = shown
         self._to_build = self._built_with = args
-        self._asked["view"] = view
+        self._requested["view"] = view
         self._refresh()
 
     def set_waiting(self, waits: bool) -> None:
@@ -214,11 +214,11 @@ class Pane(QFrame):
         """Move the pane's own camera as `build` does, without another drawing."""
         self.glide(1.0)
         if view != self.view or view is None:
-            self._asked["view"] = view
+            self._requested["view"] = view
             self._due.add("view")
             self._refresh()
 
-    def another(self, title: str) -> Pane:
+    def make_copy(self, title: str) -> Pane:
         """Return a pane with the same drawings on a raster canvas, which nobody can turn."""
         return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
 
@@ -235,12 +235,12 @@ class Pane(QFrame):
             self.take(shown, PROJECTION)
         self.show_layers(other._hidden)
         for what in ("names", "fixed", "step"):
-            self.ask(what, other._asked[what])
-        self.ask("view", other.view)
+            self.request(what, other._requested[what])
+        self.request("view", other.view)
         self.set_bare(other._is_bare)
         self.show_probes(tuple(probe for probe in other.probes if probe.number))
         self.set_smoothing(at_rest or other._smoothing)
-        self.ask("detail", None if at_rest else other._asked["detail"])
+        self.request("detail", None if at_rest else other._requested["detail"])
 
     @property
     def name(self) -> str:
@@ -252,14 +252,13 @@ class Pane(QFrame):
         """The pane's own camera if the user has moved it, else None."""
         if self._goes_to is not None:
             return self._goes_to[0]
-        asked: Camera | None = self._asked["view"]
+        asked: Camera | None = self._requested["view"]
         if self._to_build is not None or self.drawing is None or "view" in self._due:
             return asked
         return self.drawing.view
 
     @property
     def projection(self) -> Projection:
-        """The projection of `shown`."""
         assert self.shown is not None
         return self.shown.projection
 
@@ -271,7 +270,7 @@ class Pane(QFrame):
 
     # -- the rest of what a drawing can show
 
-    def ask(self, what: str, wanted: object) -> bool:
+    def request(self, what: str, wanted: object) -> bool:
         """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
 
         ``"detail"``: a scene with fewer triangles, or None. ``"names"``: the names of a view, or
@@ -280,9 +279,9 @@ class Pane(QFrame):
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
         """
-        if wanted == self._asked[what]:
+        if wanted == self._requested[what]:
             return False
-        self._asked[what] = wanted
+        self._requested[what] = wanted
         self._due.add(what)
         self._refresh()
         return True
@@ -290,7 +289,7 @@ class Pane(QFrame):
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Hide these of `app.document.view.LAYERS`, and no others."""
         is_new, self._hidden = hidden != self._hidden, hidden
-        self.ask("layers", hidden | {AXES} if self._is_bare else hidden)
+        self.request("layers", hidden | {AXES} if self._is_bare else hidden)
         if is_new:
             self.marked.emit()
 
@@ -301,18 +300,17 @@ class Pane(QFrame):
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
-        if self.ask("probes", probes):
+        if self.request("probes", probes):
             self.marked.emit()
 
     @property
     def probes(self) -> Sequence[Probe]:
-        """The marked probes."""
-        marked: Sequence[Probe] = self._asked["probes"]
+        marked: Sequence[Probe] = self._requested["probes"]
         return marked
 
     def show_highlight(self, highlighted: Highlight) -> None:
         """Highlight these things, and nothing else."""
-        self._asked["highlight"] = highlighted
+        self._requested["highlight"] = highlighted
         if not self.isVisible() or self._to_build is not None or self.drawing is None:
             self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
@@ -339,7 +337,7 @@ class Pane(QFrame):
         if self._due & {"detail", "layers"}:
             self._due.add("projection")  # sets the matrices of the faces that are now shown
         drawing = self.drawing
-        for what, wanted in self._asked.items():
+        for what, wanted in self._requested.items():
             if drawing is None or what not in self._due:
                 continue
             if what == "projection":
@@ -387,8 +385,8 @@ class Pane(QFrame):
         assert self.drawing is not None
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
-        self._asked["detail"] = None
-        others = {what for what, wanted in self._asked.items() if wanted != AS_BUILT[what]}
+        self._requested["detail"] = None
+        others = {what for what, wanted in self._requested.items() if wanted != AS_BUILT[what]}
         self._due = others
         if before is None or before.document != shown.document:
             self._due |= {"projection", "view"}
@@ -408,7 +406,7 @@ class Pane(QFrame):
         shape = QFrame.Shape.NoFrame if on else QFrame.Shape.StyledPanel
         if self.frameShape() != shape:
             self.setFrameShape(shape)
-        self.hand.tells = not on
+        self.hand.has_tooltip = not on
 
     def cover(self, why: str) -> None:
         """Cover the picture with a reason; without one, show it again."""
@@ -521,8 +519,8 @@ class Pane(QFrame):
         self.glide(1.0)  # the user's hand decides
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
-            if self._asked["fixed"] and not self.drawing.fixed:
-                self._asked["fixed"] = ""
+            if self._requested["fixed"] and not self.drawing.fixed:
+                self._requested["fixed"] = ""
                 self.fixed_left.emit()
         self._watch_labels()
         self.request_repaint()

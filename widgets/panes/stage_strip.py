@@ -100,7 +100,7 @@ class StageStrip(QWidget, Playing, Gestures):
         """Name of this stop for a parallel lens, whose box is one stop before."""
         self._projection = Projection()
         self._parallel = self._free = False
-        self._said = ("", "")
+        self._emitted = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
         self._clock = Clock(self)
@@ -140,7 +140,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._name_stops()
         self._show_playing()
         self.stops[NDC].setChecked(True)
-        lettering.changed.connect(self._say)
+        lettering.changed.connect(self._emit_title)
 
     # -- where it is
 
@@ -169,13 +169,13 @@ class StageStrip(QWidget, Playing, Gestures):
         if parallel != self._parallel:
             self._parallel = parallel
             self._name_stops()
-        self._say()
+        self._emit_title()
 
-    def _say(self) -> None:
+    def _emit_title(self) -> None:
         """Emit stage, axes and limits if they have changed."""
         said = self._title(), self._words(self._projection)
-        if said != self._said:
-            self._said = said
+        if said != self._emitted:
+            self._emitted = said
             self.slider.setAccessibleDescription(f"{said[0]}: {said[1]}")
             self.named.emit(*said)
 
@@ -315,7 +315,7 @@ class StageStrip(QWidget, Playing, Gestures):
     def _show_stop(self) -> None:
         for stop, button in enumerate(self.stops):
             button.setChecked(stop == self._at)
-        self._say()
+        self._emit_title()
 
     def _show_playing(self) -> None:
         self._name_button(

@@ -69,7 +69,6 @@ class Playing:
 
     @property
     def playing(self) -> bool:
-        """Whether the clock runs."""
         return self._clock.running
 
     def toggle(self) -> None:

@@ -240,7 +240,6 @@ class DiagramView(QWidget):
         return QSize(260, 180)
 
     def show_diagram(self, diagram: Diagram | None) -> None:
-        """Show another diagram, or none."""
         if diagram is self._diagram:
             return
         self._diagram = diagram

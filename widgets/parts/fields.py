@@ -114,9 +114,9 @@ class Row(TintedWidget, QWidget, Gestures):
         self._refused = False
         how_to_reset = self.tr("Double-click the name to reset it.")
         self._tip = f"{tip} {how_to_reset}"
-        self._told: dict[QWidget, str] = {}
+        self._tips: dict[QWidget, str] = {}
         self.name_label = _NameLabel(name)
-        self._tell(self.name_label, self._tip)
+        self._set_tip(self.name_label, self._tip)
         self.name_label.double_clicked.connect(self.reset)
         self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
         self._reset_action.triggered.connect(self.reset)
@@ -138,7 +138,6 @@ class Row(TintedWidget, QWidget, Gestures):
             buddy.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def value(self) -> Any:
-        """Return the value shown."""
         return self._value
 
     def setValue(self, value: Any) -> None:
@@ -177,9 +176,9 @@ class Row(TintedWidget, QWidget, Gestures):
         if self._error is None:
             self._error = RefusalLabel()
             self._grid.addWidget(self._error, 2, 0, 1, self._grid.columnCount())
-        self._error.say(text)
+        self._error.show_text(text)
         self.error = text
-        for part, tip in self._told.items():
+        for part, tip in self._tips.items():
             part.setAccessibleDescription(text or tip)
 
     def clear_error(self) -> None:
@@ -211,11 +210,11 @@ class Row(TintedWidget, QWidget, Gestures):
     def _show_value(self) -> None:
         """Write the value into the row's widgets."""
 
-    def _tell(self, part: QWidget, tip: str) -> None:
+    def _set_tip(self, part: QWidget, tip: str) -> None:
         """Set a part's tooltip, and its description without markup for a screen reader."""
         set_tip(part, wrapped(tip))
         part.setAccessibleDescription(tip)
-        self._told[part] = tip
+        self._tips[part] = tip
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.error:
@@ -301,7 +300,7 @@ class ChoiceRow(Row):
             combo.addItem(choice.text)
             combo.setItemData(index, wrapped(choice.tip), Qt.ItemDataRole.ToolTipRole)
         combo.setAccessibleName(self.name)
-        self._tell(combo, self._tip)
+        self._set_tip(combo, self._tip)
         combo.activated.connect(self._chosen)  # by the user only
         longest = max((*(choice.text for choice in choices), none), key=len)
         metrics = self.fontMetrics()
@@ -321,7 +320,7 @@ class ChoiceRow(Row):
             button = tool_button(choice.text, name=name, checkable=True, by_click=True)
             button.setStyleSheet(_BUTTONS)
             button.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-            self._tell(button, f"{choice.tip} {self._tip}".strip())
+            self._set_tip(button, f"{choice.tip} {self._tip}".strip())
             self._group.addButton(button, index)
             row.addWidget(button)
             made.append(button)
@@ -355,7 +354,7 @@ class CheckRow(Row):
         self._value = False
         self.box = QCheckBox()
         self.box.setAccessibleName(name)
-        self._tell(self.box, self._tip)
+        self._set_tip(self.box, self._tip)
         self.box.clicked.connect(self._make_edit)  # by the user only
         self.name_label.setBuddy(self.box)
         self._grid.addWidget(self.box, 0, 1, Qt.AlignmentFlag.AlignLeft)

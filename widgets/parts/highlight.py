@@ -49,7 +49,6 @@ class Highlighter(QObject):
 
 
 def faded(colour: QColor | str, opacity: float) -> QColor:
-    """Return a translucent colour."""
     pale = QColor(colour)
     pale.setAlphaF(opacity)
     return pale

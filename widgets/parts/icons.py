@@ -88,14 +88,14 @@ class WarningLabel(PlainLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.warns = True
+        self.is_warning = True
         """Whether the text is a warning."""
         self.setWordWrap(True)
         self._fit_sign()
 
-    def set_warns(self, warns: bool) -> None:
+    def set_is_warning(self, warns: bool) -> None:
         """Set whether the next text is a warning."""
-        self.warns = warns
+        self.is_warning = warns
         self._fit_sign()
 
     def changeEvent(self, event: QEvent) -> None:
@@ -104,11 +104,11 @@ class WarningLabel(PlainLabel):
             self._fit_sign()
 
     def _fit_sign(self) -> None:
-        self.setIndent(round(SIGN * self.fontMetrics().height()) if self.warns else 0)
+        self.setIndent(round(SIGN * self.fontMetrics().height()) if self.is_warning else 0)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.warns and self.text():
+        if self.is_warning and self.text():
             side, room = self.fontMetrics().height(), self.contentsRect()
             painter = QPainter(self)
             paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
@@ -127,7 +127,7 @@ class RefusalLabel(WarningLabel):
         self.setStyleSheet(REFUSAL_SHEET)
         self.hide()
 
-    def say(self, text: str) -> None:
+    def show_text(self, text: str) -> None:
         """Show this text; hide the line if it is empty."""
         if text != self.text():  # otherwise a hidden line would appear again
             self.setText(text)

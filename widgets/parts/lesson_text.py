@@ -48,7 +48,7 @@ from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
 from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.marking import digits_shown
-from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, said_of
+from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, spoken_text
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
 from widgets.parts.roles import give_role
@@ -303,13 +303,13 @@ class LessonText(QTextEdit):
         policy = QSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
-        self.say(text)
+        self.show_text(text)
 
-    def say(self, text: str) -> None:
+    def show_text(self, text: str) -> None:
         self.written = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())
-        self.setAccessibleName(said_of(text))
+        self.setAccessibleName(spoken_text(text))
         self.updateGeometry()
 
     def hasHeightForWidth(self) -> bool:

@@ -32,7 +32,7 @@ class MessageBar(QFrame):
         self.setAccessibleName(self.tr("Message"))
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._said = ""
+        self._sentence = ""
         self._choices: list[QPushButton] = []
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
@@ -44,9 +44,9 @@ class MessageBar(QFrame):
     @property
     def text(self) -> str:
         """The sentence shown, or nothing."""
-        return self._said if not self.isHidden() else ""
+        return self._sentence if not self.isHidden() else ""
 
-    def say(self, sentence: str, *choices: Choice, warns: bool = True) -> None:
+    def show_message(self, sentence: str, *choices: Choice, warns: bool = True) -> None:
         """Show a sentence with a button for each choice; a button closes the bar first.
 
         It has a warning sign, unless it only says what has happened as the user wanted.
@@ -57,8 +57,8 @@ class MessageBar(QFrame):
         for button in self._choices:
             button.deleteLater()
         self._choices = []
-        self._said = sentence
-        self._text.set_warns(warns)
+        self._sentence = sentence
+        self._text.set_is_warning(warns)
         self._text.setText(breakable(sentence))
         for label, act in choices:
             button = push_button(label, act=self._dismiss)
@@ -69,7 +69,7 @@ class MessageBar(QFrame):
         if is_news:  # a screen reader would not notice it, far from the focus
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, sentence))
 
-    def take_back(self, sentence: str) -> None:
+    def hide_message(self, sentence: str) -> None:
         """Hide a sentence if it is still shown."""
         if self.text == sentence:
             self.done()
@@ -92,7 +92,7 @@ class MessageBar(QFrame):
     def _offer_again(self) -> None:
         if self._offer is not None and not self._waits:
             sentence, choices, warns = self._offer
-            self.say(sentence, *choices, warns=warns)
+            self.show_message(sentence, *choices, warns=warns)
 
     def event(self, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:

@@ -24,11 +24,11 @@ def system_reduces_motion() -> bool:
         )
         return not animates.value
     if sys.platform == "darwin":
-        return _said(_ASK_MACOS) == "1"
-    return _said(_ASK_GNOME) == "false"
+        return _output_of(_ASK_MACOS) == "1"
+    return _output_of(_ASK_GNOME) == "false"
 
 
-def _said(command: tuple[str, ...]) -> str:
+def _output_of(command: tuple[str, ...]) -> str:
     """Return what a command prints; empty if it is missing or fails."""
     try:
         done = subprocess.run(

@@ -29,7 +29,6 @@ class NoteLabel(PlainLabel):
         self._elide()
 
     def text(self) -> str:
-        """Return the whole text."""
         return self._whole
 
     def sizeHint(self) -> QSize:

@@ -55,7 +55,7 @@ class NumberDialog(QDialog):
             self.number = within(self._name, self.field.read(), self._low, self._high)
         except Refusal as error:
             said = refusal(sentence(error))
-            self.problem.say(said)
+            self.problem.show_text(said)
             self.adjustSize()  # otherwise the window keeps its height and cuts the texts
             self.field.setAccessibleDescription(said)
             self.field.setFocus()

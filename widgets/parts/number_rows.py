@@ -207,17 +207,17 @@ class NumberRow(_TypedRow):
         self.accepts: Callable[[float], bool] = lambda _number: True
         """Returns whether a number is valid as an example; set by the owner."""
         self._open = False
-        self._unit_said = unit_tip or unit
+        self._spoken_unit = unit_tip or unit
         self.slider = _Slider()
         self.slider.setAccessibleName(self.tr("{0}, slider").format(name))
-        self._tell(self.slider, self._tip)
+        self._set_tip(self.slider, self._tip)
         self.field = ShortField(name, unit)
-        self._tell(self.field, self._tip)
-        self.field.setAccessibleName(f"{name} ({self._unit_said})" if unit else name)
+        self._set_tip(self.field, self._tip)
+        self.field.setAccessibleName(f"{name} ({self._spoken_unit})" if unit else name)
         self.unit_label = PlainLabel(unit)
         self.unit_label.setForegroundRole(QPalette.ColorRole.PlaceholderText)
         if unit_tip:
-            self._tell(self.unit_label, unit_tip)
+            self._set_tip(self.unit_label, unit_tip)
         self._add_fields(self.field)
         self._grid.addWidget(self.field, 0, 2)
         self._grid.addWidget(self.unit_label, 0, 3)
@@ -336,7 +336,7 @@ class NumberRow(_TypedRow):
             exact = f"{self.name} = {number_text(self._value)} {self.field.unit}".rstrip()
             set_tip(self.field, Markup.of("<qt><b>{}</b><br>{}</qt>", exact, self._tip))
         elif watched is self.slider and event.type() == QEvent.Type.FocusIn:
-            self._say_value()
+            self._describe_value()
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -373,7 +373,7 @@ class NumberRow(_TypedRow):
                 self.slider.setValue(self.scale.position_of(self._value))
             super()._show_value()
             if self.slider.hasFocus():
-                self._say_value()
+                self._describe_value()
 
     def _fit_unit(self) -> None:
         """Give the unit the width of the usual one, so that the fields form a column."""
@@ -384,10 +384,10 @@ class NumberRow(_TypedRow):
         if event.type() in (QEvent.Type.FontChange, QEvent.Type.StyleChange):
             self._fit_unit()
 
-    def _say_value(self) -> None:
+    def _describe_value(self) -> None:
         """Give the value to screen readers, which would read only the slider's position."""
         shown = short_text(self._value, self.field.below, above=self.field.above)
-        value = f"{shown} {self._unit_said}".rstrip()
+        value = f"{shown} {self._spoken_unit}".rstrip()
         self.slider.setAccessibleDescription(self.error or f"{value}. {self._tip}")
 
 
@@ -402,7 +402,7 @@ class VectorRow(_TypedRow):
         self._line.setSpacing(6)
         self._grid.addLayout(self._line, 1, 0, 1, 4)
         for letter, field in zip("xyz", self.fields, strict=True):
-            self._tell(field, f"{field.name}. {self._tip}")
+            self._set_tip(field, f"{field.name}. {self._tip}")
             field.characters = VECTOR_CHARACTERS
             label = PlainLabel(letter)
             label.setForegroundRole(QPalette.ColorRole.PlaceholderText)

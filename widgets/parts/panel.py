@@ -103,7 +103,7 @@ class Panel(QWidget, Gestures):
     """The user made this `Projection`."""
     highlighted = Signal(object)
     """The `Highlight` of the part under the mouse or the cursor."""
-    told = Signal(str)
+    adjusted = Signal(str)
     """A sentence about something that was done differently from the request."""
     refused = Signal(str)
     """A sentence about something that was refused."""

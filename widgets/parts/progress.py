@@ -17,7 +17,7 @@ from widgets.parts.plain import PlainLabel
 SHOWN_AFTER_MS = 100
 _POLL_S = 0.02
 _Done = TypeVar("_Done")
-Tell: TypeAlias = Callable[[float], bool]
+ReportProgress: TypeAlias = Callable[[float], bool]
 """Receives the fraction done; returns whether to continue."""
 
 
@@ -41,7 +41,7 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
 
 
 @contextmanager
-def progress(window: QWidget, text: str) -> Iterator[Tell]:
+def progress(window: QWidget, text: str) -> Iterator[ReportProgress]:
     """Show the progress of work that reports it itself; see `progress_dialog`."""
     with progress_dialog(window, text) as dialog:
         begun = heard = time.monotonic()
@@ -60,21 +60,21 @@ def progress(window: QWidget, text: str) -> Iterator[Tell]:
         yield tell
 
 
-def apart(work: Callable[[Tell], _Done], tell: Tell) -> _Done:
-    """Do work without Qt and VTK in a thread, and raise `Cancelled` when `tell` wants no more."""
+def apart(work: Callable[[ReportProgress], _Done], report: ReportProgress) -> _Done:
+    """Do work without Qt and VTK in a thread, and raise `Cancelled` when `report` wants no more."""
     fraction, goes_on = 0.0, True
 
-    def told(done: float) -> bool:
+    def record(done: float) -> bool:
         nonlocal fraction
         fraction = done
         return goes_on
 
     thread = ThreadPoolExecutor(1, "apart")
-    future = thread.submit(work, told)
+    future = thread.submit(work, record)
     thread.shutdown(wait=False)
     while not future.done():
         wait([future], _POLL_S)
-        if not tell(fraction):
+        if not report(fraction):
             goes_on = False
             raise Cancelled
     return future.result()

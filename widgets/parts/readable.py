@@ -103,7 +103,6 @@ class Readable(QObject):
         self._steps = STEPS
 
     def now_ms(self) -> float:
-        """Return the clock in ms."""
         return 1e3 * time.monotonic()
 
 

@@ -137,7 +137,6 @@ class Rows(QWidget):
 
     @property
     def is_open(self) -> bool:
-        """Whether the rows are shown."""
         return True
 
     def show_some(self, matches: set[QWidget] | None) -> None:
@@ -180,7 +179,6 @@ class Rows(QWidget):
         self.add(binding.row)
 
     def add(self, widget: QWidget) -> None:
-        """Add a widget below the others."""
         self._order.append(widget)
         self._rows.addWidget(widget)
 
@@ -198,7 +196,7 @@ class Rows(QWidget):
             below = itertools.takewhile(lambda row: row not in self._titles, rows)
             title.setVisible(any(not row.isHidden() for row in below))
 
-    def bring_home(self) -> None:
+    def return_borrowed(self) -> None:
         """Return every borrowed row to its place."""
         for place, widget in enumerate(self._order):
             if widget.parent() is not self.body:

@@ -322,19 +322,16 @@ class TypesetLabel(MarkedLabel):
         self._copy.triggered.connect(self._to_clipboard)
 
     def set_formula(self, text: str) -> None:
-        """Show a formula."""
         self.formula = text
         self.setText(in_line(text))
         self.updateGeometry()
         self.update()
 
     def set_words(self, text: str) -> None:
-        """Show words or a number."""
         self.formula = ""
         self.setText(text)
 
     def set_exact(self, text: str) -> None:
-        """Set the text to copy."""
         self.exact = text
         if not self.actions():
             self.addAction(self._copy)

@@ -61,7 +61,7 @@ log = logging.getLogger(__name__)
 TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0
 """Longest wait for the window of a screenshot to appear."""
-SAID_MS = 15_000
+MESSAGE_MS = 15_000
 """Duration of the status line's message that Qt has no OpenGL."""
 
 IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
@@ -249,7 +249,7 @@ def run_window(
             said = QCoreApplication.translate(
                 "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
             )
-            window.filled.connect(partial(window.status.showMessage, said, SAID_MS))
+            window.filled.connect(partial(window.status.showMessage, said, MESSAGE_MS))
         if options.start_card and settings.start_card and not options.screenshot:
             window.filled.connect(window.show_start_card)
         window.present.switched.connect(watch.put_off)

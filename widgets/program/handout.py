@@ -161,7 +161,6 @@ class _HandoutSheet:
 
 
 def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:
-    """Yield tables beside each other."""
     row: list[PageBlock] = []
     for block in (paper.text(table, width, NOTE_PT) for table in tables):
         if row and sum(each.wide + BETWEEN_PT for each in row) + block.wide > width:

@@ -46,7 +46,7 @@ class StepFigure(NamedTuple):
     """For the teacher."""
     slide: Path | None = None
     """The file of a picture of the slide on which somebody has drawn, instead of the figure."""
-    asks: bool = False
+    has_question: bool = False
     """Whether students are still to answer what is asked of it."""
 
 

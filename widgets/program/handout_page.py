@@ -19,7 +19,7 @@ from app.drawings.describing import describe
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
 from app.lessons.course import Course, panes_of, scene_of
-from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken
+from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken_tex
 from app.model.formula import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
@@ -125,7 +125,7 @@ class _PhonePage:
         self._depths.add(depth)
         box = (0.0, -_UNITS * shape.ascent, _UNITS * shape.width, _UNITS * high)
         return (
-            f'<svg class="f d{depth}" role="img" aria-label="{escaped(spoken(tex))}"'
+            f'<svg class="f d{depth}" role="img" aria-label="{escaped(spoken_tex(tex))}"'
             f' width="{em * shape.width:.2f}em" height="{em * high:.2f}em"'
             f' viewBox="{" ".join(f"{side:.2f}" for side in box)}"><use href="#f{number}"/></svg>'
         )
@@ -152,7 +152,7 @@ class _PhonePage:
         for pane in panes:
             self._figures += 1
             # What is true of the state may be the answer.
-            said = about.panes[pane] if shown.asks else about.of_pane(pane)
+            said = about.panes[pane] if shown.has_question else about.of_pane(pane)
             size, shapes, _ = drawn(
                 pane, said, document, scene_of(document), view=document.view, crop=True,
                 settings=document.settings, quality=document.quality,

@@ -47,7 +47,7 @@ class ErrorReport(QDialog):
         self.finished.connect(self._forget)
         in_column(self._sentence, self._place, buttons, on=self)
 
-    def tell(self, summary: str, details: str) -> None:
+    def show_error(self, summary: str, details: str) -> None:
         """Say an exception and keep its traceback; until the report is closed, count more."""
         self.count += 1
         if self.count == 1:
@@ -127,7 +127,7 @@ class ExceptionWatch(QObject):
         try:
             if self.report is None:
                 self.report = ErrorReport(self._log_file)
-            self.report.tell(summary, details)
+            self.report.show_error(summary, details)
             self.put_off(self._waits)
         except Exception:  # raising it would call this method again, forever
             log.critical("the report itself failed", exc_info=True)

@@ -261,7 +261,7 @@ class Actions(QObject):
         large = [
             self._action(
                 self.tr("{0} in large").format(pane.name),
-                partial(slots.bring, name), f"Ctrl+{number}", tip,
+                partial(slots.make_large, name), f"Ctrl+{number}", tip,
             )
             for number, (name, pane) in enumerate(self._panes.items(), start=1)
         ]  # fmt: skip

@@ -68,7 +68,6 @@ class Arrangement(QObject):
 
     @property
     def view(self) -> View:
-        """The current arrangement."""
         opened = (name for name, panel in self._panels.items() if panel is self._drawer.open_panel)
         elsewhere = {n: c for n, c in self._given.panes.items() if n not in self._panes}
         return replace(
@@ -105,7 +104,7 @@ class Arrangement(QObject):
         # After the panel: a rearranged window reopens a panel that presenting has folded.
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._slots.show_slide(view.slide)
-        self._controls.ask(view.controls)
+        self._controls.show_controls(view.controls)
         fixed = self._scene_fixed if view.fixed is None else view.fixed
         self._world.show(fixed, view.layers)
         self._world.name(view.names)

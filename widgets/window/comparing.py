@@ -93,7 +93,7 @@ class Comparing(QObject):
         try:
             document = compared(self._store.seen, name)
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return
         self._store.set_document(document)  # an undo step, if it differs
         self._show(document.view.compare, document.view.dividers)

@@ -37,7 +37,7 @@ class ControlStrip(QFrame):
         self.setObjectName("controlStrip")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
         self._controls, self._stages = controls, stages
-        self._asked: tuple[str, ...] = ()
+        self._named: tuple[str, ...] = ()
         self._of_scene: Collection[str] = USUAL
         self._wanted: bool | None = None
         """Whether the speaker wants the strip; None for as the step has it."""
@@ -55,10 +55,10 @@ class ControlStrip(QFrame):
         self._of_scene = (own or list(USUAL))[:MOST_ON_SLIDE]
         self._fill()
 
-    def ask(self, paths: tuple[str, ...]) -> None:
+    def show_controls(self, paths: tuple[str, ...]) -> None:
         """Show the controls that a step names."""
-        if paths != self._asked:
-            self._asked, self._wanted = paths, None
+        if paths != self._named:
+            self._named, self._wanted = paths, None
             self._fill()
 
     def set_presenting(self, on: bool, screen_px: float) -> None:
@@ -83,12 +83,12 @@ class ControlStrip(QFrame):
         """The values whose controls are shown."""
         if not self._is_for_class:
             return ()
-        asked = tuple(path for path in self._asked if path != STRIP)
+        asked = tuple(path for path in self._named if path != STRIP)
         wanted = bool(asked) if self._wanted is None else self._wanted
         return (asked or tuple(self._of_scene)) if wanted else ()
 
     def _fill(self) -> None:
-        self._stages.setVisible(not self._is_for_class or STRIP in self._asked)
+        self._stages.setVisible(not self._is_for_class or STRIP in self._named)
         focus = QApplication.focusWidget()
         if self._is_for_class and focus is not None and self.isAncestorOf(focus):
             self.window().setFocus()  # or Qt would give it to a pane, which then has a frame

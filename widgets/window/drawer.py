@@ -68,7 +68,7 @@ class Panels(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._shown: ShownData | None = None
-        self._told: dict[Panel, ShownData] = {}
+        self._last_shown: dict[Panel, ShownData] = {}
         """The snapshot that each panel shows."""
         self._buttons: list[QToolButton] = []
         self._tips: list[str] = []
@@ -113,18 +113,18 @@ class Panels(QWidget):
         return None if self.isHidden() else self._panel(self._stack.currentIndex())
 
     def keep(self, shown: ShownData) -> None:
-        """Keep the snapshot that `tell` passes to the open panel."""
+        """Keep the snapshot that `notify` passes to the open panel."""
         self._shown = shown
 
-    def tell(self, panel: Panel | None = None) -> None:
+    def notify(self, panel: Panel | None = None) -> None:
         """Notify the open panel, or `panel`, of the changes since its last notification."""
         if panel is None and not self.height():  # a class does not see the open panel
             return
         panel = panel or self.open_panel
         if panel is None or self._shown is None:
             return
-        changed = self._shown.changed_since(self._told.get(panel))
-        self._told[panel] = self._shown
+        changed = self._shown.changed_since(self._last_shown.get(panel))
+        self._last_shown[panel] = self._shown
         if changed & panel.concerns:
             panel.take(self._shown, changed)
 
@@ -133,7 +133,7 @@ class Panels(QWidget):
         if self._why_closed:
             self._wanted, panel = panel, None
         if panel is not None:
-            self.tell(panel)
+            self.notify(panel)
             self._stack.setCurrentIndex(self.all.index(panel))
         self.setVisible(panel is not None)
         for each, button in zip(self.all, self._buttons, strict=True):
@@ -182,7 +182,7 @@ class Drawer(QSplitter):
         self.setHandleWidth(0 if on else self._handle_px)
         self._above.setVisible(not alone)
         self.fit()
-        self._panels.tell()
+        self._panels.notify()
 
     def fit(self) -> None:
         """Give the open panel its share of the height, the same for all: panes must not jump."""

@@ -130,19 +130,19 @@ class EquationSlide(QWidget):
         self._hues = dict[str, str]()
         """Of letters that have the colour of what the picture names by them."""
         self._screen_px = 1.0
-        self._is_asked = False
+        self._is_slide = False
         self.cells: list[QRectF] = []
         """Where the cells were painted; of a 0 its digit alone."""
-        self._readable = Readable(self, self._fill, lambda: self._is_asked)
+        self._readable = Readable(self, self._fill, lambda: self._is_slide)
         self.hide()
 
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown
-        self.ask(shown)
+        self.show_equation(shown)
 
-    def ask(self, shown: ShownData) -> None:
+    def show_equation(self, shown: ShownData) -> None:
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
@@ -165,9 +165,9 @@ class EquationSlide(QWidget):
     def end_gesture(self) -> None:
         self._readable.end_gesture()
 
-    def set_asked(self, asked: bool) -> None:
+    def set_is_slide(self, asked: bool) -> None:
         """Note whether the equation is the slide; otherwise nothing is computed."""
-        self._is_asked = asked
+        self._is_slide = asked
         self._readable.settle()
 
     def _fill(self) -> None:

@@ -20,7 +20,7 @@ from widgets.parts.layouts import in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.progress import Tell, progress
+from widgets.parts.progress import ReportProgress, progress
 
 ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
@@ -64,7 +64,7 @@ class ExportDialog(QDialog):
         titles: dict[str, str],
         image_size: tuple[int, int],
         parent: QWidget | None = None,
-        draw: Callable[[ExportChoice, QSize, Tell], QPixmap] | None = None,
+        draw: Callable[[ExportChoice, QSize, ReportProgress], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)

@@ -31,7 +31,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, message_box
-from widgets.parts.progress import Tell, progress
+from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -39,7 +39,7 @@ _T = TypeVar("_T")
 MESHES = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
 CAMERAS = "*.yml *.yaml *.xml cameras.txt images.txt"
 RECENT_LIMIT = 10
-SAID_MS = 10_000
+MESSAGE_MS = 10_000
 """Duration of the message about unsaved work in the status line."""
 
 
@@ -90,7 +90,7 @@ class Files(QObject):
         """Keep the scene of a document, already loaded, and say what of its mesh is left out."""
         self._scenes[document.scene, document.mesh] = scene
         if scene.notes:
-            self._messages.say(" ".join(map(sentence, scene.notes)))
+            self._messages.show_message(" ".join(map(sentence, scene.notes)))
 
     def _load(self, name: str, mesh: str) -> Scene:
         file = mesh or name
@@ -99,7 +99,7 @@ class Files(QObject):
         with self.progress(self.tr("Opening {0}").format(os.path.basename(file))) as tell:
             return load(name, tell, mesh)
 
-    def progress(self, text: str) -> AbstractContextManager[Tell]:
+    def progress(self, text: str) -> AbstractContextManager[ReportProgress]:
         """Show the progress of work over this window."""
         return progress(self._window, text)
 
@@ -182,7 +182,7 @@ class Files(QObject):
         self._set_path(path)
         if left is not None:
             text = self.tr("Undo brings back the unsaved changes to {0}.")
-            self._window.statusBar().showMessage(text.format(left), SAID_MS)
+            self._window.statusBar().showMessage(text.format(left), MESSAGE_MS)
         return True
 
     def _with_mesh(self, document: Document, path: str) -> Document:
@@ -206,7 +206,7 @@ class Files(QObject):
     def _ask(self, title: str, folder: str, kinds: str) -> str:
         return QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
 
-    def take_up(self, path: Path) -> None:
+    def note_opened(self, path: Path) -> None:
         """Note that the current document was opened from a file."""
         self._set_path(self._place(path))
         self._remember(str(path))
@@ -329,7 +329,8 @@ class Files(QObject):
             return None
         except Refusal as error:
             of_scene = document and error.file is None
-            self._messages.say(f"{document}: {sentence(error)}" if of_scene else sentence(error))
+            text = sentence(error)
+            self._messages.show_message(f"{document}: {text}" if of_scene else text)
             return None
         self._messages.done()
         return done

@@ -79,7 +79,7 @@ class Help(QObject):
         dialog.show()
 
     def show_conventions(self) -> None:
-        self._tell(
+        self._show_box(
             self.tr("Conventions"),
             self.tr(
                 "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
@@ -95,7 +95,7 @@ class Help(QObject):
         )
 
     def show_about(self) -> None:
-        self._tell(
+        self._show_box(
             self.tr("About Frustum Lab"),
             self.tr(
                 "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
@@ -103,7 +103,7 @@ class Help(QObject):
             ).format(__version__),
         )
 
-    def _tell(self, title: str, text: str) -> None:
+    def _show_box(self, title: str, text: str) -> None:
         box = message_box(self._window, Markup(text), icon=QMessageBox.Icon.NoIcon)
         box.setWindowTitle(title)
         box.setModal(False)

@@ -149,16 +149,16 @@ class LessonCard(QFrame):
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
         parts = head, self._marks, (self._area, 1), self._notice, self._foot()
         in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
-        self._speaker: BlockView | None = None
+        self._responding: BlockView | None = None
         """The block whose response is not shown yet."""
         # Not `QTimer.singleShot`, which comes before Qt shows the widgets that are added meanwhile.
-        self._speaking = QTimer(self, singleShot=True, interval=0)
-        self._speaking.timeout.connect(self._reveal)
+        self._response_timer = QTimer(self, singleShot=True, interval=0)
+        self._response_timer.timeout.connect(self._reveal)
         self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
         lessons.stepped.connect(self._step)
-        lessons.complained.connect(self._show_mistakes)
+        lessons.mistakes_changed.connect(self._show_mistakes)
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
         self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
@@ -393,7 +393,7 @@ class LessonCard(QFrame):
         here = self._shown[0].at(self._shown[1])
         while self._rest and self._uncommitted is None:
             part = self._rest.pop(0)
-            if not part.asks:
+            if not part.needs_answer:
                 self._column.addWidget(LessonText(part.text))
                 continue
             view = view_of(here, part)
@@ -407,20 +407,20 @@ class LessonCard(QFrame):
             view.settled.connect(partial(self._settled, view))
             view.show_wanted.connect(self._show_aside)
             view.posed.connect(self._pose)
-            view.spoke.connect(partial(self._hear, view))
+            view.responded.connect(partial(self._await_response, view))
             self.blocks.append(view)
             self._column.addWidget(view)
 
-    def _hear(self, block: BlockView) -> None:
+    def _await_response(self, block: BlockView) -> None:
         """Remember which block responds; the rest of its response may follow."""
-        self._speaker = block
-        self._speaking.start()
+        self._responding = block
+        self._response_timer.start()
 
     def _reveal(self) -> None:
         """Show a response: with its question if there is room, else all of it, or its beginning."""
         self._share_keys()
-        block, self._speaker = self._speaker, None
-        if block is None or block not in self.blocks or not block.said:
+        block, self._responding = self._responding, None
+        if block is None or block not in self.blocks or not block.response:
             return
         _settle_layout()
         missing = block.height() + 2 * MARGIN_PX - self._area.viewport().height()
@@ -428,7 +428,7 @@ class LessonCard(QFrame):
             self.room_wanted.emit(missing)
             _settle_layout()
         self._scroll_to(block)
-        self._scroll_to(*block.said)
+        self._scroll_to(*block.response)
 
     def _scroll_to(self, *widgets: QWidget) -> None:
         """Scroll until widgets from the top one to the bottom one are seen, or as much as fits."""
@@ -479,7 +479,7 @@ class LessonCard(QFrame):
         return all(f"{step.name}/{name}" in self._progress.answers for name in names)
 
     def _settled(self, view: BlockView, answer: str) -> None:
-        self._note(view.block.name, answer)
+        self._keep_answer(view.block.name, answer)
         self._notice.hide()
         had_focus = self._has_focus or view.aims is not None  # or in the picture
         self._unfold()
@@ -500,9 +500,9 @@ class LessonCard(QFrame):
         try:
             self._record.add(attempt)
         except Refusal as error:
-            self._say(sentence(error))
+            self._show_notice(sentence(error))
 
-    def _note(self, block: str, answer: str) -> None:
+    def _keep_answer(self, block: str, answer: str) -> None:
         answers = {**self._progress.answers, self._key(block): answer}
         self._progress = replace(self._progress, answers=answers)
         self._keep()
@@ -538,14 +538,14 @@ class LessonCard(QFrame):
         """Go to a step, from 0; an open prediction prevents going forward."""
         held = self._uncommitted
         if held is not None and place > self._lessons.place:
-            self._say(self.tr("Make your prediction first: choose one, then Commit."))
+            self._show_notice(self.tr("Make your prediction first: choose one, then Commit."))
             if held.first is not None:
                 held.first.setFocus(Qt.FocusReason.OtherFocusReason)
                 self._area.ensureWidgetVisible(held)
             self._show_marks()
             return
         if place > self._lessons.place and not self._here.asked:
-            self._note("", DONE)
+            self._keep_answer("", DONE)
         if not self._lessons.go(place):
             self._show_marks()
 
@@ -583,11 +583,11 @@ class LessonCard(QFrame):
             return
         mistakes = self._lessons.mistakes()
         if mistakes is not None:
-            self._say(mistakes or self.tr("Nothing is wrong in this lesson's file."))
+            self._show_notice(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     def _show_mistakes(self, text: str) -> None:
         if text:
-            self._say(text)
+            self._show_notice(text)
         else:
             self._notice.hide()
 
@@ -596,7 +596,7 @@ class LessonCard(QFrame):
         course = self._lessons.course
         assert course is not None
         if not self._here.asked:
-            self._note("", DONE)
+            self._keep_answer("", DONE)
         self._progress = replace(self._progress, step="")
         self._keep()
         said = self.tr("Done: “{0}”.").format(lesson.title)
@@ -679,7 +679,7 @@ class LessonCard(QFrame):
             part.setVisible(on and shown.get(part, True))
             part.setEnabled(on and shown.get(part, True))
 
-    def _say(self, text: str) -> None:
+    def _show_notice(self, text: str) -> None:
         self._notice.setText(text)
         self._notice.show()
         QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, text))

@@ -82,7 +82,7 @@ class Lessons(QObject):
 
     opened = Signal()
     """A lesson was opened, read again, or closed: `course` has changed."""
-    complained = Signal(str)
+    mistakes_changed = Signal(str)
     """The mistakes in the open file, one a line; empty once they are fixed."""
     refused = Signal(str)
     """Why a step cannot be shown; the previous step stays."""
@@ -164,7 +164,7 @@ class Lessons(QObject):
         try:
             course = Course(read(path))
         except Refusal as error:
-            self._messages.say(named(error, Path(path)))
+            self._messages.show_message(named(error, Path(path)))
             return False
         return self.play(course, step)
 
@@ -175,9 +175,9 @@ class Lessons(QObject):
             shown = course.shown(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self._messages.say(named(error, course.lesson.path))
+            self._messages.show_message(named(error, course.lesson.path))
             return False
-        self.complained.emit("")
+        self.mistakes_changed.emit("")
         self._messages.done()
         self._finish()
         self._stand_still()
@@ -431,16 +431,16 @@ class Lessons(QObject):
         try:
             course = Course(read(path))
             if course.lesson == before.lesson:
-                self._complain()
+                self._emit_mistakes()
                 return
             last = len(course.lesson.steps) - 1
             place = course.lesson.place_of(name or step.name, min(self.place, last))
             shown = course.shown(place)
         except Refusal as error:
             if before.lesson.is_talk:
-                self.complained.emit(named(error, path))
+                self.mistakes_changed.emit(named(error, path))
             else:
-                self._complain()
+                self._emit_mistakes()
             return
         self._messages.done()
         same = self._posed is None and shown == before.shown(self.place)
@@ -451,14 +451,14 @@ class Lessons(QObject):
             self.stepped.emit()
         else:
             self.go(place)
-        self._complain()
+        self._emit_mistakes()
 
-    def _complain(self) -> None:
+    def _emit_mistakes(self) -> None:
         """Say what is wrong in a lesson; a speaker learns it when the class would see it."""
         is_talk = self.lesson is not None and self.lesson.is_talk
         mistakes = "" if is_talk else self.mistakes()
         if mistakes is not None:
-            self.complained.emit(mistakes)
+            self.mistakes_changed.emit(mistakes)
 
     def mistakes(self) -> str | None:
         """Check the open file as `lesson check` does, without its pictures; say what is wrong.

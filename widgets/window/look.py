@@ -184,13 +184,13 @@ class Look(QObject):
             how += (quality,)
         return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
 
-    def ahead(self, steps: Sequence[ShownData]) -> Iterator[None]:
+    def draw_ahead(self, steps: Sequence[ShownData]) -> Iterator[None]:
         """Draw scenes that may be shown next, piece by piece; discard those of an earlier call.
 
         The steps show other scenes than the current one, with its quality.
         """
         for step in steps:
-            self.adaptive.ahead(step.scene)
+            self.adaptive.reduce_ahead(step.scene)
             yield
         style, drawn = self._style(), self.adaptive.drawn
         steps = [step for step in steps if self.adaptive.whole(step.scene) is not drawn]

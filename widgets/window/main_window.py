@@ -174,7 +174,7 @@ class MainWindow(QMainWindow):
         self._before_presenting: tuple[bool, str, list[int]] | None = None
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
-        settings.cannot_save = self._tell_unsaved
+        settings.cannot_save = self._show_unsaved
         dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
@@ -220,12 +220,12 @@ class MainWindow(QMainWindow):
         self._notify(EVERYTHING)
         self.history.show()
         if path is not None:
-            self.files.take_up(path)
+            self.files.note_opened(path)
         if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # it may be damaged
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
             unused = self.tr("The default settings are used.")
-            self.messages.say(f"{sentence(settings.problem)} {unused}")
+            self.messages.show_message(f"{sentence(settings.problem)} {unused}")
         QTimer.singleShot(0, self.recovery.offer)
 
     def open_panes(self) -> None:
@@ -317,7 +317,7 @@ class MainWindow(QMainWindow):
         self.cost = Cost(self.panes, self.status)
         self.quality = DrawnQuality(
             self.look, image, self.status, self.settings, self.store, lambda: self.shown,
-            self.files.scene, self.messages.say,
+            self.files.scene, self.messages.show_message,
         )  # fmt: skip
         players = (
             controls.animation.pause,
@@ -378,14 +378,14 @@ class MainWindow(QMainWindow):
 
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
         text = self.tr("The answers in “{0}” were deleted.").format(title)
-        self.messages.say(text, (self.tr("Undo"), take_back), warns=False)
+        self.messages.show_message(text, (self.tr("Undo"), take_back), warns=False)
 
-    def _tell_unsaved(self, why: Refusal) -> None:
+    def _show_unsaved(self, why: Refusal) -> None:
         text = self.tr(
             "{0} Settings and progress are kept until the program ends, and saving them is tried"
             " again with the next change."
         )
-        self.messages.say(text.format(sentence(why)))
+        self.messages.show_message(text.format(sentence(why)))
 
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
@@ -421,12 +421,12 @@ class MainWindow(QMainWindow):
             self.store.refuse()
             text = self.tr("{0} cannot be drawn, so the previous scene stays: {1}")
             name = os.path.basename(document.mesh or document.scene)
-            self.messages.say(text.format(name, repr(error)))
+            self.messages.show_message(text.format(name, repr(error)))
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
-        self.slide.equation.ask(self.shown)
-        self.band.ask(self.shown)
+        self.slide.equation.show_equation(self.shown)
+        self.band.show_colours(self.shown)
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
 
@@ -443,7 +443,7 @@ class MainWindow(QMainWindow):
         finally:
             if waits:
                 self.look.set_waiting(False)
-        self.panels.tell()
+        self.panels.notify()
         self.recovery.autosave.schedule()
 
     # -- events
@@ -464,7 +464,7 @@ class MainWindow(QMainWindow):
         """Return our own status line; Qt's method would create a second one below it."""
         return self.status
 
-    def tell_shortly(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         self.status.showMessage(text, 5000)
 
     def show_start_card(self) -> None:
@@ -495,7 +495,7 @@ class MainWindow(QMainWindow):
             return self.messages.done
         if self.comparing.is_on:
             return self.comparing.end
-        return partial(self.slots.bring, self.slots.whole) if self.slots.whole else None
+        return partial(self.slots.make_large, self.slots.whole) if self.slots.whole else None
 
     def show_presenting(self, on: bool) -> None:
         if on:
@@ -548,7 +548,7 @@ class MainWindow(QMainWindow):
         course = self.lessons.course if self.talks.is_on else None
         # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
-        is_slide = presents and "kinds" in self.slots.asked
+        is_slide = presents and "kinds" in self.slots.given
         folds = alone or (presents and not asked and not is_slide)
         if folds and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel
@@ -590,7 +590,7 @@ class MainWindow(QMainWindow):
             event.acceptProposedAction()
             if len(paths) > 1:
                 said = self.tr("One file is opened at a time: {0}")
-                self.tell_shortly(said.format(os.path.basename(paths[0])))
+                self.show_message(said.format(os.path.basename(paths[0])))
             # After the drop: a dialog inside it would freeze the file manager.
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 

@@ -25,9 +25,9 @@ class PaneWords(QObject):
         self._panes, self._store, self._scene = panes, store, scene
         self._hidden: frozenset[str] = frozenset()
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER_MS)
-        self._rest.timeout.connect(self._say)
+        self._rest.timeout.connect(self._describe_panes)
 
-    def wait(self) -> None:
+    def describe_later(self) -> None:
         """Describe the panes when nothing has changed for a while."""
         if QAccessible.isActive():
             self._rest.start()
@@ -36,9 +36,9 @@ class PaneWords(QObject):
         """Leave out what `HIDDEN` of the exercises lists: at once, or it would be heard."""
         self._hidden = hidden
         if QAccessible.isActive():
-            self._say()
+            self._describe_panes()
 
-    def _say(self) -> None:
+    def _describe_panes(self) -> None:
         about = describe(
             self._store.seen,
             self._scene(),
@@ -46,4 +46,4 @@ class PaneWords(QObject):
         )
         for name, pane in self._panes.items():
             said = about.panes[name] if self._hidden else about.of_pane(name)
-            pane.hand.say("" if name in self._hidden else said)
+            pane.hand.describe("" if name in self._hidden else said)

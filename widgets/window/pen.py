@@ -154,7 +154,6 @@ class Pen(QWidget):
     # -- the step
 
     def show_step(self, step: str) -> None:
-        """Show the strokes of a step."""
         self._finish()
         self._step = step
         self.update()

@@ -17,7 +17,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence, translated
-from widgets.parts.progress import Tell, progress
+from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
 
@@ -57,7 +57,7 @@ class Pictures(QObject):
         Keeps the last choice.
     """
 
-    told = Signal(str)
+    exported = Signal(str)
     """A sentence about what was exported or copied."""
 
     def __init__(
@@ -122,7 +122,7 @@ class Pictures(QObject):
 
         return self._try(write, self.tr("Exported {0}").format(path))
 
-    def preview(self, choice: ExportChoice, room: QSize, tell: Tell) -> QPixmap:
+    def preview(self, choice: ExportChoice, room: QSize, tell: ReportProgress) -> QPixmap:
         """Draw a choice with as few pixels as a preview has."""
         from PySide6.QtSvg import QSvgRenderer
 
@@ -208,10 +208,10 @@ class Pictures(QObject):
         except Cancelled:
             return False
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return False
         self._messages.done()
-        self.told.emit(done)
+        self.exported.emit(done)
         return True
 
     def _draw(self, document: Document, choice: ExportChoice) -> Pixels:

@@ -124,7 +124,7 @@ class Pointing(QObject):
             return
         pane = self._pane(view)
         if pane is None:
-            view.say_other()
+            view.show_other_state()
             return
         room = pane.canvas.rect()
         x = min(max(place.x(), 0.0), float(room.width()))

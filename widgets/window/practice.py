@@ -19,7 +19,7 @@ from app.lessons.practice import (
     PlacedExercise,
     Sheet,
     Waiting,
-    drawn,
+    draw_test,
     exercises_of,
     find_waiting,
     hints_of,
@@ -29,7 +29,7 @@ from app.lessons.practice import (
     to_review,
     topics,
 )
-from app.lessons.record import Attempt, Record, mended, met, standings
+from app.lessons.record import Attempt, Record, corrected, ideas_met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal
 from widgets.parts.message_bar import MessageBar
@@ -82,7 +82,7 @@ class Practice(QObject):
         super().__init__(window)
         self._window, self._card, self._record = window, card, record
         self._settings, self._messages = settings, messages
-        card.test_left.connect(self._tell_kept)
+        card.test_left.connect(self._show_kept)
         card.result_wanted.connect(lambda marks: self.save(of_test(marks, int(time.time()))))
 
     # -- tests
@@ -116,24 +116,24 @@ class Practice(QObject):
         if test is not None:
             self._play_test(*test)
 
-    def _tell_kept(self) -> None:
+    def _show_kept(self) -> None:
         go_on = self.tr("Go on with it"), self.go_on
-        self._messages.say(self.tr("The test is kept."), go_on, warns=False)
+        self._messages.show_message(self.tr("The test is kept."), go_on, warns=False)
 
     def _play_test(self, names: list[str], number: int) -> None:
         every = len(names) == len(topics()) > 1
         said = self.tr("all topics") if every else ", ".join(names)
         title = self.tr("Test {0}: {1}").format(number, said)
-        items = drawn(names, number)
+        items = draw_test(names, number)
         if items:
             self._card.play(Sheet(name_of_test(names, number), title, items, is_test=True))
         else:
-            self._messages.say(self.tr("These topics have no exercises yet."), warns=False)
+            self._messages.show_message(self.tr("These topics have no exercises yet."), warns=False)
 
     @property
     def attempts(self) -> list[Attempt]:
         """All answers of this student."""
-        return mended(self._record.read(), hints_of)
+        return corrected(self._record.read(), hints_of)
 
     # -- results
 
@@ -152,9 +152,9 @@ class Practice(QObject):
         try:
             write_bytes_atomically(path, text.encode())
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
         else:
-            self._messages.say(self.tr("The result is in {0}.").format(path), warns=False)
+            self._messages.show_message(self.tr("The result is in {0}.").format(path), warns=False)
 
     # -- what was practised
 
@@ -166,7 +166,7 @@ class Practice(QObject):
         said = "" if problem is None else sentence(problem)
         lessons = practised(lesson for lesson, _ in known)
         self.overview = overview = Overview(
-            lessons, known, met(attempts, known), review_text(waiting), said, self._window
+            lessons, known, ideas_met(attempts, known), review_text(waiting), said, self._window
         )
         set_tip(overview.review, next_review(waiting))
         overview.review.setEnabled(bool(waiting.due))
@@ -190,11 +190,12 @@ class Practice(QObject):
         """Practise what has come back, with new numbers."""
         attempts = self.attempts
         if self._record.problem is not None:
-            self._messages.say(sentence(self._record.problem))
+            self._messages.show_message(sentence(self._record.problem))
         waiting = find_waiting(attempts)
         items = to_review(waiting.due, standings(attempts))
         if items:
             self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
             return
         when = next_review(waiting) or self.tr("What you do not solve alone comes back in a day.")
-        self._messages.say(self.tr("Nothing has come back today.") + f" {when}", warns=False)
+        text = self.tr("Nothing has come back today.")
+        self._messages.show_message(f"{text} {when}", warns=False)

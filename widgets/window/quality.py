@@ -67,17 +67,17 @@ class DrawnQuality(QObject):
         status.tolerance_edited.connect(self._set_tolerance)
         status.frame_edited.connect(self._set_frame)
         status.automatic_wanted.connect(self._automatic)
-        look.adaptive.changed.connect(self._say)
+        look.adaptive.changed.connect(self._show_quality)
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Report the quality; the panes must have been notified first."""
-        self._say()
+        self._show_quality()
 
-    def _say(self) -> None:
+    def _show_quality(self) -> None:
         quality = self._shown().document.quality
-        self._status.show_quality(quality, list(self._notes(quality)))
+        self._status.show_quality(quality, list(self._limitations(quality)))
 
-    def _notes(self, quality: Quality) -> Iterator[str]:
+    def _limitations(self, quality: Quality) -> Iterator[str]:
         """Say, without full stops, which part of the chosen quality is impossible."""
         adaptive = self._look.adaptive
         if quality.smoothing not in (AUTO, *SMOOTHINGS):
@@ -110,7 +110,7 @@ class DrawnQuality(QObject):
         self._settings.frame_ms = frame_ms
         self._status.set_frame(frame_ms)
         self._look.adaptive.set_target(frame_ms)
-        self._say()
+        self._show_quality()
 
     def _automatic(self) -> None:
         self._store.set_document(replace(self._store.document, quality=AUTOMATIC))

@@ -17,7 +17,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QWidget
 
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from widgets.parts.layouts import paint_now
 from widgets.parts.lesson_text import set_text
 from widgets.parts.plain import TextDocument
@@ -58,7 +58,7 @@ class QuestionOverlay(QFrame):
     def show_text(self, text: str, screen_px: float) -> None:
         """Show a text in Markdown; an empty one hides the question."""
         self._screen_px, self._moved_px = screen_px, 0
-        self.setAccessibleName(said_of(text))
+        self.setAccessibleName(spoken_text(text))
         set_text(self._document, text, palette=self.palette())
         self.setVisible(bool(text))
         if text:

@@ -46,7 +46,7 @@ class Recovery(QObject):
         origin, store = self._store.origin, self._store
         if origin not in self._copies:
             copy = Autosave(self._folder, lambda: store.seen if store.modified else None, self)
-            copy.failed.connect(self._tell_no_copy)
+            copy.failed.connect(self._show_no_copy)
             self._copies[origin] = copy
         return self._copies[origin]
 
@@ -71,7 +71,7 @@ class Recovery(QObject):
             time = QFileInfo(newest).lastModified()
             written = QLocale().toString(time, QLocale.FormatType.ShortFormat)
             text = self.tr("There is unsaved work from {0}.").format(written)
-            self._messages.say(text, *self._choices(newest))
+            self._messages.show_message(text, *self._choices(newest))
 
     def _choices(self, path: Path) -> tuple[tuple[str, Callable[[], object]], ...]:
         return (
@@ -85,16 +85,16 @@ class Recovery(QObject):
         except Refusal as error:
             is_left = os.path.exists(path)  # or another window has it
             choices = self._choices(path) if is_left else ()
-            self._messages.say(sentence(error), *choices)
+            self._messages.show_message(sentence(error), *choices)
             return
         if self._files.open_recovered(document):
             if self.autosave.save_now():  # until then the old copy is the only one
                 self._discard(path)
             else:
                 text = self.tr("The recovered work cannot be kept in {0}: save it soon.")
-                self._messages.say(text.format(path.parent))
+                self._messages.show_message(text.format(path.parent))
         elif self._messages.text:  # its mesh is missing, perhaps only for now
-            self._messages.say(self._messages.text, *self._choices(path))
+            self._messages.show_message(self._messages.text, *self._choices(path))
         else:
             self.offer()
 
@@ -103,10 +103,10 @@ class Recovery(QObject):
             path.unlink(missing_ok=True)
         except OSError as error:
             text = self.tr("{0} could not be removed: {1}.")
-            self._messages.say(text.format(path, error.strerror or error))
+            self._messages.show_message(text.format(path, error.strerror or error))
             return
         self.offer()
 
-    def _tell_no_copy(self, folder: str) -> None:
+    def _show_no_copy(self, folder: str) -> None:
         text = self.tr("No copy of unsaved work can be kept in {0}: save it soon.")
-        self._messages.say(text.format(folder))
+        self._messages.show_message(text.format(folder))

@@ -49,7 +49,7 @@ class SceneGuide(QObject):
         self._panel, self._controls = panel, controls
         self._manipulation, self._image, self._menus = manipulation, image, menus
         self._store, self._choose = store, choose
-        self._asks = False
+        self._needs_shader = False
         """Whether the image is drawn with a shader that OpenGL may refuse."""
         menus.scene_chosen.connect(self.choose)
         self._card = controls.card
@@ -68,12 +68,12 @@ class SceneGuide(QObject):
         """Describe the scene, and bring the controls that matter for it to the top."""
         document, phenomenon = shown.document, shown.scene.phenomenon
         asks = bool(shown.scene.requires & RASTERISED) or document.quality.has_depth
-        if asks != self._asks:
-            self._asks, rendered = asks, self._image.canvas.shown
+        if asks != self._needs_shader:
+            self._needs_shader, rendered = asks, self._image.canvas.shown
             if asks:
-                rendered.connect(self._tell_problem)  # only rendering shows whether it works
+                rendered.connect(self._show_problem)  # only rendering shows whether it works
             else:
-                rendered.disconnect(self._tell_problem)
+                rendered.disconnect(self._show_problem)
                 self._card.show_problem(None)
         if not changed & {"scene", "view"}:
             return
@@ -91,7 +91,7 @@ class SceneGuide(QObject):
         except Refusal as error:
             refuse(error)
 
-    def _tell_problem(self) -> None:
+    def _show_problem(self) -> None:
         """Say that this computer's OpenGL has refused the scene's own shader, and draw again."""
         drawing = self._image.drawing
         problem = None if drawing is None else drawing.problem

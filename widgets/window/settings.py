@@ -217,7 +217,7 @@ class Settings:
         self._for_now: dict[str, str] = {}
         self._refused: set[str] = set()
         self._unsaved: dict[str, str] = {}
-        self._is_told = False
+        self._is_failure_shown = False
         self.cannot_save: Callable[[Refusal], object] = lambda _why: None
         """Called once when the file cannot be written, until it can be written again."""
         usable, self.problem = _looked_at(path)
@@ -308,16 +308,16 @@ class Settings:
         if self._file is None or not self._unsaved:
             return
         path = Path(self._file.fileName())
-        if self._is_told:  # a QSettings keeps an earlier error
+        if self._is_failure_shown:  # a QSettings keeps an earlier error
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
         for key, text in self._unsaved.items():
             self._file.setValue(key, text)
         self._file.sync()
         if self._file.status() == QSettings.Status.NoError:
             self._unsaved.clear()
-            self._is_told = False
-        elif not self._is_told:
-            self._is_told = True
+            self._is_failure_shown = False
+        elif not self._is_failure_shown:
+            self._is_failure_shown = True
             why = _why_not(path)
             log.warning("the settings cannot be written: %s", str(why))  # without its traceback
             self.cannot_save(why)

@@ -46,10 +46,10 @@ class Slide(QWidget):
         """Give the equation its place beside the picture, or above it, or all of the slide."""
         slots, equation = self._slots, self.equation
         has_equation = slots.has_equation
-        equation.set_asked(has_equation)
+        equation.set_is_slide(has_equation)
         equation.setVisible(has_equation)
         is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
-        has_pane = any(name in PANES for name in slots.asked)
+        has_pane = any(name in PANES for name in slots.given)
         slots.setVisible(not is_wide or has_pane)
         direction = QBoxLayout.Direction
         self._row.setDirection(direction.TopToBottom if is_wide else direction.LeftToRight)

@@ -70,7 +70,7 @@ class Slots(QSplitter):
         self.layout_name, self.large, self.whole = LAYOUTS[0], next(iter(panes)), ""
         self.leading = self.large
         self.is_for_class = self._is_by_hand = False
-        self.asked: tuple[str, ...] = ()
+        self.given: tuple[str, ...] = ()
         self._chosen: tuple[str, ...] | None = None
         """The slide that the speaker has chosen instead; empty for all panes."""
         self._by_hand: tuple[list[int], list[int]] | None = None
@@ -81,7 +81,7 @@ class Slots(QSplitter):
             splitter.splitterMoved.connect(self._dragged)
         for name, pane in panes.items():
             pane.setMinimumSize(*LEAST_PANE_PX)
-            pane.enlarge_requested.connect(partial(self.bring, name))
+            pane.enlarge_requested.connect(partial(self.make_large, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
         for name in (self.large, *SMALL[self.large]):
             (self if name == self.large else self._small).addWidget(panes[name])
@@ -98,19 +98,19 @@ class Slots(QSplitter):
         """The panes that a class sees alone; empty if it sees all of them."""
         if not self.is_for_class:
             return ()
-        asked = panes_of_slide(self.asked, self.large)
+        asked = panes_of_slide(self.given, self.large)
         wanted = asked if self._chosen is None else self._chosen
         return tuple(name for name in wanted if name not in self.floating)
 
     @property
     def has_equation(self) -> bool:
         """Whether a class sees an equation, alone or beside a pane."""
-        return self.is_for_class and self._chosen is None and "equation" in self.asked
+        return self.is_for_class and self._chosen is None and "equation" in self.given
 
     def show_slide(self, asked: tuple[str, ...]) -> None:
         """Make these of `app.document.view.SLIDES` the slide; empty for the large pane."""
-        if (asked, None) != (self.asked, self._chosen):
-            self.asked, self._chosen = asked, None
+        if (asked, None) != (self.given, self._chosen):
+            self.given, self._chosen = asked, None
             self._show_other_slide()
 
     def _show_other_slide(self) -> None:
@@ -120,7 +120,7 @@ class Slots(QSplitter):
             self.share()
             self.rearranged.emit()
 
-    def bring(self, name: str) -> None:
+    def make_large(self, name: str) -> None:
         """Bring a docked pane into the large slot; the second time, into the whole window.
 
         A class sees the pane as the slide, the second time all panes.

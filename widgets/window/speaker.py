@@ -144,7 +144,7 @@ class SpeakerWindow(QWidget):
     def _make(self) -> None:
         self._number = PlainLabel()
         self._title, self._next_title = (PlainLabel(wordWrap=True) for _ in range(2))
-        self._said = PlainLabel(wordWrap=True)
+        self._message = PlainLabel(wordWrap=True)
         self._clock = PlainLabel()
         self._elapsed = PlainLabel()
         self._plan = PlainLabel()
@@ -177,7 +177,7 @@ class SpeakerWindow(QWidget):
         layout.addWidget(self.notes, 3, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 3, 1)
-        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._said, 1)), 4, 0, 1, 2)
+        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._message, 1)), 4, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 4)
@@ -245,11 +245,11 @@ class SpeakerWindow(QWidget):
         document.setDefaultFont(font)
         parts = [self._left_out] if self._left_out else []
         parts += [step.note.text] if step.note is not None else []
-        parts += [self._told(part) for part in step.asked]
+        parts += [self._with_right_answer(part) for part in step.asked]
         set_text(document, "\n\n".join(parts), palette=self.palette())
         document.setDocumentMargin(8.0)
 
-    def _told(self, part: ReadBlock) -> str:
+    def _with_right_answer(self, part: ReadBlock) -> str:
         """Return a question and its right answer."""
         assert self._course is not None
         answer = ""
@@ -264,9 +264,9 @@ class SpeakerWindow(QWidget):
         if self._course is not None:
             self._show_notes(self._course.lesson.steps[self._place])
 
-    def say(self, text: str) -> None:
+    def show_message(self, text: str) -> None:
         """Show a short message; an empty one hides it."""
-        self._said.setText(text)
+        self._message.setText(text)
 
     # -- the next step's picture
 

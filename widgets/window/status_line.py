@@ -253,7 +253,7 @@ class _Elided(WarningLabel):
         super().__init__()
         self.setObjectName(name)
         self.setWordWrap(False)
-        self.set_warns(name == "health")
+        self.set_is_warning(name == "health")
         # A long sentence must not resize the panes.
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Ignored)
         self._sentence = ""

@@ -77,7 +77,7 @@ class StepPreparation(QObject):
             if document.view.panel == "matrices":  # its formulas are then typeset only once
                 matrices(document.projection, document.view.letters)
                 yield
-        yield from self._look.ahead(scenes)
+        yield from self._look.draw_ahead(scenes)
         self.done.emit()
 
 

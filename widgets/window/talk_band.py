@@ -27,7 +27,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 
 from app.drawings.style import LIGHT, Style, tone
 from app.lessons.lesson import Step
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import TextDocument
@@ -66,7 +66,7 @@ class TalkBand(QFrame):
         self.setObjectName("talkBand")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._title, self._words = TextDocument(self), TextDocument(self)
-        self._number = self.note = self.left_out = ""
+        self._number = self.message = self.left_out = ""
         self.is_cut = False
         self._texts: list[str] = [""]
         """What the line may say: the first that fits is taken."""
@@ -81,9 +81,9 @@ class TalkBand(QFrame):
         self._colour()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        self.ask(shown)
+        self.show_colours(shown)
 
-    def ask(self, shown: ShownData) -> None:
+    def show_colours(self, shown: ShownData) -> None:
         """Give the letters of formulas the colours of what the pictures name by them."""
         self._shown = shown
         self._colour()
@@ -110,9 +110,9 @@ class TalkBand(QFrame):
         self._texts = [words, *filter(None, shorter)]
         self._fit()
 
-    def say(self, note: str) -> None:
+    def show_message(self, note: str) -> None:
         """Show a message below the number of the step; an empty one hides it."""
-        self.note = note
+        self.message = note
         self.update()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -143,7 +143,7 @@ class TalkBand(QFrame):
         if shown is None:
             shown = self._squeezed(self._texts[-1] if self.is_cut else "")
         self.left_out = "" if shown == self._texts[0] else self._texts[0]
-        self.setAccessibleName(said_of(f"{self._step}\n\n{shown}"))
+        self.setAccessibleName(spoken_text(f"{self._step}\n\n{shown}"))
         self.update()
 
     def _squeezed(self, text: str) -> str:
@@ -190,11 +190,11 @@ class TalkBand(QFrame):
         painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
-        if self.note:  # over the text that is there
+        if self.message:  # over the text that is there
             at_foot = right_of | Qt.AlignmentFlag.AlignBottom
-            place = painter.boundingRect(room, at_foot, self.note)
+            place = painter.boundingRect(room, at_foot, self.message)
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
-            painter.drawText(room, at_foot, self.note)
+            painter.drawText(room, at_foot, self.message)
         painter.end()
 
     def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:

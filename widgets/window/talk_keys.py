@@ -140,7 +140,6 @@ class TalkKeys(QObject):
         self.jump.emit(number)
 
     def forget(self) -> None:
-        """Forget the digits."""
         self._typed.stop()
         self._digits = ""
         self.typing.emit("")

@@ -27,7 +27,7 @@ from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lessons import Lessons
 
-SAID_MS = 3000
+MESSAGE_MS = 3000
 
 
 class TalkWriter(QObject):
@@ -57,7 +57,7 @@ class TalkWriter(QObject):
             "{0} is not in its folder any more, and no step was added: put the file back, or"
             " choose “A new talk from here” in the Lessons menu."
         )
-        self._messages.say(text.format(lesson.path.name))
+        self._messages.show_message(text.format(lesson.path.name))
         return True
 
     def write_step(self, title: str, panes: bool) -> bool:
@@ -69,12 +69,12 @@ class TalkWriter(QObject):
         try:
             added = add_step(lesson.path, step.name, title, self._store.seen, panes=panes)
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return False
         self._messages.done()
         self._lessons.read_again(added.name)
         text = self.tr("Added as step {0} of {1}").format(added.place + 1, lesson.path.name)
-        self._window.statusBar().showMessage(text, SAID_MS)
+        self._window.statusBar().showMessage(text, MESSAGE_MS)
         return True
 
     def begin_new(self) -> None:
@@ -90,7 +90,7 @@ class TalkWriter(QObject):
         try:
             begin_talk(path, title, self._store.seen, panes=panes)
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return False
         return self._lessons.open(path)
 

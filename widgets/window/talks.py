@@ -86,7 +86,7 @@ class Talks(QObject):
         """Whether the slide is being painted for the speaker's window."""
         self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
         self._seen.timeout.connect(self._show_now)
-        self._complaint = ""
+        self._mistake = ""
         """The mistake in the open file, which is not shown to the class."""
         self._refusal = ""
         """Why the requested step cannot be shown."""
@@ -98,7 +98,7 @@ class Talks(QObject):
             (self._keys.jump, self.jump),
             (self._keys.typing, self._show_typed),
             (self._keys.larger, self._enlarge),
-            (present.one_screen, lambda: self._say(self.tr("There is only one screen."))),
+            (present.one_screen, lambda: self._show_message(self.tr("There is only one screen."))),
             (present.switched, self._show),
             (present.switched, self._open_with_talk),
             (present.moved, self._move),
@@ -108,7 +108,7 @@ class Talks(QObject):
             (lessons.opened, self._show),
             (lessons.stepped, self._show),
             (lessons.arrived, self._pose),
-            (lessons.complained, self._complain),
+            (lessons.mistakes_changed, self._show_mistake),
             (lessons.refused, self._refuse),
         ):
             signal.connect(act)
@@ -121,7 +121,6 @@ class Talks(QObject):
 
     @property
     def is_on(self) -> bool:
-        """Whether a talk is presented."""
         lesson = self._lessons.lesson
         return self._present.is_on and lesson is not None and lesson.is_talk
 
@@ -136,7 +135,7 @@ class Talks(QObject):
         step = self._lessons.step
         return [part for part in step.parts if part.reveals] if step is not None else []
 
-    def _asked(self, course: Course, place: int) -> str:
+    def _question_text(self, course: Course, place: int) -> str:
         """Return the current question, or its answer; empty for none."""
         if not self.revealed:
             return ""
@@ -192,7 +191,7 @@ class Talks(QObject):
         """Show the question or its answer, but over no picture that moves."""
         course, text = self._lessons.course, ""
         if course is not None and self.is_on and not self._lessons.is_moving:
-            text = self._asked(course, self._lessons.place)
+            text = self._question_text(course, self._lessons.place)
         self._question.show_text(text, self._screen_px)
 
     # -- the pen
@@ -207,7 +206,7 @@ class Talks(QObject):
             try:
                 kept = read_strokes(path) if path is not None else {}
             except Refusal as error:
-                self._messages.say(sentence(error))
+                self._messages.show_message(sentence(error))
             self._pen.begin_talk({step: list(strokes) for step, strokes in kept.items()})
 
     def _write_pictures(self, talk: Path) -> None:
@@ -225,15 +224,16 @@ class Talks(QObject):
     def keep_strokes(self) -> None:
         """Write the strokes beside the talk, where the handout finds them."""
         if self._drawn_on is None:
-            self._messages.say(self.tr("Open a talk first: its handout shows the strokes."))
+            why = self.tr("Open a talk first: its handout shows the strokes.")
+            self._messages.show_message(why)
             return
         try:
             path = write_strokes(self._drawn_on, self._pen.strokes)
             self._write_pictures(self._drawn_on)
         except Refusal as error:
-            self._messages.say(sentence(error))
+            self._messages.show_message(sentence(error))
             return
-        self._say(self.tr("Kept for the handout: {0}").format(path.name))
+        self._show_message(self.tr("Kept for the handout: {0}").format(path.name))
 
     # -- navigation
 
@@ -244,7 +244,7 @@ class Talks(QObject):
         self._unblank()
         lesson = self._lessons.lesson
         if lesson is not None and self._lessons.place + 1 == len(lesson.steps):
-            self._say(self.tr("This is the last step."))
+            self._show_message(self.tr("This is the last step."))
         else:
             self._lessons.next()
 
@@ -298,7 +298,7 @@ class Talks(QObject):
             self._lessons.go(number - 1)
         else:
             text = self.tr("There is no step {0}; the last is {1}.")
-            self._say(text.format(number, count))
+            self._show_message(text.format(number, count))
 
     def _unblank(self) -> None:
         if self._present.is_blank:
@@ -309,29 +309,29 @@ class Talks(QObject):
     def _show_typed(self, digits: str) -> None:
         """Show the typed number; without digits, show the other messages."""
         text = self.tr("To step {0}…").format(digits) if digits else ""
-        self._band.say(text)
+        self._band.show_message(text)
         if self.speaker is not None:
-            self.speaker.say(text or self._refusal or self._complaint)
+            self.speaker.show_message(text or self._refusal or self._mistake)
 
-    def _say(self, text: str) -> None:
+    def _show_message(self, text: str) -> None:
         self._keys.forget_later()
-        self._band.say(text)
+        self._band.show_message(text)
         if self.speaker is not None:
-            self.speaker.say(text)
+            self.speaker.show_message(text)
 
-    def _complain(self, text: str) -> None:
+    def _show_mistake(self, text: str) -> None:
         """Show the speaker the mistake in the open file; tell the class only that it is old."""
-        self._messages.take_back(self._complaint)
+        self._messages.hide_message(self._mistake)
         if text:
             self._forget_refusal()
-        self._complaint = text
+        self._mistake = text
         if text and self.is_on and not self._is_apart:
-            self._say(self.tr("The file was changed, and cannot be read."))
+            self._show_message(self.tr("The file was changed, and cannot be read."))
         if self.speaker is not None:
-            self.speaker.say(self._refusal or text)
+            self.speaker.show_message(self._refusal or text)
         is_talk = self._lessons.lesson is not None and self._lessons.lesson.is_talk
         if text and is_talk and not self.is_on:  # the speaker's window may be hidden behind it
-            self._messages.say(text)
+            self._messages.show_message(text)
 
     @property
     def _is_apart(self) -> bool:
@@ -343,11 +343,11 @@ class Talks(QObject):
         self._refusal = text
         self._keys.forget()
         if self.speaker is None:
-            self._messages.say(text)
+            self._messages.show_message(text)
 
     def _forget_refusal(self) -> None:
         if self._refusal:
-            self._messages.take_back(self._refusal)
+            self._messages.hide_message(self._refusal)
             self._refusal = ""
 
     # -- the speaker's window
@@ -355,7 +355,8 @@ class Talks(QObject):
     def open_speaker(self) -> None:
         """Open the speaker's window, on another screen if there is one."""
         if not self.has_lesson:
-            self._messages.say(self.tr("Open a talk first: the speaker's window shows its notes."))
+            why = self.tr("Open a talk first: the speaker's window shows its notes.")
+            self._messages.show_message(why)
             return
         if self.speaker is None:
             self.speaker = speaker = SpeakerWindow(self._settings, self._window)
@@ -417,8 +418,8 @@ class Talks(QObject):
         self._show()
 
     def _open_with_talk(self, on: bool) -> None:
-        if not on and self._complaint:
-            self._messages.say(self._complaint)
+        if not on and self._mistake:
+            self._messages.show_message(self._mistake)
         if on and self.is_on:
             if self._settings.speaker_window and self.speaker is None:
                 self.open_speaker()

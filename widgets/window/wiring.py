@@ -38,15 +38,15 @@ def _wire_components(window: Any) -> None:
         (store.changed, window.show_document),
         (store.view_changed, window.show_view),
         (controls.edited, store.set_projection),
-        (controls.object_unfolded, partial(world.ask, "object_axes")),
+        (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.animation.playing_changed, menus.show_playing),
         (card.mesh_wanted, window.files.mesh_dialog),
         (card.mesh_removed, partial(window.files.use_mesh, "")),
         (window.counting.counted, card.show_count),
         (window.manipulation.edited, store.set_projection),
-        (window.frame_panel.step_changed, partial(world.ask, "step")),
-        (strip.moved, partial(window.panes["ndc"].ask, "stage"), window.matrices.show_stage),
-        (strip.named, window.panes["ndc"].header.say),
+        (window.frame_panel.step_changed, partial(world.request, "step")),
+        (strip.moved, partial(window.panes["ndc"].request, "stage"), window.matrices.show_stage),
+        (strip.named, window.panes["ndc"].header.show_title),
         (strip.gesture_started, partial(look.refine, "ndc", False)),
         (strip.gesture_finished, partial(look.refine, "ndc", True)),
         (window.matrices.letters_changed, lettering.set, look.set_letters),
@@ -77,9 +77,9 @@ def _wire_components(window: Any) -> None:
         (window.present.moved, partial(look.set_presenting, True)),
         (window.slots.rearranged, window.show_beside),
         (window.files.recent_changed, menus.show_recent),
-        (window.pictures.told, window.tell_shortly),
+        (window.pictures.exported, window.show_message),
         (window.panels.chosen, window.probing.begin),
-        (measure.went_on, window.messages.take_back),
+        (measure.refusal_withdrawn, window.messages.hide_message),
         (measure.succeeded, window.messages.done),
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
@@ -91,8 +91,8 @@ def _wire_components(window: Any) -> None:
             signal.connect(slot)
     for panel in window.panels.all:
         panel.edited.connect(store.set_projection)
-        panel.told.connect(window.tell_shortly)
-        panel.refused.connect(window.messages.say)
+        panel.adjusted.connect(window.show_message)
+        panel.refused.connect(window.messages.show_message)
         panel.copy_wanted.connect(window.pictures.copy_diagram)
         panel.export_wanted.connect(window.pictures.export_diagram)
         look.built.connect(panel.set_style)
@@ -108,7 +108,7 @@ def _wire_lesson(window: Any) -> None:
     card.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
-    card.handles_called.connect(partial(window.panes["world"].ask, "handles"))
+    card.handles_called.connect(partial(window.panes["world"].request, "handles"))
     guided = window.controls.card.set_guided
     window.lessons.opened.connect(lambda: guided(window.lessons.lesson is not None))
     for signal in (
@@ -126,7 +126,7 @@ def _wire_lesson(window: Any) -> None:
         menus.name_everything.triggered,
     ):
         signal.connect(card.look_again)
-        signal.connect(window.pane_words.wait)
+        signal.connect(window.pane_words.describe_later)
 
 
 def _wire_gestures(window: Any) -> None:

@@ -93,7 +93,7 @@ class WorldLook(QObject):
                 pane.show_layers(hidden)
         if fixed != self.fixed:
             self.fixed = fixed
-            self._world.ask("fixed", fixed)
+            self._world.request("fixed", fixed)
         self._mark()
 
     def name(self, names: tuple[str, ...] | None) -> None:
@@ -103,7 +103,7 @@ class WorldLook(QObject):
         if names != self.names:
             self.names = names
             for pane in self._panes.values():
-                pane.ask("names", names)
+                pane.request("names", names)
         self._mark()
 
     def _switch(self) -> None:

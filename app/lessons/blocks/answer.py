@@ -20,7 +20,7 @@ from app.lessons.blocks.question import (
     Reply,
     Value,
     Verdict,
-    said_below,
+    reply_below,
 )
 from app.lessons.lines import LACKS, Body, refused
 from app.lessons.marking import TypedNumber
@@ -69,7 +69,7 @@ class Answer(MarkedQuestion):
             **cls.fields(body, text, items),
             symbol=symbol.strip(),
             replies=tuple(
-                Reply(line=w.line, formulas=(w.formula(),), idea=w.about, **said_below(w))
+                Reply(line=w.line, formulas=(w.formula(),), idea=w.about, **reply_below(w))
                 for w in wrong
             ),
             right=(value._replace(text=formula.strip()).formula(),),

@@ -73,12 +73,12 @@ class Trial:
     wrong: dict[str, Refusal] = field(default_factory=dict)
     warnings: list[Refusal] = field(default_factory=list)
 
-    def complain(self, error: Refusal) -> None:
+    def add_fault(self, error: Refusal) -> None:
         """Add a fault, but only once for all steps that continue a faulty one."""
         error.file = str(self.path)
         self.wrong.setdefault(str(error), error)
 
-    def warn(self, error: Refusal) -> None:
+    def add_warning(self, error: Refusal) -> None:
         error.file = str(self.path)
         self.warnings.append(error)
 
@@ -88,7 +88,7 @@ class Trial:
         try:
             yield
         except Refusal as error:
-            self.complain(error)
+            self.add_fault(error)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -107,7 +107,7 @@ class Block:
 
     kind: ClassVar[str] = ""
     once: ClassVar[bool] = False
-    asks: ClassVar[bool] = False
+    needs_answer: ClassVar[bool] = False
     line: int
 
     @classmethod
@@ -198,16 +198,16 @@ class Asked(ReadBlock):
         What would show the answer, of `HIDDEN`; it is not seen until there is one.
     """
 
-    asks: ClassVar[bool] = True
+    needs_answer: ClassVar[bool] = True
     holds: ClassVar[bool] = False
     name: str
     hints: tuple[str, ...] = ()
-    said: tuple[tuple[int, str], ...] = ()
+    responses: tuple[tuple[int, str], ...] = ()
     hides: frozenset[str] = frozenset()
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.line + 1, self.text  # below the block's first line
-        yield from self.said
+        yield from self.responses
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
@@ -217,7 +217,7 @@ class Asked(ReadBlock):
             "line": body.line,
             "text": text,
             "hints": items.texts("hint"),
-            "said": items.sentences(),
+            "responses": items.sentences(),
         }
 
     def verdict(self, here: Here, sample: str, line: int) -> str:

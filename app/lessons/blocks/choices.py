@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, said_below
+from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, reply_below
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
@@ -54,7 +54,7 @@ class Choice(Reply):
             formulas=formulas,
             idea=idea[1] if idea else "",
             text=text.strip(),
-            **said_below(item),
+            **reply_below(item),
         )
 
     def check_number(self, value: float) -> None:

@@ -228,7 +228,7 @@ class Exercise(Asked):
             readings = _readings(variant)
             shown = readings if shown is None else shown & readings
         if shown and "numbers" not in self.hides:
-            trial.complain(refused(self.line, CAN_BE_READ, min(shown).replace("_", " ")))
+            trial.add_fault(refused(self.line, CAN_BE_READ, min(shown).replace("_", " ")))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         first, _, rest = sample.partition(" ")

@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, said_below
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, reply_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.marking import TypedNumber
@@ -78,7 +78,7 @@ class MatrixQuestion(MarkedQuestion):
                 *shape, wrong = _cells(item)
                 if shape != [rows, columns]:
                     raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
-                said = said_below(item)
+                said = reply_below(item)
                 replies.append(Reply(line=item.line, formulas=wrong, idea=item.about, **said))
         return cls(
             **cls.fields(body, text, items), replies=tuple(replies), right=formulas,

@@ -114,9 +114,9 @@ class Reply:
         """Report an unknown idea without a sentence, and an impossible state."""
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
-            trial.complain(refused(self.line, NO_IDEA, near, value=self.idea))
+            trial.add_fault(refused(self.line, NO_IDEA, near, value=self.idea))
         if not (self.right or self.idea or self.says):
-            trial.complain(refused(self.line, NO_REPLY))
+            trial.add_fault(refused(self.line, NO_REPLY))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
@@ -125,7 +125,7 @@ class Reply:
         """Refuse a number in the text that differs from its formula's value."""
 
 
-def said_below(item: LineItem) -> dict[str, Any]:
+def reply_below(item: LineItem) -> dict[str, Any]:
     """Read the sentence and the state indented below a choice or a wrong value."""
     below = Items(item.below)
     return {"says": below.text("says"), "state": state_in(below.single("state"))}
@@ -212,7 +212,7 @@ class Question(Asked):
                 else:
                     wrong.append((line, values))
         for clash in self._clashes(here, value, wrong):
-            trial.complain(clash)
+            trial.add_fault(clash)
 
     def _check_number(self, here: Here, line: int, *value: float) -> None:
         """Refuse a number of the model that is not the right value, or that cannot be set."""
@@ -324,7 +324,7 @@ class MarkedQuestion(Question):
 
 
 def hidden_in(text: str, line: int) -> set[str]:
-    """Read the names of what a question hides."""
+    """Read the names of the things that a question hides."""
     names = {name.strip() for name in text.split(",")}
     for name in names.difference(HIDDEN):
         raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)

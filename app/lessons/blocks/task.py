@@ -9,7 +9,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Reply, said_below
+from app.lessons.blocks.question import Reply, reply_below
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
@@ -24,12 +24,12 @@ _MOVED_BY = {
     "near": "near", "far": "far", "eye": "eye", "distance": "eye", "target": "target",
     "left": "corner", "right": "corner", "bottom": "corner", "top": "corner",
 }  # fmt: skip
-"""Which handle of the world moves what a name stands for."""
+"""The handle of the world that changes the quantity of a name."""
 
 
 @dataclass(frozen=True, kw_only=True)
 class Wrong(Reply):
-    """What a student does who has a wrong idea: the condition holds then, and the task is open."""
+    """A wrong idea of a task: while its condition holds, the task is not done."""
 
     condition: Condition
 
@@ -62,7 +62,7 @@ class Task(Asked):
             if item.key == "wrong":
                 with on_line(item.line, "wrong"):
                     condition = Condition.read(item.text)
-                given = {"idea": item.about, "condition": condition, **said_below(item)}
+                given = {"idea": item.about, "condition": condition, **reply_below(item)}
                 wrong.append(Wrong(line=item.line, **given))
         return cls(
             **cls.fields(body, text, items), until=until, done=items.text("done"),
@@ -121,14 +121,14 @@ class Task(Asked):
     def verdict(self, here: Here, sample: str, line: int) -> str:
         own = here.document
         with on_line(line):
-            now = _after(own, sample.split())
+            now = _with_sample(own, sample.split())
         if self.is_done(here, now):
             return "done"
         wrong = self.mistaken(here, now)
         return "open" if wrong is None else wrong.verdict(here).word
 
 
-def _after(document: Document, assignments: Sequence[str]) -> Document:
+def _with_sample(document: Document, assignments: Sequence[str]) -> Document:
     """Apply the values of a sample; ``view.panes=world`` stands for any turn of a pane by hand."""
     document = set_values(document, (each for each in assignments if not each.startswith(_PANES)))
     turned = dict(document.view.panes)

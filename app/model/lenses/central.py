@@ -132,7 +132,7 @@ class Central(EyeLens):
         cls, cells: Rationals, near: float, far: float, in_hand: Lens
     ) -> Iterator[Lens]:
         if in_hand.kind == cls.kind:
-            yield in_hand.but(near=near, far=far)
+            yield in_hand.replaced(near=near, far=far)
         yield cls.solved(cells, near, far)
 
     @classmethod

@@ -226,14 +226,14 @@ class Lens(Geometry):
         """The lens from which another kind is chosen; a typed matrix returns its previous lens."""
         return self
 
-    def but(self, **fields: Any) -> Lens:
+    def replaced(self, **fields: Any) -> Lens:
         """Return the same lens with some fields changed."""
         return cast(Lens, replace(cast(Any, self), **fields))
 
     def cut(self, window: Window, near: float, far: float) -> Lens:
         """The same view volume between other planes; `window` is on the present near plane."""
         near, far = self.checked_planes(near, far)
-        return self.but(near=near, far=far)
+        return self.replaced(near=near, far=far)
 
     def dollied(self, window: Window, factor: float) -> Lens:
         """Return the lens that shows the target equally large from `factor` times the distance."""

@@ -77,7 +77,6 @@ class Parallel(EyeLens):
     def with_window_at(
         cls, distance: float, window: Window, near: float, far: float, keep: Keep
     ) -> Lens:
-        """Return the lens with this window at a distance."""
         lens = cast(Any, cls)(*window, near, far, keep)
         left, right, bottom, top = window
         x, y = (cot * (distance - near) for cot in lens.shear)
@@ -90,7 +89,7 @@ class Parallel(EyeLens):
     ) -> Iterator[Lens]:
         leaning, cots = cls._leaning(cells, in_hand)
         if in_hand.kind == cls.kind:
-            yield in_hand.but(near=near, far=far, **leaning)
+            yield in_hand.replaced(near=near, far=far, **leaning)
         sides: list[float] = []
         for i, (row, cot) in enumerate(zip(cells[:2], cots, strict=True)):
             sides += ends(row[i], row[i] * cot * Fraction(near) - row[3], Fraction(1))

@@ -1,4 +1,4 @@
-"""Cheap arithmetic: how far off vertices are drawn that are stored and computed with few bits.
+"""Cheap arithmetic: the drawing errors of vertices that have few bits.
 
 `app.precision.cheap` projects every vertex as such hardware does, and states a bound of its error.
 What the panes draw is that result: the world has the vertices as they are stored, NDC and the image
@@ -221,7 +221,7 @@ def _arrows(starts: Array, steps: Array, across: Array) -> Array:
 
 
 def _marked(arrows: Array, factor: float, name: str) -> Marks:
-    """Arrows (k, 5, 2 or 3), and at the longest how much they are enlarged."""
+    """Arrows (k, 5, 2 or 3); the longest is labelled with their enlargement."""
     if not len(arrows):
         return Marks()
     longest = arrows[np.linalg.norm(arrows[:, 1] - arrows[:, 0], axis=1).argmax(), 1]

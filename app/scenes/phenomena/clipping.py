@@ -1,7 +1,7 @@
 """Clipping: inside, outside, crossing; and a polygon cut by one plane after the other.
 
-Whatever lies inside all six planes of the view volume is drawn, and whatever lies beyond one of
-them is not. Only what crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman:
+An object inside all six planes of the view volume is drawn, and an object beyond one of them is
+not. Only an object that crosses must be cut (lectures 001, 004), here after Sutherland & Hodgman:
 each plane takes the polygon that the plane before has left, keeps the part on its own side, and
 adds a new corner where an edge crosses. `app.model.clipping` cuts in clip space; the pieces in the
 world follow from the polygon's own corners, without an inverse matrix.
@@ -105,8 +105,8 @@ def cut_by(points_clip: Array, plane: str, depth: str = "opengl") -> Cut:
         return Cut(left, _NONE, _NONE)
     leaves = edges.index(plane)  # the polygon goes out here, and comes in again at the next
     gap = left[[leaves, (leaves + 1) % len(left)]]
-    is_new = ~_among(gap, points_clip)
-    gone = ~_among(points_clip, left)
+    is_new = ~_are_among(gap, points_clip)
+    gone = ~_are_among(points_clip, left)
     first = next(i for i in range(len(gone)) if gone[i] and not gone[i - 1])
     outer = np.roll(points_clip, -first, axis=0)[: int(gone.sum())]
     return Cut(left, gap[is_new], np.concatenate([gap[:1], outer, gap[1:]]))
@@ -120,13 +120,13 @@ def steps(points_clip: Array, depth: str = "opengl") -> list[Cut]:
     return cuts
 
 
-def _among(points: Array, others: Array) -> NDArray[np.bool_]:
+def _are_among(points: Array, others: Array) -> NDArray[np.bool_]:
     """Which of some points (n, 4) are among the others, to the last bit."""
     same: NDArray[np.bool_] = (points[:, None] == others).all(axis=2).any(axis=1)
     return same
 
 
-def sorted_out(projection: Projection, faces: Array) -> tuple[list[int], list[int], list[int]]:
+def classified(projection: Projection, faces: Array) -> tuple[list[int], list[int], list[int]]:
     """Which flat convex faces (n, k, 3) of the world are inside, outside, and crossing.
 
     Inside: no corner is beyond a plane. Outside: all corners are beyond one and the same plane, or
@@ -199,7 +199,7 @@ def _lettered(shares: Array, places: Array) -> Marks:
     return Marks(texts=tuple(texts.values()))
 
 
-def _lit(box: Array, step: int) -> Marks:
+def _cut_face(box: Array, step: int) -> Marks:
     """The plane of a step, as a face of a box (8, 3). Near and far are named elsewhere."""
     if not step:
         return Marks()
@@ -210,7 +210,7 @@ def _lit(box: Array, step: int) -> Marks:
     return Marks.of(plate(face, colour, 2.5, 0.2), *([] if step < 3 else [name]))
 
 
-def _somewhere(*parts: Marks) -> Marks:
+def _finite(*parts: Marks) -> Marks:
     """All marks but those whose numbers overflow."""
     return Marks.of(
         *(
@@ -221,7 +221,7 @@ def _somewhere(*parts: Marks) -> Marks:
     )
 
 
-def _paled(projection: Projection, outside: Sequence[int], crossing: Sequence[int]) -> Marks:
+def _veil(projection: Projection, outside: Sequence[int], crossing: Sequence[int]) -> Marks:
     """A veil over the cards, or parts of them, that are outside."""
     pieces = [CARDS[i] for i in outside]
     for i in crossing:
@@ -255,8 +255,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     clip = projection.trace(TRIANGLE).clip
     try:
         cuts = steps(clip, projection.depth)
-        whole, outside, crossing = sorted_out(projection, CARDS)
-        veil = _paled(projection, outside, crossing)
+        whole, outside, crossing = classified(projection, CARDS)
+        veil = _veil(projection, outside, crossing)
         image = _image(projection, clip, step, cuts[step].new)
     except Refusal:  # the camera is the reason, and the illustration says so
         return Illustration((), warning=WORDS.phrase("too-large"))
@@ -281,8 +281,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
                 for key, count in zip(_COUNTS, counts, strict=True)
             ),
         ),
-        world=_somewhere(veil, _lit(volume, step), _pieces(in_world, step), names),
-        ndc=_somewhere(_lit(cube, step), _pieces(in_ndc, step), _lettered(shares[0], in_ndc[0])),
+        world=_finite(veil, _cut_face(volume, step), _pieces(in_world, step), names),
+        ndc=_finite(_cut_face(cube, step), _pieces(in_ndc, step), _lettered(shares[0], in_ndc[0])),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
         warning=WORDS.phrase("behind") if not step and not (clip[:, 3] > 0.0).all() else None,

@@ -58,7 +58,7 @@ def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phras
     lens, chosen = projection.lens, str(settings["range"])
     try:
         if chosen == "infinite":
-            lens = lens.but(far=math.inf)
+            lens = lens.replaced(far=math.inf)
         return DepthBuffer(str(settings["format"]), _MAPPINGS.get(chosen, chosen), lens)
     except Refusal:
         return WORDS.phrase("no-infinite" if chosen == "infinite" else "no-log")

@@ -127,8 +127,8 @@ def _nothing(_projection: Projection, _settings: Settings) -> ImpliedSettings:
     return {}
 
 
-def _any(_settings: Settings) -> None:
-    """Every combination of settings can be shown."""
+def _accept_all(_settings: Settings) -> None:
+    """Accept every combination of settings."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -204,7 +204,7 @@ class Phenomenon:
     numbers: int = 3
     follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = _keep
     implied: Callable[[Projection, Settings], ImpliedSettings] = _nothing
-    check: Callable[[Settings], None] = _any
+    check: Callable[[Settings], None] = _accept_all
     requires: frozenset[str] = frozenset()
     leading: str = "world"
     names: tuple[str, ...] = ()
@@ -251,7 +251,7 @@ class Phenomenon:
         return self.show(projection, settings, subject)
 
     def at_hand(self, projection: Projection, settings: Settings) -> ImpliedSettings:
-        """All settings as camera and lens have them, perhaps beyond the bounds of a setting.
+        """Return all settings as camera and lens imply them, perhaps out of a setting's bounds.
 
         For a free matrix the settings stay as they were chosen.
         """

@@ -1,7 +1,7 @@
 """What a phenomenon draws into the panes: marks, and copies of the scene; plain data.
 
-Also how the scene itself is rasterised. Whatever follows every vertex is a matrix (`Copy`) or the
-rasteriser's own work (`Rendering`); marks are few.
+The module also says how the scene is rasterised. Effects on every vertex are matrices (`Copy`) or
+the rasteriser's work (`Rendering`); marks are few.
 
 A mark with a `name` belongs to the thing of that name: where the picture does not name it, the
 mark is drawn more quietly. A line, face or dot without a name is always drawn as it is.

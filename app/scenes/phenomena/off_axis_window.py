@@ -58,7 +58,7 @@ def halves(projection: Projection) -> tuple[Projection, Projection]:
     middle = left + (right - left) * (columns / width)
     screens = []
     for low, high, across in ((left, middle, columns), (middle, right, width - columns)):
-        half = windowed.lens.but(left=low, right=high, bottom=bottom, top=top, keep="stretch")
+        half = windowed.lens.replaced(left=low, right=high, bottom=bottom, top=top, keep="stretch")
         screens.append(replace(projection, lens=half, image_size=(across, height)))
     return screens[0], screens[1]
 
@@ -232,7 +232,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return replace(
         moved,
         camera=Camera(eye, target, camera.up),
-        lens=lens.but(left=left - back, right=right - back, bottom=bottom, top=top),
+        lens=lens.replaced(left=left - back, right=right - back, bottom=bottom, top=top),
     )
 
 

@@ -162,8 +162,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Reading(
                 "S", tuple((matrix + 0.0).reshape(-1).tolist()), note=_formula(settings, light)
             ),
-            Reading.or_why(WORDS["vertex"], _three(place), why=note),
-            Reading.or_why(WORDS["shadow"], _three(measured), why=note),
+            Reading.or_why(WORDS["vertex"], _middle_and_distances(place), why=note),
+            Reading.or_why(WORDS["shadow"], _middle_and_distances(measured), why=note),
             Reading.or_why(WORDS["off"], off, why=note),
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
@@ -189,12 +189,12 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     return WORDS.phrase("of-sun", *parts, max(map(abs, point(settings, "light"))))
 
 
-def _three(place: Array | None) -> tuple[float, ...] | None:
+def _middle_and_distances(place: Array | None) -> tuple[float, ...] | None:
     return None if place is None else tuple(place.tolist())
 
 
 def _reach(subject: Subject) -> tuple[Array, float]:
-    """The object's middle, and how far from it the plane and the sun are drawn."""
+    """The object's middle, and the distances from it at which plane and sun are drawn."""
     low, high = np.array(subject.lower), np.array(subject.upper)
     return (low + high) / 2.0, 1.5 * subject.size
 

@@ -1,4 +1,4 @@
-"""What a phenomenon says: numbers with their units, and sentences."""
+"""The readout of a phenomenon: numbers with their units, and sentences."""
 
 from __future__ import annotations
 

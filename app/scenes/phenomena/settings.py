@@ -16,7 +16,7 @@ Value: TypeAlias = float | bool | str | Vector
 Settings: TypeAlias = Mapping[str, Value]
 """The checked value of every `Setting` of a phenomenon, by its name."""
 ImpliedSettings: TypeAlias = Mapping[str, Value | None]
-"""Likewise as camera and lens have them; None where no value gives the present state."""
+"""The values that camera and lens imply; None where no value gives the present state."""
 
 CLOSE = 1e-7
 """Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
@@ -70,7 +70,6 @@ class Setting:
 
     @property
     def path(self) -> str:
-        """Its path in the document."""
         return f"settings.{self.name}"
 
     def checked(self, value: Any) -> Value:
@@ -99,7 +98,7 @@ class Setting:
         return True
 
     def rounded(self, value: float, chosen: float) -> float | None:
-        """A number that was found: the chosen one, if they differ by rounding errors alone."""
+        """An implied number, or the chosen one if they differ by rounding errors alone."""
         if not math.isfinite(value):
             return None
         low, high = self.span or (self.low, self.high)

@@ -199,7 +199,7 @@ class Running(NamedTuple):
 def running(
     projection: Projection, start: tuple[Array, Array], toward: tuple[Array, Array], t: float
 ) -> Running:
-    """Where P is.
+    """Return the position of P.
 
     `start` is C in the world (3,) and in clip space (4,), `toward` likewise s D, the way that P has
     made at t = 1/2.

@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 from app.lessons.blocks.choices import Choices
 from app.lessons.course import AtStep
 from app.lessons.record import SHOWN
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button, hand_in
+from widgets.window.lesson_blocks.view import REVEALED, BlockView, Sign, button, hand_in
 
 
 class _ChoiceButton(QWidget):
@@ -22,7 +22,7 @@ class _ChoiceButton(QWidget):
     def __init__(self, text: str) -> None:
         super().__init__()
         self.button = QRadioButton()
-        self.button.setAccessibleName(said_of(text))
+        self.button.setAccessibleName(spoken_text(text))
         self.button.installEventFilter(self)
         self._text = LessonText(text)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
@@ -101,9 +101,9 @@ class ChoiceView(BlockView):
         return names.index(answer) if answer in names else None
 
     def restore(self, answer: str) -> None:
-        if answer == TOLD and self.question.retries:
-            self.answer = TOLD
-            self._tell()
+        if answer == REVEALED and self.question.retries:
+            self.answer = REVEALED
+            self._show_right_answer()
             return
         number = self._number(answer)
         if number is not None:
@@ -138,8 +138,8 @@ class ChoiceView(BlockView):
         number = self._group.checkedId()
         if number < 0:
             text = self.tr("Choose one first: with the arrow keys, or a click.")
-            self._warn(text)
-            self._announce(text)
+            self._show_problem(text)
+            self._speak(text)
             return
         if self.is_test:
             self._hand_in(str(number + 1))
@@ -154,25 +154,25 @@ class ChoiceView(BlockView):
     def give_hint(self) -> None:
         super().give_hint()
         if self.question.retries:
-            self._offer_answer(self.give_away)
+            self._offer_answer(self.reveal_answer)
 
-    def give_away(self) -> None:
+    def reveal_answer(self) -> None:
         """Show the right choice, and why it is right."""
-        self.answer = TOLD
-        self._tell()
+        self.answer = REVEALED
+        self._show_right_answer()
         self.tried.emit("", SHOWN)
-        self._settle(TOLD)
+        self._settle(REVEALED)
 
-    def _tell(self) -> None:
+    def _show_right_answer(self) -> None:
         text = self.question.replies[self.question.right].text
-        self._hush()
+        self._remove_response()
         self._close()
         said = self.tr("The answer is {0}.").format(_quoted(text))
         said = f"{said} {self.question.why}".strip()
         solution = self.question.solution(self.here)
-        self._say("help", "", said)
-        self._say("", "", solution)
-        self._announce(said, solution)
+        self._add_text("help", "", said)
+        self._add_text("", "", solution)
+        self._speak(said, solution)
 
     def _close(self) -> None:
         for choice in self._choices:
@@ -182,7 +182,7 @@ class ChoiceView(BlockView):
 
     def _show_verdict(self, number: int, *, shows: bool) -> None:
         question, right = self.question, self.question.right
-        self._hush()
+        self._remove_response()
         try:
             verdict = question.chosen(self.here, number)
             show = question.show and self.here.shown_by(question.show)
@@ -196,10 +196,10 @@ class ChoiceView(BlockView):
         if verdict.right:
             self._praise(verdict)
             if self.here.given:  # the numbers of an exercise
-                self._say("", "", question.solution(self.here))
+                self._add_text("", "", question.solution(self.here))
             show = show or verdict.state
         elif question.retries:
-            self._offer_answer(self.give_away)
+            self._offer_answer(self.reveal_answer)
             self._refute(verdict)
         else:
             self._choices[number].mark("close", self.tr("Your choice"))
@@ -207,7 +207,7 @@ class ChoiceView(BlockView):
                 *(_quoted(question.replies[each].text) for each in (number, right))
             )
             self._refute(verdict, said)
-            self._say("check", "", question.why)
+            self._add_text("check", "", question.why)
         if show is not None and not question.retries:
             self._offer_state(
                 show, self.tr("Show what happens"), self.tr("Show the model's answer once more")

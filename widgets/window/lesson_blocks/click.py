@@ -29,7 +29,7 @@ class ClickView(MarkedAnswerView):
         super().__init__(here, question)
         self._away_px: Callable[[Value], float] | None = None
         self._place: Value = ()
-        self._is_told = False
+        self._is_settled = False
         pictures = {
             "world": self.tr("world"), "ndc": self.tr("NDC cube"), "image": self.tr("image")
         }  # fmt: skip
@@ -46,7 +46,7 @@ class ClickView(MarkedAnswerView):
 
     @property
     def aims(self) -> BlockView | None:
-        return self if self.is_open or self._is_told else None
+        return self if self.is_open or self._is_settled else None
 
     def take(self, away_px: Callable[[Value], float], place: Value) -> None:
         """Take the place of the crosshair, and a function for its distance from others."""
@@ -59,19 +59,19 @@ class ClickView(MarkedAnswerView):
             # Kept as the right place: the crosshair's own depends on the window's size.
             self._submit(_written(self.question.answer(self.here)), _written(self._place))
 
-    def say_other(self) -> None:
+    def show_other_state(self) -> None:
         """Say that the picture shows another state, in which the answer would be another one."""
-        self._warn(self.tr("The picture shows something else now."))
+        self._show_problem(self.tr("The picture shows something else now."))
         name, tip = self.tr("Show it a&gain"), self.tr("Show the state of the question")
         self._offer_state(self.here.document, name, tip)
-        self._announce(self.tr("The picture shows something else now."))
+        self._speak(self.tr("The picture shows something else now."))
 
     def _mark(self, typed: str) -> Verdict:
         assert self._away_px is not None
         return self.question.verdict_at(self.here, self._away_px)
 
     def _settle(self, answer: str) -> None:
-        self._is_told = True
+        self._is_settled = True
         super()._settle(answer)
 
     def _show(self, typed: str) -> None:

@@ -78,7 +78,7 @@ class ExerciseView(BlockView):
         self.seed.setText(seed)
         if self._draw() and self.asked is not None:
             if self.is_test:
-                self.asked.take_in(given)
+                self.asked.show_kept_answer(given)
             else:
                 self.asked.restore(given)
             self.answer = answer
@@ -91,22 +91,22 @@ class ExerciseView(BlockView):
         self._draw()
 
     @property
-    def said(self) -> list[QWidget]:
+    def response(self) -> list[QWidget]:
         if self.asked is None:
-            return super().said
-        return self.asked.said or [self.asked]
+            return super().response
+        return self.asked.response or [self.asked]
 
     def open_up(self) -> None:
         """Show the state of the numbers; draw them first if they are not drawn yet."""
         if self.is_test:  # its step is in this state, with the panels closed
             if self.is_open:
-                self.spoke.emit()
+                self.responded.emit()
             return
         if self.asked is not None or self._draw():
             assert self.variant is not None
             self.posed.emit(self.variant.here.document)
             if self.is_open and self.first is not None:
-                self.spoke.emit()
+                self.responded.emit()
 
     def begin(self) -> None:
         """Draw the numbers of the seed, and show their state."""
@@ -114,7 +114,7 @@ class ExerciseView(BlockView):
             self.posed.emit(self.variant.here.document)
             if self.asked.first is not None:
                 self.asked.first.setFocus()
-            self.spoke.emit()
+            self.responded.emit()
 
     def go_on(self) -> None:
         """Draw the numbers of the next seed."""
@@ -123,7 +123,7 @@ class ExerciseView(BlockView):
 
     def _draw(self) -> bool:
         """Make the view of the variant; say why if there is none."""
-        self._hush()
+        self._remove_response()
         try:
             self.variant = self.exercise.variant(self.here, max(1, int(self.seed.text() or "1")))
         except Refusal as error:
@@ -132,7 +132,7 @@ class ExerciseView(BlockView):
         asked = self._view_of(self.variant.here, self.variant.question)  # type: ignore[arg-type]
         asked.settled.connect(self._settled)
         asked.show_wanted.connect(self.show_wanted)
-        asked.spoke.connect(self.spoke)
+        asked.responded.connect(self.responded)
         asked.tried.connect(self.tried)
         asked.set_within()
         if self.asked is not None:

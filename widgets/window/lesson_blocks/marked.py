@@ -15,7 +15,7 @@ from app.lessons.record import SHOWN
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import sentence
-from widgets.window.lesson_blocks.view import TOLD, BlockView, hand_in
+from widgets.window.lesson_blocks.view import REVEALED, BlockView, hand_in
 
 
 class MarkedAnswerView(BlockView):
@@ -39,9 +39,9 @@ class MarkedAnswerView(BlockView):
 
     def restore(self, answer: str) -> None:
         try:
-            if answer == TOLD:
-                self._tell()
-                self.answer = TOLD
+            if answer == REVEALED:
+                self._show_right_answer()
+                self.answer = REVEALED
                 return
             verdict = self.question.mark(self.here, answer)
         except Refusal:  # the lesson has changed meanwhile
@@ -58,12 +58,12 @@ class MarkedAnswerView(BlockView):
     def _submit(self, typed: str, given: str | None = None) -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
         given = typed if given is None else given
-        self._hush()
+        self._remove_response()
         try:
             verdict = self._mark(typed)
         except Refusal as error:
             self._refuse(error)
-            self._announce(sentence(error))
+            self._speak(sentence(error))
             return
         if self.is_test:
             self._hand_in(given)
@@ -76,11 +76,11 @@ class MarkedAnswerView(BlockView):
         self._show_verdict(verdict)
         if verdict.too_short:
             text = self.tr("So far so good, but three significant digits are needed.")
-            self._say("help", self.tr("Too few digits"), text)
-            self._announce(text)
+            self._add_text("help", self.tr("Too few digits"), text)
+            self._speak(text)
             return
         self.tried.emit(given, verdict.word)
-        self._offer_answer(self.give_away)
+        self._offer_answer(self.reveal_answer)
         if verdict.idea or verdict.says:
             self._refute(verdict)
         else:
@@ -89,32 +89,32 @@ class MarkedAnswerView(BlockView):
                 text += " " + sentence(verdict.remark)
             if self.hints:
                 text += " " + self.tr("The hint (Alt+I) says how to begin.")
-            self._say("close", self.tr("Wrong"), text)
-            self._announce(text)
+            self._add_text("close", self.tr("Wrong"), text)
+            self._speak(text)
 
     def _praise_and_close(self, verdict: Verdict) -> None:
         self._show_verdict(verdict)
         self._close()
         self._praise(verdict)
         if not verdict.says or self.here.given:  # an exercise's reason need not have its numbers
-            self._say("", "", self.question.solution(self.here))
+            self._add_text("", "", self.question.solution(self.here))
 
     def give_hint(self) -> None:
         super().give_hint()
-        self._offer_answer(self.give_away)
+        self._offer_answer(self.reveal_answer)
 
-    def give_away(self) -> None:
+    def reveal_answer(self) -> None:
         """Show the right answer, and the way to it."""
-        self._hush()
+        self._remove_response()
         try:
-            self._tell()
+            self._show_right_answer()
         except Refusal as error:
             self._refuse(error)
         else:
             self.tried.emit("", SHOWN)
-            self._settle(TOLD)
+            self._settle(REVEALED)
 
-    def _tell(self) -> None:
+    def _show_right_answer(self) -> None:
         answer = answer_of(self.question, self.here)
         text = self.tr("The answer is {0}.").format(answer)
         if "\n" in answer:  # a table stands by itself
@@ -122,6 +122,6 @@ class MarkedAnswerView(BlockView):
         self._close()
         text = f"{text} {self.question.why}".strip()
         solution = self.question.solution(self.here)
-        self._say("help", "", text)
-        self._say("", "", solution)
-        self._announce(text, solution)
+        self._add_text("help", "", text)
+        self._add_text("", "", solution)
+        self._speak(text, solution)

@@ -170,7 +170,7 @@ class MatrixAnswerView(MarkedAnswerView):
             error.bound, *error.limits, field=cell.place, value=error.value or ...
         )
         self._refuse(said)
-        self._announce(sentence(said))
+        self._speak(sentence(said))
 
     def _show(self, typed: str) -> None:
         for cell, text in zip(self.cells, self.question.texts_of(typed), strict=True):

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
-from app.lessons.text import said_of
+from app.lessons.text import spoken_text
 from widgets.parts.layouts import FREE
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
@@ -20,7 +20,7 @@ class NumberAnswerView(MarkedAnswerView):
     def __init__(self, here: AtStep, question: Answer) -> None:
         super().__init__(here, question)
         self.field = QLineEdit()
-        self.field.setAccessibleName(self.tr("Answer: {0}").format(said_of(question.text)))
+        self.field.setAccessibleName(self.tr("Answer: {0}").format(spoken_text(question.text)))
         set_tip(
             self.field,
             self.tr("A number: 0.5, 1 1/2, √3/2, 2e-3 or 45°, to three significant digits (Enter)"),

@@ -14,7 +14,7 @@ from app.lessons.course import AtStep
 from app.lessons.record import RIGHT, SHOWN
 from app.lessons.writing import changes
 from app.model.refusal import Refusal
-from widgets.window.lesson_blocks.view import TOLD, BlockView, Sign, button
+from widgets.window.lesson_blocks.view import REVEALED, BlockView, Sign, button
 
 REST_MS = 900
 """How long nothing has changed when a wrong idea is named."""
@@ -32,7 +32,7 @@ class TaskView(BlockView):
         sign = Sign("", "")
         super().__init__(here, task, sign)
         self.task, self._sign, self._now = task, sign, here.document
-        self._told: set[int] = set()
+        self._refuted: set[int] = set()
         """The lines of the wrong ideas that were named: each is named once."""
         self._resting = QTimer(self, singleShot=True, interval=REST_MS)
         self._resting.timeout.connect(self.rest)
@@ -60,34 +60,34 @@ class TaskView(BlockView):
         if given:
             self._hand_in(given)
         else:
-            self._warn(self.tr("Nothing is changed yet."))
-            self._announce(self.tr("Nothing is changed yet."))
+            self._show_problem(self.tr("Nothing is changed yet."))
+            self._speak(self.tr("Nothing is changed yet."))
 
     def restore(self, answer: str) -> None:
         self.answer = answer
-        if answer == TOLD:
-            self._tell()
+        if answer == REVEALED:
+            self._show_right_answer()
         else:
             self._tick()
 
     def give_hint(self) -> None:
         super().give_hint()
-        self._offer_answer(self.give_away)
+        self._offer_answer(self.reveal_answer)
 
-    def give_away(self) -> None:
+    def reveal_answer(self) -> None:
         """Show how the task is done."""
-        self._hush()
-        self._tell()
-        self._announce(self._told_why)
+        self._remove_response()
+        self._show_right_answer()
+        self._speak(self._why)
         self.tried.emit("", SHOWN)
-        self._settle(TOLD)
+        self._settle(REVEALED)
 
     @property
-    def _told_why(self) -> str:
+    def _why(self) -> str:
         return self.task.why or self.tr("You can see a state that fulfils the task.")
 
-    def _tell(self) -> None:
-        self._say("help", "", self._told_why)
+    def _show_right_answer(self) -> None:
+        self._add_text("help", "", self._why)
         if self.task.right is not None:
             tip = self.tr("Show a state that makes it visible (Alt+W)")
             self._offer_state(self.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
@@ -107,13 +107,13 @@ class TaskView(BlockView):
             return
         if is_done:
             self._resting.stop()
-            self._hush()
+            self._remove_response()
             self._tick()
             self.tried.emit(self._given, RIGHT)
-            self._announce(self.tr("Done."), self.task.done, self.task.why)
+            self._speak(self.tr("Done."), self.task.done, self.task.why)
             self._settle(DONE)
         elif document != self.here.document:  # tried
-            self._offer_answer(self.give_away)
+            self._offer_answer(self.reveal_answer)
             if self.task.wrong:
                 self._resting.start()
 
@@ -127,13 +127,13 @@ class TaskView(BlockView):
         except Refusal as error:
             self._refuse(error)
             return
-        if wrong is not None and verdict is not None and wrong.line not in self._told:
-            self._told.add(wrong.line)
-            self._hush()
+        if wrong is not None and verdict is not None and wrong.line not in self._refuted:
+            self._refuted.add(wrong.line)
+            self._remove_response()
             self.tried.emit(self._given, verdict.word)
             self._refute(verdict)
 
     def _tick(self) -> None:
         self._sign.show_icon("check", self.tr("Done"))
-        self._say("", "", self.task.done or self.tr("Done."))
-        self._say("", "", self.task.why)
+        self._add_text("", "", self.task.done or self.tr("Done."))
+        self._add_text("", "", self.task.why)

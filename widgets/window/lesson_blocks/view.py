@@ -24,7 +24,7 @@ from app.lessons.blocks.block import Asked
 from app.lessons.blocks.question import Verdict
 from app.lessons.course import AtStep
 from app.lessons.practice import verdict_on
-from app.lessons.text import escaped, said_of
+from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
@@ -33,7 +33,7 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
-TOLD = "told"
+REVEALED = "told"
 """Stored as the answer if the program has shown it."""
 SIGN_EM = 1.15
 """Size of a sign, relative to the text height beside it."""
@@ -80,7 +80,7 @@ class BlockView(QFrame):
     """The `Document` in which the question is asked, instead of the step's own."""
     tried = Signal(str, str)
     """An answer was given; emits it as in a sample, and the word of its verdict."""
-    spoke = Signal()
+    responded = Signal()
     """A response to the answer appeared."""
 
     def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
@@ -93,21 +93,21 @@ class BlockView(QFrame):
         self.hints = list(block.hints)
         """The hints not given yet."""
         self.hints_read = 0
-        self.setAccessibleName(said_of(block.text))
+        self.setAccessibleName(spoken_text(block.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
         """The newest hint, until another response comes."""
-        self._said = in_column(gap=4)
+        self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
         self._words: QWidget = LessonText(block.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
-        self._column = in_column(self._words, self._said, on=self, margins=(9, 7, 9, 8), gap=5)
+        self._column = in_column(self._words, self._feedback, on=self, margins=(9, 7, 9, 8), gap=5)
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""
-        self._column.insertWidget(self._column.indexOf(self._said), widget)
+        self._column.insertWidget(self._column.indexOf(self._feedback), widget)
 
     def set_within(self) -> None:
         """Show the block as a part of another one, which has the frame."""
@@ -140,7 +140,7 @@ class BlockView(QFrame):
         return None
 
     @property
-    def said(self) -> list[QWidget]:
+    def response(self) -> list[QWidget]:
         """Return the widgets of the newest response, from the top; none if nothing was said."""
         return self._responses if self._hint is None else [self._hint]
 
@@ -154,10 +154,10 @@ class BlockView(QFrame):
         self.is_test = True
         self.hints = []
 
-    def take_in(self, answer: str) -> None:
+    def show_kept_answer(self, answer: str) -> None:
         """Show an answer that is kept for the end of a test; it can no longer be changed."""
         self.answer = answer
-        self._hush()
+        self._remove_response()
         self._show(answer)
         for field in self.findChildren(QLineEdit):
             field.setReadOnly(True)
@@ -165,7 +165,7 @@ class BlockView(QFrame):
             each.setEnabled(False)
             each.setVisible(not isinstance(each, QPushButton))
         # No tick: it may be wrong.
-        self._say("save", self.tr("Kept"), self.tr("Your answer is kept until the end."))
+        self._add_text("save", self.tr("Kept"), self.tr("Your answer is kept until the end."))
 
     def _show(self, answer: str) -> None:
         """Show an answer that was given earlier."""
@@ -173,8 +173,8 @@ class BlockView(QFrame):
     def _hand_in(self, answer: str) -> None:
         """Keep an answer for the end of a test."""
         self.tried.emit(answer, verdict_on(self.block, self.here, answer))
-        self.take_in(answer)
-        self._announce(self.tr("Your answer is kept until the end."))
+        self.show_kept_answer(answer)
+        self._speak(self.tr("Your answer is kept until the end."))
         self._settle(answer)
 
     def open_up(self) -> None:
@@ -194,7 +194,7 @@ class BlockView(QFrame):
             text = f"*{head}* {self.hints.pop(0)}"
             self._hint = _row("help", "", text)
             self._insert(self._hint)
-            self._announce(text)
+            self._speak(text)
 
     # -- the response
 
@@ -204,30 +204,29 @@ class BlockView(QFrame):
             self._offered.hide()
         self.settled.emit(answer)
 
-    def _hush(self) -> None:
-        """Remove the previous response."""
+    def _remove_response(self) -> None:
         for widget in self._responses:
-            self._said.removeWidget(widget)
+            self._feedback.removeWidget(widget)
             widget.hide()
             widget.deleteLater()
         self._responses.clear()
         self._hint = None
 
-    def _say(self, icon: str, sign: str, text: str) -> None:
+    def _add_text(self, icon: str, sign: str, text: str) -> None:
         if text:
             self._add(_row(icon, sign, text))
 
-    def _warn(self, text: str) -> None:
+    def _show_problem(self, text: str) -> None:
         """Show only that something is missing or wrong."""
-        self._hush()
-        self._say("warning", "", text)
+        self._remove_response()
+        self._add_text("warning", "", text)
 
     def _refuse(self, error: Refusal) -> None:
-        self._warn(escaped(sentence(error)))
+        self._show_problem(escaped(sentence(error)))
 
     def _add(self, widget: QWidget) -> None:
         self._responses.append(widget)
-        self._said.addWidget(widget)
+        self._feedback.addWidget(widget)
 
     def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
         self._add(self._indented(button(name, tip, act)))
@@ -247,8 +246,8 @@ class BlockView(QFrame):
             self._offer(name, tip, partial(self.show_wanted.emit, document))
 
     def _praise(self, verdict: Verdict) -> None:
-        self._say("check", self.tr("Right"), verdict.says or self.tr("Right."))
-        self._announce(self.tr("Right."), verdict.says)
+        self._add_text("check", self.tr("Right"), verdict.says or self.tr("Right."))
+        self._speak(self.tr("Right."), verdict.says)
 
     def _refute(self, verdict: Verdict, head: str = "") -> None:
         """Name the wrong idea, refute it, and offer a state that shows why."""
@@ -256,17 +255,17 @@ class BlockView(QFrame):
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
             head = f"{head} {behind}".strip()
-        self._say("close", self.tr("Wrong"), head or self.tr("That is not it."))
-        self._say("", "", verdict.says)
+        self._add_text("close", self.tr("Wrong"), head or self.tr("That is not it."))
+        self._add_text("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
         tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
         self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
-        self._announce(head, verdict.says)
+        self._speak(head, verdict.says)
 
-    def _announce(self, *texts: str) -> None:
-        self.spoke.emit()
-        said = said_of(" ".join(texts))
+    def _speak(self, *texts: str) -> None:
+        self.responded.emit()
+        said = spoken_text(" ".join(texts))
         QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, said))
 
 
