@@ -224,8 +224,8 @@ class CameraDrawing(Layer):
             (self._target_space, target, 1.02),
             (self._rim_space, target, 1.03),
         ):
-            space.place(*pane.brought(point, on_top * near))
-        k, at = pane.brought(eye, max(near, self._eye_depth - 2.8 * self.axes_size))
+            space.place(*pane.moved_forward(point, on_top * near))
+        k, at = pane.moved_forward(eye, max(near, self._eye_depth - 2.8 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)

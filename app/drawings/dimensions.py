@@ -141,7 +141,7 @@ class Dimensions(Layer):
         """How much room the lines and the sentence need below the drawing, in ems."""
         if not self._state.own.fixed:
             return 0.0
-        said = len(self._said())
+        said = len(self._sentence_lines())
         return self._rows_em() + (0.5 + 1.5 * said if said else 0.0)
 
     def _rows_em(self) -> float:
@@ -162,7 +162,7 @@ class Dimensions(Layer):
         self._is_shown = True
         self._lines.begin()
         self._thin.begin()
-        self._say(ground, self._said())
+        self._show_sentence(ground, self._sentence_lines())
         if state.own.fixed != "eye":
             at, corners = state.standing, state.corners_seen
             points = np.vstack([state.objects, at.eye, at.target])
@@ -420,7 +420,7 @@ class Dimensions(Layer):
         if said:
             ground.keep_box(0.0, 0.0, float(ground.limits[2]), (0.5 + 1.5 * len(said)) * self._em)
 
-    def _said(self) -> list[str]:
+    def _sentence_lines(self) -> list[str]:
         """The lines of the sentence that says what the lens lacks."""
         name = self._lacks()
         across = max(12, int((self._state.own.size_px[0] / self._em - 2.0) / 0.58))

@@ -73,13 +73,13 @@ class SceneInPicture(Layer):
         self.model.show_grid(shown)
         if self.blurring is not None:
             self.blurring.model.show_grid(shown)
-            self.blurring.again()
+            self.blurring.restart()
 
     def show_detail(self, fewer: Scene | None) -> None:
         self.model.show_detail(fewer)
         if self.blurring is not None:
             self.blurring.model.show_detail(fewer)
-            self.blurring.again()
+            self.blurring.restart()
 
     def show(self) -> None:
         state, seen = self._state, self._state.seen_projection

@@ -202,7 +202,7 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     """The letter's deepest corner is 12.93 from the eye plane: 1.5 times that is 19.4."""
     scene = load("letter-f")
     drawing = opened(off_screen(*LARGE), "letter-f")
-    drawing.show_projection(replace(scene.start, lens=scene.start.lens.but(far=far)))
+    drawing.show_projection(replace(scene.start, lens=scene.start.lens.replaced(far=far)))
     reach = drawing.state.volume.depths
     corner = np.array((-1.5, 0.0, -0.5)) - scene.start.camera.eye
     assert reach.high == pytest.approx(1.5 * float(-corner @ scene.start.camera.frame[2]))

@@ -242,8 +242,8 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
         move(window, "world", point_of(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).handles.held == handle
-    assert "near plane" in hand.said and "Near = 1" in hand.said
-    assert canvas.toolTip() == hand.said != tip
+    assert "near plane" in hand.handle_text and "Near = 1" in hand.handle_text
+    assert canvas.toolTip() == hand.handle_text != tip
     assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
     pointed = pixels(window, "world")
     changed = np.argwhere((pointed != before).any(axis=2))
@@ -254,7 +254,7 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).handles.held is None
-    assert (hand.said, canvas.toolTip()) == ("", tip)
+    assert (hand.handle_text, canvas.toolTip()) == ("", tip)
     assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
     assert (pixels(window, "world") == before).all()
     move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
@@ -320,7 +320,11 @@ def test_the_text_about_a_handle_disappears_with_its_drawing(
     else:
         window.look.set_presenting(True)
     assert world(window).handles.held is None
-    assert (hand.said, pane.canvas.toolTip(), held_line(window).isVisible()) == ("", tip, False)
+    assert (hand.handle_text, pane.canvas.toolTip(), held_line(window).isVisible()) == (
+        "",
+        tip,
+        False,
+    )
     assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
 
 

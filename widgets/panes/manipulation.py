@@ -118,7 +118,7 @@ class Manipulation(Gestures, QObject):
         drawing = self._world.drawing
         if drawing is not None and drawing.handles.held is not None:
             if self.now(drawing.handles.held):
-                self._tell(drawing.handles.held)
+                self._describe_handle(drawing.handles.held)
             else:
                 self._point_out(drawing, None)
 
@@ -140,7 +140,7 @@ class Manipulation(Gestures, QObject):
         return drawing.handle_at((pixel.x(), pixel.y()), within_px)
 
     def _point_out(self, drawing: Drawing, handle: Handle | None) -> None:
-        said_of_another = handle is None and self.said  # of an earlier drawing
+        said_of_another = handle is None and self.handle_text  # of an earlier drawing
         if handle == drawing.handles.held and not said_of_another:
             return
         drawing.hold(handle)
@@ -306,7 +306,7 @@ class Manipulation(Gestures, QObject):
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
         if drawing is not None and drawing.handles.held is not None:
-            self._tell(drawing.handles.held)  # instead of a refusal
+            self._describe_handle(drawing.handles.held)  # instead of a refusal
 
     def _drop(self) -> None:
         """Forget the drag, and tell the hand."""
