@@ -1,4 +1,4 @@
-"""What the drawings share: actors under one 4x4.
+"""Actors under one 4x4, for all drawings.
 
 A slider step reaches the screen without any work per vertex::
 

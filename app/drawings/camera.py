@@ -211,11 +211,11 @@ class CameraDrawing(Layer):
         """The distances of target and axes from the pane's own camera, which has to see them."""
         pane = self._state.own.pane
         target = float((self._state.standing.target - pane.eye) @ pane.axes[2])
-        # The axes are brought before the body, see `settle`.
+        # The axes are moved before the body, see `settle`.
         return target, self._eye_depth - 5.4 * self.axes_size
 
     def settle(self) -> None:
-        """Bring eye, target and axes before what would hide them."""
+        """Move eye, target and axes before what would hide them."""
         state = self._state
         pane, standing, near = state.own.pane, state.standing, state.nearest
         eye, target = standing.eye, standing.target

@@ -36,7 +36,7 @@ from app.picking.handles import Handle, nearest
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = 3.0, 1.1  # of the extent: the largest frustum framed whole; or so much of it
+_WHOLE, _NEARBY = 3.0, 1.1  # extents: the largest frustum framed whole; larger ones are cut to 1.1
 _AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
 _WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
 _ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them

@@ -23,7 +23,7 @@ from app.model.projection import Array
 
 
 class WorldAxes(Layer):
-    """Axes that are made when they are first shown; scene-local.
+    """The axes of object and world, made when they are first shown; scene-local.
 
     `drawn` is the object, which shows its axes while it is moved.
     """
