@@ -121,7 +121,7 @@ def _matrix(text: str) -> list[list[float]] | None:
 
 def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
     """Read a matrix of this size; None for another one."""
-    rows = read_matrix(text)
+    rows = read_matrix(text, sizes=[height * width])
     return rows if (len(rows), len(rows[0])) == (height, width) else None
 
 

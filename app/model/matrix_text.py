@@ -20,6 +20,7 @@ LONGEST = 20_000
 """Most characters of a text that may be a matrix."""
 
 LONG = QT_TRANSLATE_NOOP("Refusal", "must be the text of one matrix, up to {0} characters long")
+COUNT_OF = QT_TRANSLATE_NOOP("Refusal", "must be {0} numbers, but has {1}")
 COUNT = QT_TRANSLATE_NOOP("Refusal", "must be 9, 12 or 16 numbers, but has {0}")
 NOT_READ = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of numbers, but has {0}")
 NOT_FINITE = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of finite numbers, but has {0}")
@@ -29,7 +30,9 @@ COMMAS = QT_TRANSLATE_NOOP(
 )
 
 
-def read_matrix(text: str, field: str = "matrix") -> list[list[float]]:
+def read_matrix(
+    text: str, field: str = "matrix", sizes: Sequence[int] = SIZES
+) -> list[list[float]]:
     """Return 16, 12 or 9 numbers in rows for column vectors: (3, 3), (3, 4), (4, 3) or (4, 4).
 
     Notations that have columns first, such as those of glm and GLSL, are known.
@@ -37,23 +40,25 @@ def read_matrix(text: str, field: str = "matrix") -> list[list[float]]:
     Raises
     ------
     Refusal
-        With the `field`'s name, for another count of numbers, for what is not finite, and for what
-        is not understood.
+        With the `field`'s name, for a count of numbers that is not one of `sizes`, for what is not
+        finite, and for what is not understood.
     """
     try:
         if len(text) > LONGEST:
             raise _refused(LONG, LONGEST)
-        lines = _lines(text)
+        lines = _lines(_without_dashes(text))
+        if sum(map(len, lines)) not in sizes:
+            lines = _without_index(lines)
         count, with_commas = sum(map(len, lines)), _with_decimal_commas(text)
         if with_commas is not None:
             others = _lines(with_commas)
             other = sum(map(len, others))
-            if other in SIZES:
-                if count in SIZES:
+            if other in sizes:
+                if count in sizes:
                     raise _refused(COMMAS, other, count)
                 lines, count = others, other
-        if count not in SIZES:
-            raise _refused(COUNT, count)
+        if count not in sizes:
+            raise _refused(COUNT, count) if len(sizes) > 1 else _refused(COUNT_OF, *sizes, count)
     except Refusal as error:
         raise Refusal.in_document(error.bound, *error.limits, field=field, value=text) from None
     width = 3 if count == 9 or (count == 12 and {len(line) for line in lines} == {3}) else 4
@@ -112,6 +117,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
+_ITEM = re.compile(r"- (- )?(\S+)")
 _QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")
 _NUMBER_TYPE = re.compile(r"float|double|half|single|real|scalar|mpf|int|f(?:16|32|64)$", re.I)
 _COLUMNS = re.compile(r"\bColumns? {1,4}[0-9]{1,2}(?: {1,4}(?:through|and|to) {1,4}[0-9]{1,2})?:?")
@@ -141,6 +147,22 @@ def _lines(text: str) -> list[list[float]]:
         return blocks[0] if blocks else []
     # MATLAB shows wide matrices some columns at a time.
     return [[number for line in lines for number in line] for lines in zip(*blocks, strict=False)]
+
+
+def _without_dashes(text: str) -> str:
+    """Return YAML's list of single numbers as rows, and any other text unchanged."""
+    rows = list(filter(None, map(str.strip, text.splitlines())))
+    items = [_ITEM.fullmatch(row) for row in rows if ":" not in row]
+    if len(items) < min(SIZES) or not all(items):
+        return text
+    return " ".join("\n" * len(item[1] or "") + item[2] for item in items if item)
+
+
+def _without_index(lines: list[list[float]]) -> list[list[float]]:
+    """Return the lines without the numbers of rows and columns that pandas prints."""
+    rows = lines[lines[:1] == [list(range(len(lines[0])))] :] if lines else []
+    is_numbered = [row[0] for row in rows] == list(range(len(rows)))
+    return [row[1:] for row in rows] if is_numbered else lines
 
 
 # --------------------------------------------------------------------------- what is read

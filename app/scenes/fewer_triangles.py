@@ -16,7 +16,8 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scenes.scene import Scene, dot_set
+from app.scenes.poly_data import dot_set
+from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:

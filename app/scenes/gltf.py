@@ -29,6 +29,7 @@ from app.scenes.mesh import (
     Ints,
     Mesh,
     MeshSource,
+    joins_left_out,
     rgb_bytes,
 )
 from app.scenes.shapes import DRAWN_RGB, flat
@@ -150,7 +151,9 @@ class _Gltf:
                 still = np.broadcast_to(np.eye(4), places.shape)
                 parts.append(_placed(shape, still if is_skinned else places))
             source.report(0.3)
-        return _joined(parts)
+        joined = _joined(parts)
+        joined.drop_small_faces(source.path)
+        return joined
 
     # ----------------------------------------------------------------------- nodes
 
@@ -448,7 +451,9 @@ def _triangles(order: Ints, mode: int) -> Ints:
     if mode == 4:
         return order[: len(order) // 3 * 3].reshape(-1, 3)
     if mode == 5:  # a strip: every other triangle runs the other way round
-        return np.stack([order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]], axis=1)
+        return joins_left_out(
+            np.stack([order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]], axis=1)
+        )
     if mode == 6:  # a fan about the first vertex
         return np.stack([order[i * 0], order[i + 1], order[i + 2]], axis=1)
     return np.empty((0, 3), dtype=np.int64)

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import codecs
 import os
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -109,6 +110,11 @@ CUT_OFF_TRIANGLES = QT_TRANSLATE_NOOP(
 CUT_OFF_ROWS = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.",
+)
+MORE_ROWS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "{0}: from line {1} on, it has more rows than its header counts; correct the header, or export "
+    "the file again.",
 )
 DAMAGED = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
@@ -306,6 +312,46 @@ class MeshSource:
     def fail(self, what: str) -> NoReturn:
         """Refuse the file because of an unsupported word of its format."""
         raise Refusal.saying(DAMAGED, self.path, what)
+
+
+def numbers_in(
+    text: bytes, kind: type[np.generic] = np.float64, words: int | None = None
+) -> NDArray[Any]:
+    """Return the numbers of a text; raise `ValueError` if it has a word that is not a number."""
+    if words is None:
+        visible = np.frombuffer(text, dtype=np.uint8) > 32
+        words = int(np.count_nonzero(visible[1:] & ~visible[:-1])) + int(visible[:1].sum())
+    if not words:
+        return np.empty(0, dtype=kind)
+    with warnings.catch_warnings():  # numpy returns what it has read so far, with a warning
+        warnings.simplefilter("error", DeprecationWarning)
+        try:
+            numbers = np.fromstring(text, dtype=kind, sep=" ")
+        except DeprecationWarning as warning:
+            raise ValueError from warning
+    if len(numbers) != words:  # "1-2" is two numbers for numpy
+        raise ValueError
+    return numbers
+
+
+def wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object]) -> int:
+    """Return the number, from 1, of the first line that `read_lines` cannot read."""
+    before = 0
+    while len(lines) > 1:
+        half = lines[: len(lines) // 2]
+        try:
+            read_lines(half)
+        except ValueError:
+            lines = half
+        else:
+            before, lines = before + len(half), lines[len(half) :]
+    return before + 1
+
+
+def joins_left_out(triangles: Ints) -> Ints:
+    """Return the triangles (n, 3) of strips without those that only lead to the next strip."""
+    whole: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
+    return whole
 
 
 def report(progress: Progress | None, fraction: float) -> None:

@@ -17,9 +17,9 @@ from __future__ import annotations
 import difflib
 import math
 import os
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
 
@@ -28,9 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.model.projection import (
     Array,
-    Camera,
     ObjectTransform,
-    Perspective,
     Projection,
     Space,
     Vector,
@@ -38,11 +36,13 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TITLES, TRIES, TRIES_OF_A_MESH
 from app.scenes.finishing import Finished, vector
+from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.own_mesh import cells_of, own_mesh
 from app.scenes.phenomena import PHENOMENA, Phenomenon
 from app.scenes.phenomena.illustration import Subject
+from app.scenes.poly_data import LaterMesh, dot_set, line_set, poly_data, surface_of
 from app.scenes.reading import read
 from app.scenes.shapes import (
     DRAWN_RGB,
@@ -102,31 +102,6 @@ class Boxes(NamedTuple):
         return np.concatenate(self)
 
 
-class _Later:
-    """A mesh that is made when it is first drawn: importing VTK takes longer than showing a window.
-
-    Attributes
-    ----------
-    points : (n, 3) float32 array
-    bounds : (6,) float32 array
-        Least and largest x, y and z.
-    n_cells, corners : int
-        Number of polygons or lines, and of all their corners.
-    rgb : (n_cells, 3) array of uint8
-    cells : (n_cells + 1,) and (corners,) arrays of int
-        Where the corners of each cell begin, and the corners.
-    """
-
-    def __init__(
-        self, points: Array, offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
-    ) -> None:
-        self.points = points = points.astype(np.float32)  # small numbers with few digits
-        self.bounds = np.stack([self.points.min(axis=0), self.points.max(axis=0)], axis=1).ravel()
-        self.n_cells, self.corners, self.rgb = len(rgb), corners.size, rgb
-        self.cells = offsets, corners
-        self.make = partial(_poly_data, points, offsets, corners, rgb)
-
-
 class _MeshField:
     """A field of `Scene` for a mesh, possibly one that is made later."""
 
@@ -137,11 +112,11 @@ class _MeshField:
         if scene is None:
             raise AttributeError(self._name)  # it has no default
         held = scene.__dict__[self._name]
-        if isinstance(held, _Later):
+        if isinstance(held, LaterMesh):
             held = scene.__dict__[self._name] = held.make()
         return cast("pv.PolyData | None", held)
 
-    def __set__(self, scene: Scene, mesh: pv.PolyData | _Later | None) -> None:
+    def __set__(self, scene: Scene, mesh: pv.PolyData | LaterMesh | None) -> None:
         scene.__dict__[self._name] = mesh
 
 
@@ -256,7 +231,7 @@ class Scene:
     def subject(self) -> Subject:
         """The bounds and vertices of the objects, without the grid, for a phenomenon."""
         surface = self.__dict__["surface"]
-        points = surface.points if isinstance(surface, _Later) else self.own_points
+        points = surface.points if isinstance(surface, LaterMesh) else self.own_points
         step = max(1, -(-len(points) // SUBJECT_SAMPLE))
         sample = points[::step].astype(np.float64) + self.origin
         mesh = None
@@ -288,7 +263,7 @@ class Scene:
         lines = self.__dict__["lines"]
         if lines is None:
             return np.empty((0, 3), dtype=np.uint8)
-        return np.asarray(lines.rgb if isinstance(lines, _Later) else lines.cell_data["rgb"])
+        return np.asarray(lines.rgb if isinstance(lines, LaterMesh) else lines.cell_data["rgb"])
 
     @property
     def faces(self) -> int:
@@ -310,7 +285,7 @@ class Scene:
         surface = self.__dict__["surface"]
         if surface is None:
             return 0
-        is_made = not isinstance(surface, _Later)
+        is_made = not isinstance(surface, LaterMesh)
         corners = surface.GetPolys().GetNumberOfConnectivityIds() if is_made else surface.corners
         return int(corners) - 2 * self.faces
 
@@ -322,7 +297,7 @@ class Scene:
     @cached_property
     def centre(self) -> Vector:
         """Centre of the objects' bounds in world coordinates."""
-        return _centre(self.lower, self.upper)
+        return centre_of(self.lower, self.upper)
 
     @cached_property
     def corners(self) -> Array:
@@ -343,12 +318,12 @@ class Scene:
     def apart(self) -> tuple[Scene, Scene]:
         """The objects alone and the ground alone, as scenes with the same origin."""
         surface, lines = (self.__dict__[name] for name in ("surface", "lines"))
-        kept: list[_Later | None] = [None, None]
+        kept: list[LaterMesh | None] = [None, None]
         if lines is not None:
             rgb = self._line_rgb
             ends, grid = np.asarray(lines.points).reshape(-1, 2, 3), is_grid(rgb)
             for i, which in enumerate((~grid, grid)):
-                kept[i] = _line_set((ends[which], rgb[which])) if which.any() else None
+                kept[i] = line_set((ends[which], rgb[which])) if which.any() else None
         objects, ground = kept
         return (
             replace(self, surface=surface, lines=objects),
@@ -393,7 +368,7 @@ class Scene:
             mesh, ends = self.__dict__[name], np.empty((0, 2, 3))
             if mesh is not None:
                 ends = np.array(mesh.bounds).reshape(1, 3, 2).swapaxes(1, 2)
-                if isinstance(mesh, _Later):
+                if isinstance(mesh, LaterMesh):
                     offsets, corners = mesh.cells
                 else:
                     kind = {"surface": "Polys", "dots": "Verts", "lines": "Lines"}[name]
@@ -473,101 +448,9 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
-FRAMED_FROM = (0.6, 0.45, 0.9)
-"""Direction from a box to the eye of `frame_camera`; any length."""
-
-
-def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
-    """Place a camera so that a box (world bounds, not a point) is in view with room around it.
-
-    The near plane is just in front of the box; the far plane leaves room for the ground grid that
-    `load` puts under a mesh.
-    """
-    size = math.dist(lower, upper)
-    # Rounded to a thousandth of the size, for the number fields.
-    decimals = 3 - math.floor(math.log10(size))
-    target = _rounded(_centre(lower, upper), decimals)
-    toward_eye = vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
-    u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0)).frame
-
-    lens = Perspective()
-    aspect = Projection().aspect
-    tan_y = math.tan(math.radians(lens.fov_y_deg / 2.0))
-    margin = 0.8  # of the half picture that the box may fill
-    corners = box_corners(lower, upper) - target
-    radius = float(np.linalg.norm(corners / size, axis=1).max()) * size
-    for_width = corners @ n + abs(corners @ u) / (margin * tan_y * aspect)
-    for_height = corners @ n + abs(corners @ v) / (margin * tan_y)
-    distance = max(float(for_width.max()), float(for_height.max()), 1.25 * radius)
-    eye = _rounded(
-        [t + distance * part for t, part in zip(target, toward_eye, strict=True)], decimals
-    )
-    camera = Camera(eye, target)
-    near = _two_digits(camera.distance - 1.05 * radius, math.floor)
-    far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
-    return Projection(camera, Perspective(lens.fov_y_deg, near, far))
-
-
-def _centre(lower: Sequence[float], upper: Sequence[float]) -> Vector:
-    x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
-    return x, y, z
-
-
-def _rounded(point: Sequence[float], decimals: int) -> Vector:
-    x, y, z = (round(part, decimals) + 0.0 for part in point)  # + 0.0: no minus zero
-    return x, y, z
-
-
-def _two_digits(value: float, rounding: Callable[[float], int]) -> float:
-    exponent = math.floor(math.log10(value)) - 1
-    return float(f"{rounding(value / 10.0**exponent)}e{exponent}")
-
-
 def _but_last(words: Sequence[str]) -> tuple[str, str]:
     """Split words for “a, b or c” in any language."""
     return ", ".join(words[:-1]), words[-1]
-
-
-# --------------------------------------------------------------------------- poly data
-
-
-def _poly_data(
-    points: NDArray[np.floating], offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
-) -> pv.PolyData:
-    """Make a mesh for VTK that keeps the digits of the points."""
-    import pyvista as pv
-
-    cells = pv.CellArray.from_arrays(offsets, corners, deep=True)
-    poly_data = pv.PolyData()
-    poly_data.points = np.ascontiguousarray(points)
-    if cells.n_cells and cells.GetMaxCellSize() > 2:
-        poly_data.SetPolys(cells)
-    else:
-        poly_data.SetLines(cells)
-    poly_data.cell_data["rgb"] = rgb
-    return poly_data
-
-
-def _surface(quads: Coloured) -> _Later:
-    points, corners = distinct_rows(quads[0].reshape(-1, 3))
-    offsets = np.arange(0, corners.size + 1, 4)
-    return _Later(points, offsets, corners, quads[1])
-
-
-def _line_set(lines: Coloured) -> _Later:
-    ends = np.arange(2 * len(lines[0]))
-    return _Later(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
-
-
-def dot_set(points: NDArray[np.floating], rgb: Colours) -> pv.PolyData | None:
-    """Make dots for VTK; None without any."""
-    import pyvista as pv
-
-    if not len(points):
-        return None
-    dots: pv.PolyData = pv.PolyData(points)
-    dots.point_data["rgb"] = rgb
-    return dots
 
 
 # --------------------------------------------------------------------------- built-in scenes
@@ -584,8 +467,8 @@ def _built_in(
     return Scene(
         name=name,
         origin=(0.0, 0.0, 0.0),
-        surface=_surface(quads),
-        lines=_line_set(lines),
+        surface=surface_of(quads),
+        lines=line_set(lines),
         lower=vector(points.min(axis=0)),
         upper=vector(points.max(axis=0)),
         start=start,
@@ -630,7 +513,7 @@ def _scene_of_phenomenon(
         raise Refusal.saying(NO_SURFACE, mesh_path, phenomenon.name)
     lower, upper = mesh.bounds
     room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
-    held, place = np.array(_centre(lower, upper)), np.array(scene.centre)
+    held, place = np.array(centre_of(lower, upper)), np.array(scene.centre)
     if phenomenon.own_mesh_crosses:
         held[::2], place[::2] = upper[::2], scene.upper[::2]
         place[0] += room[0] / 6.0
@@ -647,8 +530,8 @@ def _scene_of_phenomenon(
     grid = is_grid(lines[1])
     scene = replace(
         scene,
-        surface=_poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
-        lines=_line_set(joined((lines[0][grid], lines[1][grid]), _drawn_edges(mesh))),
+        surface=poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
+        lines=line_set(joined((lines[0][grid], lines[1][grid]), _drawn_edges(mesh))),
         lower=vector(mesh.points.min(axis=0)),
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
@@ -665,18 +548,18 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     lower, upper = mesh.bounds
     size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that lies around the origin.
-    origin = _rounded(_centre(lower, upper), -math.floor(math.log10(size)))
+    origin = rounded(centre_of(lower, upper), -math.floor(math.log10(size)))
     for ends in (mesh.points, mesh.edges, mesh.lines, mesh.dots):
         ends -= np.array(origin)
     surface = None
     if len(mesh.corners):
-        surface = _poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb)
+        surface = poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb)
     scene = Scene(
         name=name,
         origin=origin,
         surface=surface,
         dots=dot_set(mesh.dots, mesh.dot_rgb),
-        lines=_line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
+        lines=line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
         lower=lower,
         upper=upper,
         start=frame_camera(lower, upper),

@@ -328,20 +328,6 @@ def test_the_largest_error_is_the_one_in_the_picture(make: Any) -> None:
     assert np.mean(reached) > 0.95 and min(reached) > 0.85
 
 
-def test_affine_and_correct_are_the_same_where_w_is_constant(make: Any) -> None:
-    picture = make("interpolation")
-    above = Projection(
-        Camera((0.0, 12.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1.0)), Perspective(60.0, 1.0, 30.0)
-    )
-    affine = picture.show(above, interpolation="affine").pixels()
-    correct = picture.show(above, interpolation="correct").pixels()
-    assert (affine != correct).any(axis=-1).mean() < 1e-3
-    assert picture.illustration.readings[0].value == pytest.approx(0.0, abs=1e-9)
-    parallel = picture.phenomenon.start.with_lens("orthographic")
-    picture.show(parallel)
-    assert picture.illustration.readings[0].value == 0.0
-
-
 @pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
 def test_the_other_panes_show_the_texture_as_it_is(said: Any, kind: Any) -> None:
     plotter = OffScreen(*SIZE)

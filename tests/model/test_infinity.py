@@ -68,15 +68,6 @@ def test_l13_a_vanishing_point_has_every_digit(lens: Lens, camera: Camera) -> No
         assert bool(found.outside[1]) == (lens.far != math.inf) and not found.outside[0]
 
 
-def test_l13_it_is_where_points_go_that_run_that_way() -> None:
-    """P = C + s D of lecture 002, for a large s."""
-    projection, direction = Projection(CAMERA, CENTRAL[3]), (-1.0, 0.25, -2.0)
-    limit = trace_at_infinity(projection, direction)
-    near_by = projection.trace(np.array([1.0, 2.0, 3.0]) + 1e12 * np.array(direction))
-    assert limit.image == pytest.approx(near_by.image, rel=1e-9)
-    assert limit.ndc == pytest.approx(near_by.ndc, rel=1e-9)
-
-
 def test_l13_it_is_the_phenomenon_s_vanishing_point() -> None:
     for point, axis in zip(vanishing(PHENOMENON.start), np.eye(3), strict=True):
         x, y, z = (point.sign * axis).tolist()

@@ -451,6 +451,65 @@ def test_a_scene_says_what_of_its_file_is_left_out(tmp_path: Path) -> None:
     assert [note.limits for note in of_phenomenon.notes] == [note.limits for note in scene.notes]
 
 
+def test_a_triangle_of_a_repeated_corner_is_left_out_with_a_note(tmp_path: Path) -> None:
+    text = "solid\n"
+    for named in ([0, 1, 2], [0, 1, 1], [0, 2, 3]):
+        vertices = "".join(f"vertex {x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID[named].tolist())
+        text += f"facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n"
+    (tmp_path / "m.stl").write_text(text + "endsolid\n")
+    content, body = gltf_parts(PYRAMID)
+    indices = next(each for each in content["accessors"] if each["type"] == "SCALAR")
+    view = content["bufferViews"][indices["bufferView"]]
+    kind = {5121: "<u1", 5123: "<u2", 5125: "<u4"}[indices["componentType"]]
+    changed = np.frombuffer(body, kind, indices["count"], view.get("byteOffset", 0)).copy()
+    changed[5] = changed[4]
+    at = view.get("byteOffset", 0)
+    body = body[:at] + changed.tobytes() + body[at + changed.nbytes :]
+    write_gltf(tmp_path / "m.glb", content, body)
+    for name, count in (("m.stl", 3), ("m.glb", len(changed) // 3)):
+        found = mesh_files.read(tmp_path / name)
+        assert found.notes == [(mesh.FEW_CORNERS, 1, count, 2)], name
+        assert len(found.offsets) == count
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "said"),
+    [
+        ("m.stl", b"solid".ljust(80) + b"\0\0\0\1" + 50 * b"\0", "it uses “big-endian”"),
+        (
+            "m.ply",
+            b"ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+            b"property float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+            b"end_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n",
+            "from line 14 on, it has more rows than its header counts",
+        ),
+    ],
+)
+def test_the_cause_of_a_fault_is_named(
+    name: str, content: bytes, said: str, tmp_path: Path
+) -> None:
+    (tmp_path / name).write_bytes(content)
+    assert said in str(refused(tmp_path / name))
+
+
+def test_what_other_programs_write_is_read(tmp_path: Path) -> None:
+    stl_text_file(tmp_path / "a.stl", PYRAMID)
+    text = (tmp_path / "a.stl").read_text()
+    name = text.split("\n")[0]
+    for changed in (f"# made by hand\n\n# {name}\n{text}",
+                    text.replace(name, "solid facet normal vertex loop", 1)):  # fmt: skip
+        (tmp_path / "m.stl").write_text(changed)
+        assert len(mesh_files.read(tmp_path / "m.stl").points) == 5
+    ply_file(tmp_path / "a.ply", PYRAMID)
+    data = (tmp_path / "a.ply").read_bytes()
+    for old, new in ((b" x\n", b" X\n"), (b"vertex_indices", b"indices")):
+        assert old in data
+        (tmp_path / "m.ply").write_bytes(data.replace(old, new))
+        assert len(mesh_files.read(tmp_path / "m.ply").points) == 5
+    found = obj(tmp_path, "v\xa00 0\xa00\nv 1\xa00 0\nv 0 1 0\nf 1 2\xa03\n")
+    assert len(found.points) == 3
+
+
 # --------------------------------------------------------------------------- glTF
 
 

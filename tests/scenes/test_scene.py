@@ -16,13 +16,13 @@ from hypothesis import strategies as st
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.scenes import finishing
+from app.scenes.first_camera import frame_camera
 from app.scenes.own_mesh import SUBJECT_TRIANGLES
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import (
     BUILT_IN,
     ENDINGS,
     SUBJECT_SAMPLE,
-    frame_camera,
     load,
 )
 from app.scenes.shapes import distinct_rows

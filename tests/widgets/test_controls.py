@@ -594,6 +594,19 @@ def dragged_over(row: NumberRow) -> Iterator[float]:
     release(slider)
 
 
+def test_near_has_the_same_ratio_of_ends_in_every_scene(controls: Column) -> None:
+    for name in scene.BUILT_IN:
+        loaded = scene.load(name)
+        show(controls, loaded.start)
+        controls.set_scene(loaded.size, loaded.start)
+        row = number(controls, "near")
+        if loaded.start.lens.parallel:
+            assert isinstance(row.scale, Linear), name
+            continue
+        assert row.slider.minimum() < row.slider.value() < row.slider.maximum(), name
+        assert row.scale.high == pytest.approx(40.0 * row.scale.low), name
+
+
 def test_a_box_has_even_sliders_and_no_infinity(controls: Column) -> None:
     show(controls, BOX)
     record = Record(controls)

@@ -1053,6 +1053,19 @@ def test_a_text_that_is_no_matrix_is_refused(panel: MatrixPanel, qtbot: QtBot) -
         paste(panel, "clip_from_world", text_of(VIEW))  # cannot be typed in
 
 
+@pytest.mark.parametrize("name", ["view_from_world", "clip_from_view"])
+def test_a_pasted_camera_matrix_sets_camera_and_lens(
+    panel: MatrixPanel, qtbot: QtBot, name: str
+) -> None:
+    with qtbot.waitSignal(panel.edited) as edited:  # K = 900 0 640; 0 900 360; 0 0 1, seen from +z
+        paste(panel, name, "900 0 -640 3200\n0 -900 -360 1800\n0 0 -1 5")
+    seen = edited.args[0]
+    assert seen.camera.eye == pytest.approx((0.0, 0.0, 5.0))
+    assert tuple(seen.intrinsics) == pytest.approx((900.0, 900.0, 640.0, 360.0))
+    paste(panel, name, "1 0 0 0\n0 1 0 0\n0 0 0 0")
+    assert name == "view_from_world" or "the camera is at infinity" in panel.explanation.text()
+
+
 def test_rows_or_columns_are_asked_only_where_both_are_possible(
     panel: MatrixPanel, qtbot: QtBot
 ) -> None:

@@ -14,10 +14,12 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any, cast
 
+import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
+from app.document.camera_files import seen_through
 from app.drawings.style import LIGHT, Style
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.notation import (
@@ -260,6 +262,11 @@ class MatrixPanel(ReadablePanel):
             return
         try:
             rows = read_matrix(text, stage_title(name))
+            if np.shape(rows) == (3, 4) and (name != "view_from_world" or _has_focal_length(rows)):
+                projection = seen_through(rows, projection)
+                view.abandon()
+                self._edit(projection)
+                return
             if self._writing.rows:
                 rows = [list(row) for row in zip(*rows, strict=True)]
             signed = [
@@ -442,3 +449,8 @@ class MatrixPanel(ReadablePanel):
             for each in copied
         )
         QGuiApplication.clipboard().setText("\n".join(texts))
+
+
+def _has_focal_length(rows: list[list[float]]) -> bool:
+    """Whether a matrix (3, 4) is a camera's P = K [R | t] in pixels, not [R | t] alone."""
+    return 10.0 < float(np.linalg.cond(np.array(rows)[:, :3])) < 1e12

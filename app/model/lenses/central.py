@@ -43,12 +43,14 @@ class Central(EyeLens):
         width, height = image_size
         exact = self.exact_window(Fraction(*image_size))
         x_axis, y_axis = Axis.between(*exact[:2]), Axis.between(*exact[2:])
-        return Intrinsics(
+        values = (
             width * self.near / x_axis.extent,
             height * self.near / y_axis.extent,
             (width - 1) / 2.0 - width / 2.0 * x_axis.skew,
             (height - 1) / 2.0 + height / 2.0 * y_axis.skew,
         )
+        # 240, not 239.99999999999997.
+        return Intrinsics(*(float(f"{value:.15g}") for value in values))
 
     def stretch(self, window: Window) -> float:
         left, right, bottom, top = window

@@ -1,0 +1,61 @@
+"""The first camera of a scene: it sees the whole mesh, with numbers of few digits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from app.model.projection import Camera, Perspective, Projection, Vector
+from app.scenes.finishing import vector
+from app.scenes.shapes import box_corners
+
+FRAMED_FROM = (0.6, 0.45, 0.9)
+"""Direction from a box to the eye of `frame_camera`; any length."""
+
+
+def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
+    """Place a camera so that a box (world bounds, not a point) is in view with room around it.
+
+    The near plane is just in front of the box; the far plane leaves room for the ground grid that
+    `load` puts under a mesh.
+    """
+    size = math.dist(lower, upper)
+    # Rounded to a thousandth of the size, for the number fields.
+    decimals = 3 - math.floor(math.log10(size))
+    target = rounded(centre_of(lower, upper), decimals)
+    toward_eye = vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
+    u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0)).frame
+
+    lens = Perspective()
+    aspect = Projection().aspect
+    tan_y = math.tan(math.radians(lens.fov_y_deg / 2.0))
+    margin = 0.8  # of the half picture that the box may fill
+    corners = box_corners(lower, upper) - target
+    radius = float(np.linalg.norm(corners / size, axis=1).max()) * size
+    for_width = corners @ n + abs(corners @ u) / (margin * tan_y * aspect)
+    for_height = corners @ n + abs(corners @ v) / (margin * tan_y)
+    distance = max(float(for_width.max()), float(for_height.max()), 1.25 * radius)
+    eye = rounded(
+        [t + distance * part for t, part in zip(target, toward_eye, strict=True)], decimals
+    )
+    camera = Camera(eye, target)
+    near = _two_digits(camera.distance - 1.05 * radius, math.floor)
+    far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
+    return Projection(camera, Perspective(lens.fov_y_deg, near, far))
+
+
+def centre_of(lower: Sequence[float], upper: Sequence[float]) -> Vector:
+    x, y, z = (low + (high - low) / 2.0 for low, high in zip(lower, upper, strict=True))
+    return x, y, z
+
+
+def rounded(point: Sequence[float], decimals: int) -> Vector:
+    x, y, z = (round(part, decimals) + 0.0 for part in point)  # + 0.0: no minus zero
+    return x, y, z
+
+
+def _two_digits(value: float, rounding: Callable[[float], int]) -> float:
+    exponent = math.floor(math.log10(value)) - 1
+    return float(f"{rounding(value / 10.0**exponent)}e{exponent}")
