@@ -13,12 +13,13 @@ from app.document.compare import DifferenceWriter, in_words, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
 from app.document.settings import name_of, pictured
-from app.drawings.label import SceneLabel, font_file
+from app.drawings.label import SceneLabel
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import illustration_of
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
+from app.lecture.typesetting import font_file
 from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import figure

@@ -19,13 +19,14 @@ from app.document.settings import pictured
 from app.drawings import DrawingWords
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
-from app.drawings.label import LabelActor, pieces_of
+from app.drawings.label import LabelActor
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.one_pane import drawn_pane, illustration_of
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import WINDOW
+from app.lecture.typesetting import pieces_of
 from app.model.projection import Array
 from app.scenes.scene import Scene
 

@@ -24,9 +24,10 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 from app.document.lengths import PX_PER
 from app.drawings.actors import PAPER, FlatActor
 from app.drawings.hidden import Colour, Occlusion, Points, ScreenCell, cut, in_order, visible
-from app.drawings.label import LabelActor, LabelText, SceneLabel, piece_of
+from app.drawings.label import LabelActor, LabelText, SceneLabel
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
+from app.lecture.typesetting import piece_of
 from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB

@@ -1020,7 +1020,7 @@ def test_the_help_names_what_exists() -> None:
     from app.document.fields import model_paths
     from app.document.settings import MEASURES
     from app.measure import measuring
-    from app.measure.arithmetic import SWEEPS
+    from app.measure.sweeps import SWEEPS
 
     paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from app.drawings.figures import write_shapes
-from app.drawings.label import laid, piece_of
 from app.drawings.tikz import tikz
 from app.drawings.vectors import Area, Disc, LabelText, LineShape, PixelShape, Shape, TextShape
+from app.lecture.typesetting import line_of, piece_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 
@@ -20,7 +20,7 @@ PALE = np.full((2, 3, 3), 200, dtype=np.uint8)
 
 
 def label(text: str, anchor: int = 0, turn: float = 0.0, *, plain: bool = False) -> TextShape:
-    pieces = laid(text, plain).pieces
+    pieces = line_of(text, plain).pieces
     widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
     place = (100.0, 200.0)
     written = LabelText(

@@ -22,7 +22,6 @@ from app.document.settings import set_values
 from app.drawings import hidden, vectors
 from app.drawings.actors import face_actor, identity_camera, line_actor, put_in_front
 from app.drawings.figures import render, shapes, write_shapes
-from app.drawings.label import laid, pieces_of
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
 from app.drawings.prop_group import PropGroup
@@ -30,6 +29,7 @@ from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, shapes_of
+from app.lecture.typesetting import line_of, pieces_of
 from app.lessons.course import scene_of
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
@@ -197,7 +197,7 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
     widths = tuple(1.0 for _ in pieces_of(label))
     written = vectors.LabelText(
-        label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
+        label, line_of(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
     )
     text = svg([TextShape(written, (10.0, 20.0), 20.0)], (100, 50), "a < b").decode()
     tree = ElementTree.fromstring(text)
@@ -288,7 +288,7 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
 
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
     text = "near P' ="
-    pieces = laid(text).pieces
+    pieces = line_of(text).pieces
     written = vectors.LabelText(
         text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
     )

@@ -52,10 +52,11 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 }
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
+    "app.lecture": ("matplotlib",),
     "app.drawings": ("matplotlib",),
     "app.scenes": (*VTK, "mapbox_earcut"),
-    "app.lessons": ("markdown_it", "matplotlib"),
-    "app.measure": ("matplotlib", "PIL", "mpmath"),
+    "app.lessons": ("markdown_it",),
+    "app.measure": ("mpmath",),
     "widgets.panes": VTK,
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),

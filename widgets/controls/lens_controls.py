@@ -278,7 +278,7 @@ class LensControls(QObject):
         self.follow(projection)
 
     def _fit_planes(self, start: Projection, size: float) -> None:
-        """Let near and far reach as far as the scene, seen from its first camera.
+        """Fit the sliders of near and far to the depth of the scene from its first camera.
 
         A pyramid's near covers only `NEAR_RATIO`: a pixel of the slider must not be a large step.
         """

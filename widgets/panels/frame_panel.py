@@ -255,7 +255,6 @@ class FramePanel(Panel):
         step = self._steps[self.step]
         place = self.tr("{0} of {1}: {2}")
         self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
-        self.formula.set_formula(self._lettered(step.formula))
         self.sentence.setText(step.sentence)
         self._mark()
         self.back.setEnabled(self.step > 0)
@@ -286,6 +285,8 @@ class FramePanel(Panel):
 
     def _show_numbers(self) -> None:
         if self.isVisible():
+            # Not before: at the start of the program the formulas' fonts would be read for it.
+            self.formula.set_formula(self._lettered(self._steps[self.step].formula))
             step, camera = STEPS[self.step], self._projection.camera
             has_wholes = lettering.now == "004"
             self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text, has_wholes)))

@@ -157,7 +157,7 @@ class Manipulation(Gestures, QObject):
             self._describe_handle(handle)
 
     def _describe_handle(self, handle: Handle) -> None:
-        """Say what a drag of a handle does, and the present value."""
+        """Show what a drag of a handle does, and the present value."""
         self._show_handle_text(f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:

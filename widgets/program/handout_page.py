@@ -18,8 +18,9 @@ from PySide6.QtGui import QImage
 from app.drawings.describing import describe
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
+from app.lecture.typesetting import outline
 from app.lessons.course import Course, panes_of, scene_of
-from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken_tex
+from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, readable, spoken_tex
 from app.model.formula import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of

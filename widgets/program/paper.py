@@ -272,7 +272,7 @@ def in_row(blocks: Sequence[PageBlock]) -> PageBlock:
 
 
 class PagePiece(NamedTuple):
-    """What of a block is on a page, and where."""
+    """The part of a block on a page, and its place."""
 
     block: PageBlock
     y: float

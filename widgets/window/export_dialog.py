@@ -189,7 +189,7 @@ class ExportDialog(QDialog):
 
     @property
     def kept(self) -> dict[str, Any]:
-        """What the next dialog begins with."""
+        """The choice with which the next dialog begins."""
         typed = {
             name: field.text() if field.isModified() else ""
             for name, field in (("width", self._width), ("height", self._height))
@@ -199,7 +199,7 @@ class ExportDialog(QDialog):
         return chosen | typed | {"panes": self._panes, "crop": self._crop.isChecked(), "text": text}
 
     def _take(self, kept: Mapping[str, Any]) -> None:
-        """Show a choice that was kept; nothing of it needs to be possible."""
+        """Show a kept choice, of which any part may be impossible now."""
         for name, combo in self._combos.items():
             known = [combo.itemData(place) for place in range(combo.count())]
             combo.setCurrentIndex(known.index(kept[name]) if kept.get(name) in known else 0)

@@ -153,7 +153,7 @@ class Look(QObject):
             self._build(cameras(self._panes))
 
     def forget_ahead(self) -> None:
-        """Discard the drawings that `ahead` has made."""
+        """Discard the drawings that `draw_ahead` has made."""
         for pane in self._panes.values():
             pane.ahead.keep()
 

@@ -223,7 +223,7 @@ class Pictures(QObject):
             return render(scene, document.projection, scale=choice.scale, progress=tell, **options)
 
     def _options(self, document: Document, choice: ExportChoice) -> dict[str, Any]:
-        """What all formats are drawn with; call it just before drawing."""
+        """Return the options that all formats share; call it just before drawing."""
         from app.drawings.style import PALETTES
 
         current = QOpenGLContext.currentContext()
