@@ -40,9 +40,9 @@ def main() -> int:
             bootstrap.again(sys.executable)
         arguments = sys.argv[1:]
         if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
-            from app.commands import options  # which takes its time
+            from app.commands import terminal  # which takes its time
 
-            if (status := options.outcome(lambda: _without_set_up(arguments))) is not None:
+            if (status := terminal.outcome(lambda: _without_set_up(arguments))) is not None:
                 return status
         from app import bootstrap
 
@@ -60,9 +60,9 @@ def main() -> int:
 
 def _check(arguments: Sequence[str]) -> None:
     """Refuse misspelt words and options: the set-up takes minutes."""
-    from app.commands import options
+    from app.commands import options, terminal
 
-    if status := options.outcome(lambda: options.check(arguments)):
+    if status := terminal.outcome(lambda: options.check(arguments)):
         raise SystemExit(status)
 
 

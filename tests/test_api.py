@@ -201,6 +201,5 @@ def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:
 
 
 def test_panes_are_a_text_or_a_list() -> None:
-    assert api.figure(PLAIN, panes=["world", "image"]).options == (
-        api.figure(PLAIN, panes="world,image").options
-    )
+    named = api.figure(PLAIN, panes=["world", "image"])
+    assert named.panes == api.figure(PLAIN, panes="world,image").panes == ("world", "image")

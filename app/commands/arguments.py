@@ -15,7 +15,8 @@ from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap
-from app.commands.options import CANNOT_DRAW, CliError, check_file, print_error
+from app.commands.options import check_file
+from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on
 from app.document.settings import open_with, set_values
@@ -203,8 +204,9 @@ def importing() -> Iterator[None]:
 
 @functools.cache
 def check_drawing() -> None:
-    """Raise a `CliError` if VTK cannot draw without a window."""
+    """Import what draws; raise a `CliError` if VTK cannot draw without a window."""
     with importing():
+        from app.drawings import compared_figures, figure_files  # noqa: F401
         from app.drawings.off_screen import check_off_screen
     try:
         check_off_screen()

@@ -16,7 +16,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app import __version__, bootstrap, modules
-from app.commands.options import CANNOT_DRAW, parser_of, write_out
+from app.commands.options import parser_of
+from app.commands.terminal import CANNOT_DRAW, write_out
 
 LONGEST_TRIAL_S = 60.0
 """Longest time for a driver to answer."""

@@ -10,7 +10,8 @@ import numpy as np
 
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
-from app.commands.options import CliError, parser_of, write_out
+from app.commands.options import parser_of
+from app.commands.terminal import CliError, write_out
 from app.document.fields import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.notation import Letters, matrices

@@ -10,12 +10,11 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from app.commands.arguments import check_out, document_of, load_scene
-from app.commands.options import (
+from app.commands.options import parse_number, parser_of
+from app.commands.terminal import (
     CANNOT_DRAW,
     INTERRUPTED,
     CliError,
-    parse_number,
-    parser_of,
     print_error,
     standard_output,
     write_out,

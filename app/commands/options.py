@@ -1,31 +1,23 @@
 """The commands, their options, and the messages for wrong ones.
 
 This module needs only the standard library: help and the refusal of misspelt options work before
-the set-up. Every wrong input becomes a `CliError` of one sentence.
+the set-up.
 """
 
 from __future__ import annotations
 
 import argparse
 import difflib
-import io
 import os
 import re
-import sys
 from collections.abc import Callable, Iterable, Sequence
-from typing import NoReturn, TextIO, TypeVar
+from typing import NoReturn
 
 from app import __version__, bootstrap
+from app.commands.terminal import CliError, write_out
 from app.document.lengths import PX_PER, Size, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted
-from app.strangers import printable
-
-_Status = TypeVar("_Status", int, "int | None")
-
-BAD_INPUT = 2
-CANNOT_DRAW = 3
-INTERRUPTED = 130
 
 SUMMARIES = {
     "export": "draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display",
@@ -77,56 +69,6 @@ These lists repeat names from modules with dependencies; a test compares them.
 """
 
 
-class CliError(Exception):
-    """One sentence for standard error, and the exit status."""
-
-    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
-        super().__init__(sentence)
-        self.status = status
-
-
-def print_error(sentence: str, status: int) -> int:
-    """Write a sentence to standard error, on one line, and return the exit status."""
-    if sys.stderr is not None:
-        print(printable(" ".join(sentence.split())), file=sys.stderr)
-    return status
-
-
-def standard_output() -> TextIO:
-    """Standard output, set so that it takes every character.
-
-    Files and other programs always get UTF-8, which TeX and JSON expect; Python would use the
-    locale's encoding, which is cp1252 on Windows and lacks the minus sign. A terminal keeps its
-    encoding and shows the code of a character that it lacks.
-
-    Raises
-    ------
-    CliError
-        If it is closed, as in ``pythonw``.
-    """
-    if sys.stdout is None:
-        raise CliError("Standard output is closed.")
-    if isinstance(sys.stdout, io.TextIOWrapper):
-        encoding = sys.stdout.encoding if sys.stdout.isatty() else "utf-8"
-        sys.stdout.reconfigure(encoding=encoding, errors="backslashreplace")
-    return sys.stdout
-
-
-def write_out(texts: Iterable[str]) -> None:
-    """Write to standard output and flush, so that an error comes here and not when Python ends."""
-    out = standard_output()
-    try:
-        for text in texts:
-            out.write(text)
-        out.flush()
-    except OSError as error:
-        # Python must not try again at exit to write what is still buffered.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
-        if isinstance(error, BrokenPipeError):
-            raise
-        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
-
-
 # --------------------------------------------------------------------------- options
 
 
@@ -146,7 +88,7 @@ class Parser(argparse.ArgumentParser):
         self._names = names
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
-    def _print(self, message: str, _file: object = None) -> None:
+    def _print_message(self, message: str, _file: object = None) -> None:
         """Print the help or the version; argparse would ignore write errors."""
         write_out([message])
 
@@ -644,17 +586,3 @@ def check(arguments: Sequence[str]) -> None:
         if arguments:
             check_file(arguments[0])
         parser_of("").read(arguments)
-
-
-def outcome(run: Callable[[], _Status]) -> _Status | int:
-    """Run, print an error's sentence if there is one, and return the exit status."""
-    try:
-        return run()
-    except CliError as error:
-        return print_error(str(error), error.status)
-    except SystemExit as done:  # argparse, after --help and --version
-        return int(done.code or 0)
-    except BrokenPipeError:  # the reader, such as “| head”, has closed the pipe
-        return 0
-    except KeyboardInterrupt:
-        return INTERRUPTED

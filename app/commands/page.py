@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from app.commands import sweep
 from app.commands.arguments import importing
-from app.commands.options import CliError
+from app.commands.terminal import CliError
 from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
 from app.document.field_names import FIELDS
@@ -22,6 +22,7 @@ from app.lessons.text import in_line
 from app.scenes.phenomena.readout import digits_apart, figure
 
 if TYPE_CHECKING:
+    from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
 FRAMES = 21
@@ -52,9 +53,12 @@ def write(
     told: Iterable[Document],
     states: Sequence[Document],
     scene: Scene,
-    drawing: Callable[[Document], dict[str, Any]],
+    alone: Callable[[Document, str], Figure],
 ) -> str:
-    """Write the page of states, which `told` yields too, and warn if it is large."""
+    """Write the page of states, which `told` yields too; return a warning if it is large.
+
+    `alone` returns the figure of a pane.
+    """
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, SliderPosition, drawn, page
@@ -62,8 +66,7 @@ def write(
     shown = []
     for value, state in zip(values, told, strict=True):
         about = describe(state, scene, sweep.panes(options))
-        given = {**drawing(state), "hidden": options.hidden or "none"}
-        panes = [drawn(pane, said, state, scene, **given) for pane, said in about.panes.items()]
+        panes = [drawn(alone(state, pane), said) for pane, said in about.panes.items()]
         shown.append(SliderPosition(value, panes, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in options.panes)
     write_bytes_atomically(out, content)

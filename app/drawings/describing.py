@@ -19,7 +19,6 @@ from app.model.projection import Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
-from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene
 
@@ -119,14 +118,12 @@ def describe(
 
     `translate` puts every text of the program into another language.
     """
-    projection, phenomenon = document.projection, scene.phenomenon
-    illustration: Illustration | None = None
-    letters = document.view.letters
+    projection, letters = document.projection, document.view.letters
+    illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()
-    if phenomenon is not None:
-        general.append(in_letters(translate(phenomenon.explanation, "phenomena"), letters))
-        settings = phenomenon.checked(document.settings)
-        illustration = phenomenon.illustration(projection, settings, scene.subject)
+    if scene.phenomenon is not None:
+        explanation = translate(scene.phenomenon.explanation, "phenomena")
+        general.append(in_letters(explanation, letters))
     own = int(scene.own_lines.sum()), scene.dot_count
     if any(own):
         general.append(translate(CONTENT, "Description").format(scene.triangles, *own))

@@ -13,8 +13,8 @@ from xml.sax.saxutils import escape, quoteattr
 from PIL import Image
 
 from app.document.lengths import PX_PER
-from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
+from app.drawings.occlusion import Colour, Points
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FUNCTIONS, GREEK, is_set_in_words, outline
 

@@ -14,8 +14,8 @@ from itertools import count, groupby
 from PIL import Image
 
 from app.document.lengths import DPI
-from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY
+from app.drawings.occlusion import Colour, Points
 from app.drawings.style import rgb
 from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape

@@ -41,7 +41,7 @@ from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.own_mesh import cells_of, own_mesh
 from app.scenes.phenomena import PHENOMENA, Phenomenon
-from app.scenes.phenomena.illustration import Subject
+from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.poly_data import LaterMesh, dot_set, line_set, poly_data, surface_of
 from app.scenes.reading import read
 from app.scenes.shapes import (
@@ -226,6 +226,15 @@ class Scene:
     def requires(self) -> frozenset[str]:
         """Parts of the drawings for this scene beyond faces, lines and marks."""
         return frozenset() if self.phenomenon is None else self.phenomenon.requires
+
+    def illustration(
+        self, projection: Projection, settings: Mapping[str, Any]
+    ) -> Illustration | None:
+        """What its phenomenon shows of a projection; None if it is no phenomenon."""
+        if self.phenomenon is None:
+            return None
+        chosen = self.phenomenon.checked(settings)
+        return self.phenomenon.illustration(projection, chosen, self.subject)
 
     @cached_property
     def subject(self) -> Subject:

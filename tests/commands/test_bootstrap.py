@@ -132,7 +132,12 @@ def fresh(tmp_path: Path) -> Checkout:
     (checkout.root / "widgets" / "__init__.py").touch()
     shutil.copy(bootstrap.ROOT / "__main__.py", checkout.root)
     stdlib_only = (
-        *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
+        *(
+            "commands/__init__.py",
+            "commands/options.py",
+            "commands/terminal.py",
+            "commands/doctor.py",
+        ),
         *("document/__init__.py", "document/lengths.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
     )

@@ -15,7 +15,7 @@ import pytest
 
 from app.bootstrap import ROOT
 from app.commands.arguments import check_out
-from app.commands.options import CliError
+from app.commands.terminal import CliError
 from app.measure.meaning import bargain, cheapest, meaning
 from app.measure.measuring import NEED_OPENGL, TRADES
 from app.measure.results import ChartPoint, Trade, from_json, to_csv

@@ -12,7 +12,7 @@ from tests.house.test_imports import read, sources
 
 HOME = "app/strangers.py"
 OWN = {
-    "app/api.py": "the SVG text that it has just drawn",
+    "app/drawings/figure.py": "the SVG text that it has just drawn",
     "app/bootstrap.py": "files of the checkout and of its environment",
     "app/document/files.py": "the chunk of a PNG picture, which is UTF-8 by definition",
     "app/drawings/mp4.py": "what ffmpeg says",

@@ -240,7 +240,7 @@ def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
         ("app/drawings/world.py", "from PySide6.QtGui import QColor", "PySide6.QtGui.QColor"),
         ("app/drawings/world.py", "import app.document.store", "app.document.store"),
         ("app/document/store.py", "from PySide6 import QtWidgets", "PySide6.QtWidgets"),
-        ("app/drawings/figures.py", "import importlib\nx = __import__('widgets')", "widgets"),
+        ("app/drawings/figure.py", "import importlib\nx = __import__('widgets')", "widgets"),
         ("app/commands/cli.py", "import pyvista", "pyvista"),
         ("app/commands/cli.py", "class A:\n    import PySide6", "PySide6"),
         ("widgets/panes/pane.py", "import app.document.store", "app.document.store"),

@@ -25,7 +25,6 @@ from app.document.codec import parse, to_json
 from app.document.document import Document
 from app.document.files import read
 from app.document.view import PANES
-from app.drawings.figures import render
 from app.lecture import typed_matrix
 from app.lecture.notation import LETTERS, letters_in, matrices, written
 from app.model.lenses import LENSES
@@ -39,6 +38,7 @@ from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
 from tests.support.controls import choice, enter, number
+from tests.support.drawings import figure_of
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 
@@ -273,7 +273,7 @@ def test_it_is_drawn() -> None:
     flat = replace(projection, lens=replace(SHIFT, rise=0.0))
     scene = load("letter-f")
     pictures = [
-        render(scene, each, PANES, (480, 160)).astype(int)
+        figure_of(scene, each, PANES, (480, 160)).pixels().astype(int)
         for each in (projection, same(projection), flat)
     ]
     apart = [np.abs(pictures[0] - picture).max(axis=-1) > 8 for picture in pictures[1:]]

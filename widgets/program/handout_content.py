@@ -168,11 +168,11 @@ def _matrices(document: Document) -> Iterator[str]:
 
 def _readout(document: Document) -> PanelNumbers:
     """The scene's numbers, except the one counted in the window's own picture."""
-    scene, numbers = scene_of(document), PanelNumbers([], [])
-    if scene.phenomenon is None:
+    shown = scene_of(document).illustration(document.projection, document.settings)
+    numbers = PanelNumbers([], [])
+    if shown is None:
         return numbers
     said = partial(of_phenomena, letters=document.view.letters)
-    shown = scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
     rows, reasons = ["| | |", "|---|---:|"], list[str]()
     for each in shown.readings:
         if each.counted:

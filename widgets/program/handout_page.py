@@ -16,6 +16,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from app.drawings.describing import describe
+from app.drawings.figure import Figure
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
 from app.lecture.typesetting import outline
@@ -154,10 +155,8 @@ class _PhonePage:
             self._figures += 1
             # What is true of the state may be the answer.
             said = about.panes[pane] if shown.has_question else about.of_pane(pane)
-            size, shapes, _ = drawn(
-                pane, said, document, scene_of(document), view=document.view, crop=True,
-                settings=document.settings, quality=document.quality,
-            )  # fmt: skip
+            figure = Figure(document, scene_of(document), (pane,), crop=True)
+            size, shapes, _ = drawn(figure, said)
             inner = drawing(shapes, f"s{self._figures}t")
             shape = picture(size, inner, f' aria-label="{escaped(said)}"')
             pictures.append(f"<figure>{shape}</figure>")
