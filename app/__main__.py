@@ -12,10 +12,10 @@ if not __package__:  # started by the path of its folder
 TYPE_CHECKING = False
 """As in `typing`, which is not imported here: Ctrl-C could interrupt that."""
 if TYPE_CHECKING:
-    from app import bootstrap
+    from app import system_packages
 
 #: What each command needs of the machine; all others open the window.
-NEEDS: dict[str, bootstrap.Need] = {
+NEEDS: dict[str, system_packages.Need] = {
     "project": "numbers",
     "matrices": "numbers",
     "export": "picture",
@@ -24,7 +24,7 @@ NEEDS: dict[str, bootstrap.Need] = {
 HELP = frozenset({"-h", "--help", "--version"})
 
 
-def need_of(arguments: Sequence[str]) -> bootstrap.Need:
+def need_of(arguments: Sequence[str]) -> system_packages.Need:
     """What the command line needs of the machine."""
     return next((NEEDS.get(word, "window") for word in arguments if word[:1] != "-"), "window")
 

@@ -16,6 +16,7 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Real
@@ -95,7 +96,10 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
         return set_values(open_with(os.path.abspath(name), Document(), values), values)
-    return set_values(Document(name, load_scene(name).start), values)
+    scene = load_scene(name)
+    for note in scene.notes:
+        warnings.warn(str(note), stacklevel=2)
+    return set_values(Document(name, scene.start), values)
 
 
 def project(

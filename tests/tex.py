@@ -21,7 +21,8 @@ from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings.figure import Figure
 from app.drawings.style import PALETTES
-from app.lecture.notation import LETTERS, matrices
+from app.lecture.letters import LETTERS
+from app.lecture.notation import matrices
 from app.lecture.paper import displayed
 from app.lessons.course import scene_of
 from app.model.refusal import counted

@@ -14,7 +14,7 @@ import re
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from app import bootstrap
+from app import bootstrap, system_packages
 from app.commands.options import check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
@@ -196,9 +196,9 @@ def importing() -> Iterator[None]:
         with bootstrap.for_good():
             yield
     except ImportError as error:
-        missing = bootstrap.missing_system("window")
+        missing = system_packages.missing_system("window")
         text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
-        text = f"{bootstrap.advice(missing)}." if missing else text
+        text = f"{system_packages.advice(missing)}." if missing else text
         raise CliError(text, CANNOT_DRAW) from error
 
 

@@ -13,12 +13,12 @@ from app.commands.arguments import importing
 from app.commands.terminal import CliError
 from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
 from app.lecture.dependence import FIELDS as LETTERS
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
+from app.model.parameters import TITLES
 from app.scenes.phenomena.readout import digits_apart, figure
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> lis
     def named(field: str) -> str:
         letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
-        return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
+        return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
 
     written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings

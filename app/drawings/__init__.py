@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from app.lecture.notation import Letters, axis_letters, in_letters
+from app.lecture.letters import Letters, axis_letters, in_letters
 
 _OWN: Mapping[str, str] = {
     **{

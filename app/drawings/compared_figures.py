@@ -10,7 +10,6 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from app.document.compare import DifferenceWriter, in_words, names_in
-from app.document.field_names import FIELDS
 from app.document.settings import name_of, pictured
 from app.drawings.drawing import Drawing
 from app.drawings.label import SceneLabel
@@ -20,6 +19,7 @@ from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
 from app.lecture.typesetting import font_file
+from app.model.parameters import TITLES
 from app.model.projection import Array
 from app.scenes.phenomena.readout import figure
 from app.scenes.scene import Scene
@@ -119,7 +119,7 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
     pictures, dividers = document.view.compare, document.view.dividers
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
     written = DifferenceWriter(
-        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
+        lambda name: words.get(TITLES.get(name, name), TITLES.get(name, name)),
         lambda text: words.get(text, text),
         figure,
     )

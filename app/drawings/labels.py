@@ -193,10 +193,12 @@ class Board:
             label.set_visible(spot is not None)
             if spot is not None:
                 label.set_position(*spot.centre, spot.turn)
-            leader.begin()
-            if spot is not None and spot.leader is not None:
-                leader.add(*spot.leader)
-            leader.end()
+            joined_px = None if spot is None else spot.leader
+            if joined_px is not None or leader.is_drawn:
+                leader.begin()
+                if joined_px is not None:
+                    leader.add(*joined_px)
+                leader.end()
 
     # -- in time
 
@@ -296,6 +298,10 @@ class ScreenLines:
     def ends(self) -> Array:
         """The lines' ends in pixels, (n, 2, 2)."""
         return self._cells.px[: self._used, :, :2].astype(np.float64)
+
+    @property
+    def is_drawn(self) -> bool:
+        return self._used > 0
 
     def begin(self) -> None:
         self._cells.px[: self._used, :, :2] = _AWAY_PX

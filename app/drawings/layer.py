@@ -33,7 +33,8 @@ from app.drawings.silhouette import Silhouette
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Array, Projection
-from app.picking.picking import Probe, Sight
+from app.picking.picking import Probe
+from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 

@@ -17,7 +17,7 @@ from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near

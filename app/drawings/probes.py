@@ -29,7 +29,8 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
-from app.picking.picking import Hit, Lines, PickSurface, Probe, Sight, pick, projector, stops
+from app.picking.picking import Hit, Lines, PickSurface, Probe, pick, projector, stops
+from app.picking.sight import Sight
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:

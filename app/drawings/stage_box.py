@@ -55,7 +55,7 @@ from app.lecture.stages import (
     morph_of,
 )
 from app.model.projection import Array, Projection
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene

@@ -18,7 +18,7 @@ from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
 from app.lecture.highlight import AXES, SIDES, WINDOW, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 

@@ -14,6 +14,7 @@ from app.measure.arithmetic import PRECISIONS, largest_errors
 from app.measure.reference import SAMPLE, Truth, truth
 from app.measure.results import ErrorCurve, Sweep
 from app.measure.run import Watch, unwatched
+from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.precision.levels import Prediction, predict, trace
@@ -90,12 +91,12 @@ def _perspective(projection: Projection) -> Perspective:
 
 
 SWEEPS: dict[str, Range] = {
-    "near": Range("", 1e-200, 1e99, (1e-6, 1e9), _with_near),
-    "far": Range("", 1e-6, 1e99, (1e-6, 1e9), _with_far),
-    "fov": Range("°", 1e-80, 180.0 - 1e-12, (1.0, 179.0), _with_fov, from_top=True),
-    "distance": Range("", 1e-3, 1e16, (1.0, 1e9), _with_distance),
-    "up": Range("°", 1e-13, 90.0, (1.0, 90.0), _with_up_angle),
-    "aspect": Range("", 1e-12, 1e12, (0.1, 10.0), _with_aspect),
+    NEAR.formula: Range("", 1e-200, 1e99, (1e-6, 1e9), _with_near),
+    FAR.formula: Range("", 1e-6, 1e99, (1e-6, 1e9), _with_far),
+    FOV_Y.formula: Range("°", 1e-80, 180.0 - 1e-12, (1.0, 179.0), _with_fov, from_top=True),
+    DISTANCE.formula: Range("", 1e-3, 1e16, (1.0, 1e9), _with_distance),
+    UP.formula: Range("°", 1e-13, 90.0, (1.0, 90.0), _with_up_angle),
+    ASPECT.formula: Range("", 1e-12, 1e12, (0.1, 10.0), _with_aspect),
 }
 """Every parameter that can be swept: from where float64 ends, and where a person would set it."""
 

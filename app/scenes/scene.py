@@ -34,7 +34,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TITLES, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
@@ -165,7 +165,9 @@ class Scene:
         """Its title, translated like the phenomena's texts, or the name of the mesh's file."""
         if self.phenomenon is not None:
             return self.phenomenon.title
-        return TITLES.get(self.name) or printable(Path(self.name).name)
+        if self.name in WORDS:
+            return WORDS[self.name].title
+        return printable(Path(self.name).name)
 
     @property
     def leading(self) -> str:
@@ -220,7 +222,7 @@ class Scene:
         """Three short suggestions, translated like the phenomena's texts."""
         if self.phenomenon is not None:
             return self.phenomenon.tries
-        return TRIES.get(self.name, TRIES_OF_A_MESH)
+        return WORDS.get(self.name, WORDS_OF_A_MESH).tries
 
     @cached_property
     def requires(self) -> frozenset[str]:

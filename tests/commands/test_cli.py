@@ -32,7 +32,7 @@ from app.document.settings import set_values
 from app.document.view import View
 from app.drawings.figure import ENDINGS, HIDDEN
 from app.drawings.style import PALETTES
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (

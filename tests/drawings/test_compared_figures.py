@@ -11,7 +11,6 @@ from PIL import ImageFont
 
 from app.document.compare import DifferenceWriter, in_words
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.lengths import DPI
 from app.document.settings import compared, pictured, set_values
 from app.drawings.compared_figures import LINE_EM
@@ -19,6 +18,7 @@ from app.drawings.figure import Figure
 from app.drawings.off_screen import Pixels
 from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
+from app.model.parameters import TITLES
 from app.model.refusal import Refusal
 from app.scenes.phenomena.readout import figure as written_figure
 from app.scenes.scene import load
@@ -127,7 +127,7 @@ def test_in_what_pictures_differ_in_words() -> None:
         Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
     )
     states = [pictured(document, picture).state for picture in document.view.compare]
-    plain = DifferenceWriter(lambda name: FIELDS[name], str, written_figure)
+    plain = DifferenceWriter(lambda name: TITLES[name], str, written_figure)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [
         "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",

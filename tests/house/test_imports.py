@@ -61,8 +61,8 @@ LATE: dict[str, tuple[str, ...]] = {
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),
 }
-#: What everyone may know: standard library only. The first is known to the others, too.
-GROUND = ("app.modules", "app.bootstrap", "app.strangers")
+#: What everyone may know: standard library only. Each knows only those before it.
+GROUND = ("app.modules", "app.strangers", "app.system_packages", "app.bootstrap")
 #: What only some may know although it stands below them: the window joins store and widgets.
 NOT_FOR = {
     "app.document.store": ("app", "widgets.parts", "widgets.controls", "widgets.panels",
@@ -137,6 +137,9 @@ def faults(path: str, source: str) -> list[str]:
     """Return the imports of a source file that the table forbids, one sentence each."""
     module = module_of(path)
     folder = folder_of(module)
+    ground = GROUND[: GROUND.index(module)] if module in GROUND else GROUND
+    if module in ("app", "widgets"):
+        ground = GROUND[:1]
     if module in ("app", "widgets", *GROUND):
         floor = -1
     elif module == "app.__main__":
@@ -154,9 +157,7 @@ def faults(path: str, source: str) -> list[str]:
         if name.partition(".")[0] in ("app", "widgets"):
             other = folder_of(name)
             fits = (
-                other == folder
-                or is_below(name, GROUND[: len(GROUND) if floor >= 0 else 1])
-                or FLOOR.get(other, len(FLOORS)) < floor
+                other == folder or is_below(name, ground) or FLOOR.get(other, len(FLOORS)) < floor
             )
         else:
             fits = is_below(name, free) or (late and is_below(name, late_free))

@@ -269,7 +269,7 @@ CHOICES: dict[str, tuple[str, Any, Projection]] = {
 
 
 def test_the_tables_name_every_row(controls: Column) -> None:
-    own = {key for lens in LENSES.values() for key in lens.controls}
+    own = {each.name for lens in LENSES.values() for each in lens.parameters}
     assert {*NUMBERS, *CHOICES} | own == set(controls.rows)
 
 

@@ -7,7 +7,7 @@ import pytest
 
 from app.document.view import View
 from app.drawings import DrawingWords
-from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
+from app.lecture.letters import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
 from tests.support.drawings import figure_of
 from tests.support.window import pixels, settle, show_scene

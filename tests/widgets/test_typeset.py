@@ -12,7 +12,8 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainterPath, QPalette
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
-from app.model.formula import ARROW, stacked_fraction
+from app.model.formula import ARROW
+from app.model.formula_text import stacked_fraction
 from tests.support.window import rgb_of
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, typeset
 

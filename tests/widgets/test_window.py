@@ -695,6 +695,16 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.choices[0].click()
     assert messages.text == "" and taken == ["it"]
     messages.show_message("A refusal.")
+    messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
+    assert messages.text == "A refusal." and not messages.choices
+    named(messages, QToolButton, "Dismiss this message").click()
+    assert messages.text == "An offer." and messages.choices
+    named(messages, QToolButton, "Dismiss this message").click()
+    messages.show_message("A refusal.")
+    messages.show_message("It is done.", ("Undo", partial(taken.append, "it")), warns=False)
+    assert messages.text == "It is done."
+    messages.choices[0].click()
+    messages.show_message("A refusal.")
     messages.done()
     assert messages.text == ""
     messages.show_message("Another offer.", ("Take it", lambda: None))
@@ -1035,11 +1045,13 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     lost = data_folder() / "autosave-1-aaaa.json"
     write(Document("posts"), lost)
     window.recovery.offer()
+    named(window.messages, QToolButton, "Dismiss this message").click()  # the offer waited
     on_a_full_disk(window.messages.choices[0].click)
     assert window.store.document.scene == "posts"
     assert lost.exists() and "save it soon" in window.messages.text
     window.store.mark_saved()
     window.recovery.offer()
+    named(window.messages, QToolButton, "Dismiss this message").click()
     window.messages.choices[0].click()
     (copy,) = data_folder().glob("autosave-*.json")
     assert copy != lost and read(copy).scene == "posts"

@@ -25,8 +25,10 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import frame_letters
-from app.model.formula import ARROW, stacked_fraction
+from app.lecture.letters import frame_letters
+from app.model.formula import ARROW
+from app.model.formula_text import stacked_fraction
+from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.buttons import push_button
@@ -37,7 +39,6 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Log
-from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 

@@ -30,8 +30,10 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
+from app.lecture.copying import cell_text
 from app.lecture.highlight import NOTHING, Highlight, made_of
-from app.lecture.notation import Letters, WrittenMatrix, cell_text, letters_in, stacked, written
+from app.lecture.letters import Letters, stacked, written
+from app.lecture.notation import WrittenMatrix, letters_in
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from widgets.parts.highlight import faded, paint_highlight

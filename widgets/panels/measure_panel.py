@@ -36,6 +36,7 @@ from app.measure.meaning import bargain, meaning
 from app.measure.results import (
     CANCELLED,
     MEASURED_ONLY,
+    SWEPT,
     ChartPoint,
     Measurements,
     Sweep,
@@ -72,7 +73,6 @@ ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Endings of the export formats."""
 NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
-SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 _NAME = Qt.ItemDataRole.UserRole
 
 

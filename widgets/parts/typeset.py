@@ -1,6 +1,6 @@
 """Formulas drawn by Qt's painter: stacked fractions, matrices in brackets, and lines of letters.
 
-A formula is a text. Fractions come from `app.model.formula.stacked_fraction`, matrices from
+A formula is a text. Fractions come from `app.model.formula_text.stacked_fraction`, matrices from
 `matrix`; `app.lecture.typesetting` sets the rest, in the letters of the pictures and the lessons.
 A number alone, in a matrix, or behind an equals sign has the font of the text beside it: it is
 drawn while something is dragged, and Qt keeps the pictures of its digits.
@@ -32,7 +32,8 @@ from PySide6.QtGui import (
 )
 
 from app.lecture.typesetting import Outline, line_of, piece_of
-from app.model.formula import ARROW, CLOSE, OPEN, OVER
+from app.model.formula import ARROW
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.highlight import MarkedLabel, paint_highlight
 
 LETTERS_EM = 1.19

@@ -22,7 +22,7 @@ from app.drawings.svg import outlined
 from app.lecture.typesetting import outline
 from app.lessons.course import Course, panes_of, scene_of
 from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, readable, spoken_tex
-from app.model.formula import CLOSE, OPEN, OVER
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
 from widgets.program.handout_content import (

@@ -14,9 +14,12 @@ from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
+from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
-from app.lecture.notation import as_text, letters_in
+from app.lecture.highlight import ENDS
+from app.lecture.notation import letters_in
 from app.lecture.typesetting import line_of, piece_of
+from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
 from widgets.parts.messages import sentence
@@ -39,19 +42,14 @@ _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
 _WORD = 0.55
 """Size of a word below a part of a matrix."""
 _APART_EM = 1.5
-_FIELDS = {
-    "lens.fov_x_deg": ("fov_y_deg",),
-    "lens.focal_length_mm": ("fov_y_deg",),
-    **dict.fromkeys(("camera.azimuth_deg", "camera.elevation_deg"), ("eye",)),
-    "camera.distance": ("eye",),
-    "camera.roll_deg": ("up",),
-}
-"""Fields of the document that a control changes, where they are not its own."""
 
 
-def _own(path: str) -> str:
-    """Return the field of a control in the matrices' terms."""
-    return path if path.startswith("settings.") else path.rpartition(".")[2]
+def _changed_by(path: str) -> tuple[str, ...]:
+    """Return the fields that a control changes, in the matrices' terms."""
+    if path.startswith("settings."):
+        return (path,)
+    name = path.rpartition(".")[2]
+    return PARAMETERS[name].fields if name in PARAMETERS else (name,)
 
 
 def _width(text: str) -> float:
@@ -123,9 +121,7 @@ class EquationSlide(QWidget):
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
-        self._controls = frozenset(
-            field for path in view.controls for field in _FIELDS.get(path, (_own(path),))
-        )
+        self._controls = frozenset(field for path in view.controls for field in _changed_by(path))
         self._readable.changed()
 
     def set_style(self, style: Style) -> None:
@@ -327,7 +323,7 @@ class EquationSlide(QWidget):
         text = matrix.formulas[row][column]
         changed = self._controls.intersection(matrix.fields[row][column])
         if changed:
-            shades = [getattr(style, name) for name in ("near", "far") if name in changed]
+            shades = [getattr(style, name) for name in ENDS if name in changed]
             shades += [self._hues[name] for name in letters if name in self._hues]
             shade = next(iter(shades), style.accent)
             edge = 0.08 * em
@@ -340,7 +336,7 @@ class EquationSlide(QWidget):
             return QColor(style.muted)
         names = letters_in(matrix, row, column)
         axes = [name for name in ("u", "v", "n") if name in names]
-        planes = [name for name in ("near", "far") if name in names]
+        planes = [name for name in ENDS if name in names]
         if len(axes) == 1:
             shade = getattr(style, axes[0])
             if len(text) == 3:  # a component of the axis

@@ -9,11 +9,11 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.document.field_names import FIELDS
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
-from app.lecture.notation import Letters, axis_letters
+from app.lecture.letters import Letters, axis_letters
+from app.model.parameters import FAR, NEAR, TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
@@ -61,9 +61,9 @@ class Look(QObject):
         self.words = TranslatedWords(
             {
                 **WORDS,
-                **{english: field_name(name) for name, english in FIELDS.items()},
-                "near": self.tr("near"),
-                "far": self.tr("far"),
+                **{english: field_name(name) for name, english in TITLES.items()},
+                NEAR.name: self.tr("near"),
+                FAR.name: self.tr("far"),
                 "eye": self.tr("eye"),
                 "target": self.tr("target"),
                 "look": self.tr("look"),
