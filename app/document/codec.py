@@ -380,7 +380,6 @@ def to_json(document: Document, folder: Path | None = None) -> str:
 
     Parameters
     ----------
-    document : Document
     folder : path, optional
         The folder that the text will be in. A mesh near it is named from there, so that both can
         be moved together.

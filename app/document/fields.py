@@ -255,7 +255,6 @@ def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
     Parameters
     ----------
     tree : dict
-    scene : str
     kind : object
         Of the lens.
     panes : iterable of str

@@ -81,7 +81,6 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
 
     Parameters
     ----------
-    document : Document
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;

@@ -230,7 +230,6 @@ class MatrixReading(NamedTuple):
     ----------
     lens : Lens
         It looks along -z of a view space with y up.
-    depth : DepthRange
     y, z : int
         The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
         points down, and that it looks along +z.

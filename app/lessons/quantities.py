@@ -194,7 +194,6 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 
     Parameters
     ----------
-    text : str
     infinite : bool
         Whether its value may be infinite.
     """
@@ -210,7 +209,6 @@ class Quantities:
 
     Parameters
     ----------
-    document : Document
     scene : callable
         Returns its scene; called only when the readout is needed.
     view : View, optional

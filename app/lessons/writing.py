@@ -174,7 +174,6 @@ def add_step(
     path : path
     after, title : str
         The name of a step; the title of the new one.
-    document : Document
     panes : bool
         Whether to keep how the panes are turned, which needs a document beside the file.
 

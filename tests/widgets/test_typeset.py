@@ -68,7 +68,7 @@ def test_subscripts_stand_lower_powers_higher_and_vectors_have_an_arrow(font: QF
 
 
 def test_numbers_have_the_font_of_the_text(font: QFont) -> None:
-    for text in ("−2.5", "(6, 5, 9)", matrix([["1", "2"]])):
+    for text in ("−2.5", "(6, 5, 9)", "−2.5·10⁻⁷", "(1.5e-07, 2e+300)", "∞", matrix([["1", "2"]])):
         formula = typeset(text, font)
         assert formula.runs and formula.letters.isEmpty()
     for formula in (typeset("2n = f", font), typeset("0", font, is_formula=True)):

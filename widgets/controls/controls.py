@@ -61,7 +61,6 @@ class Controls(Dock, RowHolder):
 
     Attributes
     ----------
-    card : SceneCard
     rows : dict of str to Row
         Every row of the projection by the name of its parameter, or of a component: ``"eye_x"``.
     sections : dict of str to Section

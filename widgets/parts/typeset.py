@@ -56,7 +56,9 @@ _BLOCK = re.compile(
     r"|\[(?P<matrix>[^\[\]]*)\]"
 )
 _INDEXED = re.compile("([^\\W_]+_[^\\W_]+(?:\u2192[^\\W_]+)?)")
-_IS_FORMULA = re.compile(rf"[^\W\d]|[{OPEN}\[\n:]")
+_IS_FORMULA = re.compile(  # not the powers of ten of a number
+    rf"(?:(?<!\d)|(?!e[-+]?\d))[^\W\d⁰¹²³⁴-⁹]|[{OPEN}\[\n:]"
+)
 
 
 @dataclass(frozen=True)

@@ -107,7 +107,6 @@ class MainWindow(QMainWindow):
 
     Parameters
     ----------
-    document : Document
     saved : Document, optional
         The content of the document's file, if it differs.
     settings : Settings

@@ -52,7 +52,6 @@ class Talks(QObject):
         While it is open.
     revealed : int
         Progress through the step: its picture alone, then each question asked, and answered.
-    writer : TalkWriter
     """
 
     def __init__(

@@ -83,7 +83,6 @@ class Lens(Geometry):
 
     Attributes
     ----------
-    far_may_be_infinite : bool
     window_stays : bool
         Whether the window is given in numbers that do not change when near moves.
     symmetric : bool
@@ -257,7 +256,6 @@ class Lens(Geometry):
             The last row is that of the kind's table.
         near, far : float
             The planes that the third row corresponds to.
-        in_hand : Lens
         """
         yield from ()
 
