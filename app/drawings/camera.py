@@ -8,35 +8,33 @@ from __future__ import annotations
 
 from functools import partial
 from itertools import compress
-from typing import TYPE_CHECKING
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
 from app.drawings.actors import Space, applied
-from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
+from app.drawings.frame import (
+    AROUND,
+    BALL,
+    BEFORE,
+    BODY_BOX,
+    LARGER,
+    PART_OF_PANE,
+    SIX_WAYS,
+    TIPS,
+    FrameSteps,
+    arrow,
+    arrow_tips,
+    is_built,
+)
 from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
+from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, SIDES
 from app.model.projection import Array
-
-if TYPE_CHECKING:
-    from app.drawings.world_state import WorldState
-
-_PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
-SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
-
-# The corners of a box round the camera's body, in view space and sizes of the body.
-_BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
-# The diameter of a ball round it, and how far its nearest point can be before the eye.
-_BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
-_BEFORE = _BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
-_AROUND = 3.1  # body and axes are within this distance of the eye
-AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
-"""How far body and axes reach from the eye, of the pane's shorter side."""
 
 _LINE_EM = 0.14  # the width of the lines round the body
 _BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names beyond the tips
@@ -123,11 +121,11 @@ class CameraDrawing(Layer):
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
         pane, standing = self._state.own.pane, self._state.standing
         eye = standing.eye
-        most_px = _PART_OF_PANE * min(pane.size_px)
+        most_px = PART_OF_PANE * min(pane.size_px)
         self._eye_depth = float(pane.axes[2] @ (eye - pane.eye))
         depth = max(self._eye_depth, 1e-6 * standing.extent)
         growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # for parts nearer than the eye
-        self.body_size = most_px * float(pane.unit(depth)) / (_BALL + _BEFORE * float(growing))
+        self.body_size = most_px * float(pane.unit(depth)) / (BALL + BEFORE * float(growing))
         self._local_from_body = _scaled(standing.local_from_view, self.body_size)
         self._body_space.set(self._local_from_body)
 
@@ -204,7 +202,7 @@ class CameraDrawing(Layer):
 
     @property
     def box(self) -> Array:
-        return applied(self._local_from_body, _BODY_BOX)
+        return applied(self._local_from_body, BODY_BOX)
 
     @property
     def depths(self) -> tuple[float, float]:
@@ -282,7 +280,7 @@ class CameraDrawing(Layer):
         return Targets(points_at, segments)
 
     def reach(self) -> Array:
-        return self._state.standing.eye + _AROUND * self.axes_size * SIX_WAYS
+        return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS
 
     def core(self) -> list[Array]:
         state, at = self._state, self._state.standing

@@ -20,22 +20,18 @@ from __future__ import annotations
 import math
 import textwrap
 from collections.abc import Hashable
-from fractions import Fraction
 from functools import partial
-from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
 from app.drawings.labels import LENGTH, ScreenLines, written_distance
 from app.drawings.layer import Layer
+from app.drawings.lengths import Half, distances, half_of, has_interval, lengths
 from app.drawings.pane_view import Spot
-from app.model.projection import Array, Projection
-from app.scenes.phenomena.marks import Length
+from app.drawings.world_state import WorldState
+from app.model.projection import Array
 from app.scenes.phenomena.readout import digits_apart
-
-if TYPE_CHECKING:
-    from app.drawings.world_state import WorldState
 
 _SEGMENTS = 64  # capacity
 _ARC = 12  # pieces of the angle's arc
@@ -45,68 +41,10 @@ _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ARC_BEFORE = 0.5  # of e, where it is named
 _ACROSS_EM = 2.2  # under the window seen along the axis
 _INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.2, 1.2, 2.2  # the lines of numbers: their rows
-_SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
 _LINES = 4  # of the sentence
 _KEY = "length"  # begins the keys of the letters on the pane's board
 
 Way = tuple[float, float]
-
-
-class Half(NamedTuple):
-    """Half a window, from the axis to its top or its right."""
-
-    angle_deg: float | None  # at the eye; None without an eye, or off the axis
-    has_eye: bool = True
-
-
-def half_of(projection: Projection, axis: int) -> Half | None:
-    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix."""
-    lens = projection.lens
-    if lens.planes is None:
-        return None
-    if not lens.central:
-        return Half(None, has_eye=False)
-    angles = lens.angles(Fraction(*projection.image_size)) if lens.symmetric else None
-    if angles is not None:
-        return Half(angles[axis] / 2.0)
-    low, high = projection.window[2 * axis : 2 * axis + 2]
-    is_halved = abs(low + high) <= _SAME * (high - low)
-    return Half(math.degrees(math.atan(high / lens.near)) if is_halved else None)
-
-
-def distances(state: WorldState) -> list[tuple[str, float]]:
-    """The named distances along the axis that a flat view measures, short ones first."""
-    projection, measured = state.projection, dict[str, float]()
-    if state.own.fixed not in ("side", "top"):
-        return []
-    if projection.has_camera:
-        shown = () if state.illustration is None else state.illustration.measured
-        measured = {"d": projection.camera.distance, **dict(shown)}
-        half = half_of(projection, 1 if state.own.fixed == "side" else 0)
-        is_asked = state.names.wants("e") and not state.names.all
-        if is_asked and half is not None and half.angle_deg is not None:
-            measured["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
-    named = [each for each in measured.items() if each[0] in state.names]
-    return sorted(named, key=lambda each: abs(each[1]))
-
-
-def _lengths(state: WorldState) -> list[Length]:
-    """The lengths across the axis in the present view, named or not."""
-    shown = () if state.illustration is None else state.illustration.lengths
-    return [length for length in shown if length.view == state.own.fixed]
-
-
-def _has_interval(state: WorldState) -> bool:
-    is_there = state.own.fixed == "axis" and state.projection.lens.planes is not None
-    return is_there and state.names.wants("interval") and not state.names.all
-
-
-def written(state: WorldState) -> frozenset[str]:
-    """The names that lengths write, and nobody else has to."""
-    if _has_interval(state):
-        return frozenset("lr")
-    lengths = {length.name for length in _lengths(state) if length.name in state.names}
-    return frozenset(lengths | {name for name, _ in distances(state)})
 
 
 class Dimensions(Layer):
@@ -148,8 +86,8 @@ class Dimensions(Layer):
         state = self._state
         if state.own.fixed == "axis":
             across = _ACROSS_EM if "width" in state.names else 0.0
-            return across + (_INTERVAL_EM if _has_interval(state) else 0.0)
-        count = len(distances(state))
+            return across + (_INTERVAL_EM if has_interval(state, state.own.fixed) else 0.0)
+        count = len(distances(state, state.own.fixed))
         return _ROW_EM * (count + 0.5) if count else 0.0
 
     def want(self, ground: Ground) -> None:
@@ -172,12 +110,12 @@ class Dimensions(Layer):
             all_spots = np.array(state.seen(drawn))[:, :2]
             spots = all_spots[len(state.objects) :]
             lowest = float(spots[0, 1])
-            for length in _lengths(state):
+            for length in lengths(state, state.own.fixed):
                 if length.name in state.names:
                     ends = state.seen(np.array([length.start, length.end]) - state.origin)
                     self._length(length.name, *ends)
                     lowest = min(lowest, ends[0][1], ends[1][1])
-            if "e" in dict(distances(state)):
+            if "e" in dict(distances(state, state.own.fixed)):
                 lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots)))
             if state.own.fixed == "axis":
                 if corners is not None:
@@ -206,14 +144,14 @@ class Dimensions(Layer):
             for name, distance in measured.items()
             if state.names.wants(name)
         ]
-        lengths = [each for each in _lengths(state) if state.names.wants(each.name)]
-        return points + [np.array([each.start, each.end]) - state.origin for each in lengths]
+        across = [each for each in lengths(state, state.own.fixed) if state.names.wants(each.name)]
+        return points + [np.array([each.start, each.end]) - state.origin for each in across]
 
     # -- what is drawn
 
     def _along(self, ground: Ground, spots: Array, y: float, drawn: Array) -> None:
         """From the eye along the axis, one below the other, the shortest on top."""
-        measured, size_px = distances(self._state), self._state.own.size_px
+        measured, size_px = distances(self._state, self._state.own.fixed), self._state.own.size_px
         if not measured:
             return
         (eye, height), (target, _) = spots[:2].tolist()
@@ -260,7 +198,7 @@ class Dimensions(Layer):
                 "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
                 side=-1.0,
             )  # fmt: skip
-        e, unit = dict(distances(state)).get("e"), self._unit(spots)
+        e, unit = dict(distances(state, state.own.fixed)).get("e"), self._unit(spots)
         if e is not None:
             x, y = float(eye[0]) + e * unit, float(eye[1])
             self._rule("one", (x, y), (x, y + math.copysign(unit, far_edge[1] - y)), "1")
@@ -304,7 +242,7 @@ class Dimensions(Layer):
         if "width" in names:
             below = float(face[0, 1]) - 1.2 * self._em
             self._rule("width", (x, below), (right, below), self._half_text(0, half_width))
-        if _has_interval(self._state):
+        if has_interval(self._state, self._state.own.fixed):
             self._interval(spots[2:6], ground.limits)
 
     def _interval(self, window: Array, limits: tuple[float, float, float, float]) -> None:

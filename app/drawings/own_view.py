@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.drawings.actors import axes_of
-from app.drawings.camera import AROUND_PX, SIX_WAYS
+from app.drawings.frame import AROUND_PX, SIX_WAYS
 from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
 from app.drawings.prop_group import PropGroup

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.drawings.dimensions import written
 from app.drawings.layer import PaneState, Placing
+from app.drawings.lengths import written
 from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
@@ -152,7 +152,7 @@ class WorldState(PaneState):
 
     @property
     def written(self) -> frozenset[str]:  # type: ignore[override]
-        return written(self)
+        return written(self, self.own.fixed)
 
     @property
     def planes_drawn(self) -> tuple[float, float]:

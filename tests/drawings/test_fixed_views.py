@@ -14,9 +14,9 @@ from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
-from app.drawings.dimensions import half_of
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor
+from app.drawings.lengths import half_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
