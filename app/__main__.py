@@ -12,10 +12,10 @@ if not __package__:  # started by the path of its folder
 TYPE_CHECKING = False
 """As in `typing`, which is not imported here: Ctrl-C could interrupt that."""
 if TYPE_CHECKING:
-    from app import bootstrap
+    from app import system_packages
 
 #: What each command needs of the machine; all others open the window.
-NEEDS: dict[str, bootstrap.Need] = {
+NEEDS: dict[str, system_packages.Need] = {
     "project": "numbers",
     "matrices": "numbers",
     "export": "picture",
@@ -24,7 +24,7 @@ NEEDS: dict[str, bootstrap.Need] = {
 HELP = frozenset({"-h", "--help", "--version"})
 
 
-def need_of(arguments: Sequence[str]) -> bootstrap.Need:
+def need_of(arguments: Sequence[str]) -> system_packages.Need:
     """What the command line needs of the machine."""
     return next((NEEDS.get(word, "window") for word in arguments if word[:1] != "-"), "window")
 
@@ -40,9 +40,9 @@ def main() -> int:
             bootstrap.again(sys.executable)
         arguments = sys.argv[1:]
         if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
-            from app.commands import options  # which takes its time
+            from app.commands import terminal  # which takes its time
 
-            if (status := options.outcome(lambda: _without_set_up(arguments))) is not None:
+            if (status := terminal.outcome(lambda: _without_set_up(arguments))) is not None:
                 return status
         from app import bootstrap
 
@@ -60,9 +60,9 @@ def main() -> int:
 
 def _check(arguments: Sequence[str]) -> None:
     """Refuse misspelt words and options: the set-up takes minutes."""
-    from app.commands import options
+    from app.commands import options, terminal
 
-    if status := options.outcome(lambda: options.check(arguments)):
+    if status := terminal.outcome(lambda: options.check(arguments)):
         raise SystemExit(status)
 
 

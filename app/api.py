@@ -16,26 +16,25 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 from __future__ import annotations
 
 import os
+import warnings
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from numbers import Real
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 from numpy.typing import ArrayLike
 
 from app import __version__
-from app.document.codec import picture_json
 from app.document.document import Document, is_mesh
 from app.document.lengths import PX_PER, Size, parse_size
 from app.document.settings import open_with, set_values
 from app.document.view import MOST_PROBES, PANES
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
+from app.drawings.figure import Figure
 from app.model.infinity import homogeneous_rows
 from app.model.projection import (
     FINITE_NUMBER,
-    ONE_OF,
     Array,
     Camera,
     FreeMatrix,
@@ -55,7 +54,7 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
-from app.scenes.scene import BUILT_IN, Scene
+from app.scenes.scene import BUILT_IN
 from app.scenes.scene import load as load_scene
 
 __all__ = [
@@ -73,7 +72,6 @@ A_SIZE = QT_TRANSLATE_NOOP(
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
 MARKED = QT_TRANSLATE_NOOP("Refusal", "points: at most {0} can be marked, and {1} were given.")
-AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
 
 
 def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
@@ -98,7 +96,10 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
         return set_values(open_with(os.path.abspath(name), Document(), values), values)
-    return set_values(Document(name, load_scene(name).start), values)
+    scene = load_scene(name)
+    for note in scene.notes:
+        warnings.warn(str(note), stacklevel=2)
+    return set_values(Document(name, scene.start), values)
 
 
 def project(
@@ -227,14 +228,7 @@ def figure(
     Refusal
         For a value that is not possible.
     """
-    from app.drawings.figure_size import checked_size, checked_text
-    from app.drawings.style import PALETTES
-    from app.drawings.vectors import HIDDEN
-
     document = _document(of)
-    for name, value, known in (("palette", palette, PALETTES), ("hidden", hidden, HIDDEN)):
-        if not isinstance(value, str) or value not in known:
-            raise Refusal(name, value, ONE_OF, ", ".join(known))
     if points is not None:
         given = _checked(points)
         rows = given.reshape(-1, given.shape[-1]).tolist()
@@ -252,97 +246,10 @@ def figure(
     if not isinstance(text_size, Real | None):
         raise Refusal("text_size", text_size, FINITE_NUMBER)
     sides = None if size is None else _size(size)
-    image = document.projection.image_size
-    checked_size(image, named, sides, 1.0, column)
-    checked_text(image, named, sides, text_size, column)
-    options = {
-        "panes": named, "column": column, "size": sides, "text_pt": text_size, "crop": crop,
-        "transparent": transparent, "style": PALETTES[palette],
-    }  # fmt: skip
-    return Figure(document, options, hidden)
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class Figure:
-    """A figure of a document, made by `figure`.
-
-    Attributes
-    ----------
-    document : Document
-    options : dict
-        Of `app.drawings.figures.render`.
-    hidden : str
-    """
-
-    document: Document
-    options: dict[str, Any]
-    hidden: str = "none"
-
-    @cached_property
-    def svg(self) -> str:
-        """The figure as SVG, without reference to another file.
-
-        Raises
-        ------
-        Refusal
-            For more faces and lines than a file of shapes should have.
-        RuntimeError
-            If this machine has no OpenGL to draw with; the text says what to install.
-        """
-        from app.drawings.figures import shapes
-        from app.drawings.svg import svg
-
-        scene = self._scene()
-        size, drawn = shapes(scene, self.document.projection, hidden=self.hidden, **self._options)
-        about = self._about(scene)
-        return svg(drawn, size, about.title, about.text).decode()
-
-    def _repr_svg_(self) -> str:
-        """What a notebook shows."""
-        return self.svg
-
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write a .svg, .pdf, .tex (TikZ) or .png file, whole or not at all.
-
-        The PNG contains the document: dropped on the window, it brings its state back.
-
-        Raises
-        ------
-        Refusal
-            For another ending, and for a file that cannot be written.
-        RuntimeError
-            As for `svg`.
-        """
-        from app.drawings.figures import render, write_png, write_shapes
-
-        name, projection = os.fspath(path), self.document.projection
-        if name.lower().endswith(".png"):
-            scene = self._scene()
-            pixels = render(scene, projection, **self._options)
-            write_png(name, pixels, picture_json(self.document), about=self._about(scene))
-        elif name.lower().endswith((".svg", ".pdf", ".tex")):
-            scene = self._scene()
-            about = self._about(scene)
-            write_shapes(name, scene, projection, about, hidden=self.hidden, **self._options)
-        else:
-            raise Refusal.saying(AN_ENDING, name)
-
-    @property
-    def _options(self) -> dict[str, Any]:
-        document = self.document
-        shown = {"view": document.view, "settings": document.settings, "quality": document.quality}
-        return {**self.options, **shown}
-
-    def _about(self, scene: Scene) -> Description:
-        return described(self.document, scene, self.options["panes"])
-
-    def _scene(self) -> Scene:
-        """The scene, if this machine can draw it."""
-        from app.drawings.off_screen import check_off_screen
-
-        scene = load_scene(self.document.scene, mesh=self.document.mesh)
-        check_off_screen()
-        return scene
+    return Figure(
+        document, load_scene(document.scene, mesh=document.mesh), named, sides, column=column,
+        text_pt=text_size, palette=palette, hidden=hidden, crop=crop, transparent=transparent,
+    )  # fmt: skip
 
 
 def _projection(of: Source) -> Projection:

@@ -30,7 +30,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import FrameType
 
-from app import bootstrap
+from app import bootstrap, system_packages
 
 MOST_SCREENS = 4
 _PERSONAL = ("DISPLAY", "WAYLAND_DISPLAY", "QT_", "LANG", "LC_", "TEST_DISPLAYS")
@@ -81,7 +81,7 @@ def at_home(extras: Sequence[str] = ("test",)) -> Iterator[dict[str, str]]:
 def own_screen() -> Iterator[str]:
     """Yield the name of an X server of our own."""
     if shutil.which("Xvfb") is None:
-        bootstrap.fail(bootstrap.advice(bootstrap.missing_system("tests")))
+        bootstrap.fail(system_packages.advice(system_packages.missing_system("tests")))
     reading, writing = os.pipe()
     # No -auth: without it the server lets in nobody but the user who started it.
     command = f"Xvfb -displayfd {writing} -screen 0 1920x1080x24 +extension GLX -nolisten tcp"

@@ -22,11 +22,11 @@ from PIL import Image
 
 from app.bootstrap import ROOT
 from app.commands import cli
-from app.measure import chart
 from app.measure.meaning import bargain, meaning
 from app.measure.results import from_json
 from app.scenes.phenomena import PHENOMENA
 from tests.support.commands import run
+from widgets.parts.chart_picture import picture
 
 DOCS = Path(ROOT) / "docs"
 MEASURED = DOCS / "measured-letter-f.json"
@@ -89,7 +89,7 @@ def draw(name: str, path: Path) -> None:
         trades = tuple(trade for trade in results.trades if trade.name == command[0])
         drawn = replace(results, trades=trades, sweeps=() if trades else results.sweeps)
         cost = "bytes" if "bytes" in command else "time"
-        path.write_bytes(chart.picture(drawn.by_cost(cost), path.name))
+        path.write_bytes(picture(drawn.by_cost(cost), path.name))
     elif command[0] == "export":
         assert cli.main([*command, str(path)]) == 0, name
     else:

@@ -201,6 +201,11 @@ def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:
 
 
 def test_panes_are_a_text_or_a_list() -> None:
-    assert api.figure(PLAIN, panes=["world", "image"]).options == (
-        api.figure(PLAIN, panes="world,image").options
-    )
+    named = api.figure(PLAIN, panes=["world", "image"])
+    assert named.panes == api.figure(PLAIN, panes="world,image").panes == ("world", "image")
+
+
+def test_a_mesh_that_is_not_whole_is_loaded_with_a_warning(tmp_path: Path) -> None:
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
+    with pytest.warns(UserWarning, match=r"m\.obj: faces left out: 1 of 2, .* on line 4\.$"):
+        api.load(tmp_path / "m.obj")

@@ -19,9 +19,10 @@ from typing import Any
 from app.document.document import Document
 from app.document.lengths import Size
 from app.document.settings import set_values
-from app.drawings.figures import write_shapes
+from app.drawings.figure import Figure
 from app.drawings.style import PALETTES
-from app.lecture.notation import LETTERS, matrices
+from app.lecture.letters import LETTERS
+from app.lecture.notation import matrices
 from app.lecture.paper import displayed
 from app.lessons.course import scene_of
 from app.model.refusal import counted
@@ -64,9 +65,7 @@ def figures(scene: str) -> Iterator[tuple[str, Document, dict[str, Any]]]:
 
 def faults_of_figures(folder: Path, scene: str) -> Iterator[str]:
     for name, document, options in figures(scene):
-        drawn = scene_of(document)
-        options |= {"view": document.view, "settings": document.settings}
-        write_shapes(str(folder / "figure.tex"), drawn, document.projection, **options)
+        Figure(document, scene_of(document), **options).save(folder / "figure.tex")
         box = r"\setbox0\hbox{\input{figure}}\typeout{WIDE \the\wd0}\copy0"
         said, wrong = compiled(folder, box)
         wide = re.search(r"^WIDE ([\d.]+)pt", said, re.MULTILINE)

@@ -12,12 +12,23 @@ import argparse
 import json
 from pathlib import Path
 
+from app.lecture.kinds import KINDS
+from app.model.content_file import texts_of
+from app.model.parameters import PARAMETERS
+from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
 
 def content_texts() -> set[str]:
-    """The texts that the content files of the phenomena hold."""
-    return {text for phenomenon in PHENOMENA.values() for text in phenomenon.words.texts}
+    """The texts that the content files of the scenes hold."""
+    phenomena = [phenomenon.words for phenomenon in PHENOMENA.values()]
+    words = (*phenomena, *WORDS.values(), WORDS_OF_A_MESH)
+    return {text for each in words for text in each.texts}
+
+
+def parameter_texts() -> set[str]:
+    """The texts of the parameters of camera, lens, image and object."""
+    return {text for parameter in PARAMETERS.values() for text in texts_of(parameter)}
 
 
 def key_texts() -> set[str]:
@@ -32,7 +43,12 @@ def source() -> str:
     """Python that marks them all."""
     lines = (
         f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
-        for context, texts in (("phenomena", content_texts()), ("Help", key_texts()))
+        for context, texts in (
+            ("phenomena", content_texts()),
+            ("Field", parameter_texts()),
+            ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
+            ("Help", key_texts()),
+        )
         for text in sorted(texts)
     )
     return "".join(lines)

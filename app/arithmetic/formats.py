@@ -38,14 +38,12 @@ class Format:
 
     Attributes
     ----------
-    name : str
     bits : int
         Stored bits of one number.
     digits : int or None
         Significant bits of a number of ordinary size; None for fixed point.
     step : float
         The distance between neighbours near 0, and for fixed point everywhere; a power of 2.
-    largest : float
     """
 
     name: str
@@ -105,7 +103,6 @@ class Grid(NamedTuple):
     bits : int
         Of one coordinate.
     lower : (3,) array
-    step : float
     """
 
     bits: int
@@ -179,7 +176,6 @@ def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Arr
     ----------
     divisors : array
         Numbers w of the format, above 0; the answer to others is NaN.
-    numbers : Format
     steps : int
         Newton steps ``r (2 - w r)``, each of which squares the relative error e of r (Markstein,
         "Computation of elementary functions on the IBM RISC System/6000 processor", 1990).

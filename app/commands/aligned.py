@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app.model.parameters import FAR, KEEP, NEAR
 from app.model.projection import Array, Projection
 from app.model.refusal import format_value
 
@@ -25,7 +26,7 @@ def lens_line(projection: Projection) -> str:
     parts = [f"lens {lens.kind}"]
     if lens.planes is not None:
         values = {field.name: getattr(lens, field.name) for field in fields(lens)}
-        keep, near, far = (values.pop(name, None) for name in ("keep", "near", "far"))
+        keep, near, far = (values.pop(name, None) for name in (KEEP.name, NEAR.name, FAR.name))
         parts += [f"{name} {format_value(value)}" for name, value in values.items()]
         if keep is not None:
             typed, used = tuple(values.values())[:4], projection.window

@@ -14,8 +14,9 @@ import re
 from collections.abc import Callable, Container, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from app import bootstrap
-from app.commands.options import CANNOT_DRAW, CliError, check_file, print_error
+from app import bootstrap, system_packages
+from app.commands.options import check_file
+from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on
 from app.document.settings import open_with, set_values
@@ -195,16 +196,17 @@ def importing() -> Iterator[None]:
         with bootstrap.for_good():
             yield
     except ImportError as error:
-        missing = bootstrap.missing_system("window")
+        missing = system_packages.missing_system("window")
         text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
-        text = f"{bootstrap.advice(missing)}." if missing else text
+        text = f"{system_packages.advice(missing)}." if missing else text
         raise CliError(text, CANNOT_DRAW) from error
 
 
 @functools.cache
 def check_drawing() -> None:
-    """Raise a `CliError` if VTK cannot draw without a window."""
+    """Import what draws; raise a `CliError` if VTK cannot draw without a window."""
     with importing():
+        from app.drawings import compared_figures, figure_files  # noqa: F401
         from app.drawings.off_screen import check_off_screen
     try:
         check_off_screen()

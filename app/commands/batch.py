@@ -20,16 +20,8 @@ from urllib.parse import quote
 
 from app.commands import sweep
 from app.commands.arguments import course_of, full_path, lesson_file
-from app.commands.options import (
-    BAD_INPUT,
-    CANNOT_DRAW,
-    SETTABLE,
-    CliError,
-    Parser,
-    parser_of,
-    print_error,
-    write_out,
-)
+from app.commands.options import SETTABLE, Parser, parser_of
+from app.commands.terminal import BAD_INPUT, CANNOT_DRAW, CliError, print_error, write_out
 from app.document.document import is_mesh
 from app.document.files import (
     LARGEST_PICTURE,

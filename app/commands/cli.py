@@ -14,7 +14,8 @@ from pathlib import Path
 
 from app.commands import doctor, export, matrices, project
 from app.commands.arguments import check_out, document_before, importing, load_scene, with_values
-from app.commands.options import CANNOT_DRAW, CliError, check_file, outcome, parser_of, write_out
+from app.commands.options import check_file, parser_of
+from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
 from app.model.projection import LARGEST_IMAGE_PX, WHOLE_PIXELS

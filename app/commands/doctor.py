@@ -15,8 +15,9 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app import __version__, bootstrap, modules
-from app.commands.options import CANNOT_DRAW, parser_of, write_out
+from app import __version__, bootstrap, modules, system_packages
+from app.commands.options import parser_of
+from app.commands.terminal import CANNOT_DRAW, write_out
 
 LONGEST_TRIAL_S = 60.0
 """Longest time for a driver to answer."""
@@ -60,10 +61,11 @@ def examine() -> Iterator[Finding]:
         start = bootstrap.command_line([Path(sys.executable).name, "-m", "app"])
         remedy = f"the first start sets it up, which needs the network: {start}"
         yield Finding("Environment", "not set up yet", remedy)
-    missing = [*([] if set_up else bootstrap.venv_module()), *bootstrap.missing_system("window")]
+    missing = [] if set_up else system_packages.venv_module()
+    missing += system_packages.missing_system("window")
     if missing:
         names = ", ".join(item.name for item in missing)
-        yield Finding("System libraries", f"missing: {names}", bootstrap.advice(missing))
+        yield Finding("System libraries", f"missing: {names}", system_packages.advice(missing))
     else:
         yield Finding("System libraries", "all here")
     if set_up:

@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, NamedTuple
 
 from app.commands.arguments import check_drawing, check_out, importing
-from app.commands.options import CliError, write_out
+from app.commands.terminal import CliError, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
 import os
 import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from app.commands import batch, page, sweep
 from app.commands.arguments import (
@@ -19,8 +18,8 @@ from app.commands.arguments import (
     importing,
     load_scene,
 )
-from app.commands.options import CliError, parser_of, print_error
-from app.document.codec import picture_json
+from app.commands.options import FIGURE_FORMATS, parser_of
+from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import (
     LARGEST_PICTURE,
@@ -34,13 +33,12 @@ from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
-    from app.drawings.off_screen import Pixels
+    from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
 _Frame = TypeVar("_Frame")
 
-_SHAPES = (".svg", ".pdf", ".tex")
-_ENDINGS = (".png", *_SHAPES)
+_ENDINGS = tuple(f".{name}" for name in FIGURE_FORMATS)
 _FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
@@ -76,9 +74,9 @@ def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
     document = document_of(file, options.set, options.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
-    _sizes(options, [document], sweep.panes(options))
+    figure = _figure(options, scene, document)
     check_drawing()
-    _write(options, out, document, scene)
+    figure.save(out)
     return warning
 
 
@@ -98,11 +96,11 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     states = sweep.states(options, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    sizes = _sizes(options, states, sweep.panes(options))
+    figures = [_figure(options, scene, state) for state in states]
     if not names:
-        _check_film(options, out, sizes)
+        _check_film(options, out, {figure.size_px for figure in figures})
     check_drawing()
-    states = sweep.with_views(options, file, states)
+    figures = sweep.with_views(options, file, figures)
     if names:
         first: dict[int, str] = {}
         for name, state in zip(names, _with_progress(order), strict=True):
@@ -110,9 +108,9 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
                 write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
             else:
                 first[state] = name
-                _write(options, name, states[state], scene)
+                figures[state].save(name)
     else:
-        _write_film(options, out, [states[state] for state in order], scene, sizes.pop())
+        _write_film(options, out, [figures[state] for state in order])
     return next(filter(None, warnings), "")
 
 
@@ -125,13 +123,13 @@ def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     states = sweep.states(asked, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
-    for pane in sweep.panes(options):
-        _sizes(options, states, [pane])
+    alone = partial(_figure, options, scene)
+    panes = sweep.panes(options)
+    figures = {pane: [alone(state, pane) for state in states] for pane in panes}
     check_drawing()
-    states = sweep.with_views(asked, file, states)
-    with _of_options(options):
-        frames = _with_progress(states)
-        large = page.write(options, out, frames, states, scene, partial(_options, options))
+    moving = figures["world" if "world" in panes else panes[0]]
+    states = [figure.document for figure in sweep.with_views(asked, file, moving)]
+    large = page.write(options, out, _with_progress(states), states, scene, alone)
     return next(filter(None, [large, *warnings]), "")
 
 
@@ -159,7 +157,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
         if endings is _ENDINGS and not options.batch:
             known += ", or in .html for a page"
         raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
-    has_pixels = ending not in (*_SHAPES, ".html")
+    has_pixels = ending not in (*_ENDINGS[1:], ".html")
     if not has_pixels and options.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and options.hidden:
@@ -167,20 +165,6 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
     if "/" in options.panes and "," in options.panes:
         raise CliError(f"--panes = {options.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
-
-
-def _sizes(
-    options: argparse.Namespace, states: Sequence[Document], panes: Sequence[str]
-) -> set[tuple[int, int]]:
-    """Return the sizes of figures in pixels; refuse impossible ones, also of letters."""
-    from app.drawings.figure_size import checked_size, checked_text
-
-    column, sizes = "/" in options.panes and len(panes) > 1, set[tuple[int, int]]()
-    with _of_options(options):
-        for image in {state.projection.image_size for state in states}:
-            sizes.add(checked_size(image, panes, options.size, options.scale, column))
-            checked_text(image, panes, options.size, options.text_size, column)
-    return sizes
 
 
 def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
@@ -212,42 +196,37 @@ def _ending(out: str) -> str:
 # --------------------------------------------------------------------------- drawing
 
 
-def _write(options: argparse.Namespace, out: str, document: Document, scene: Scene) -> None:
-    with importing():
-        from app.drawings.describing import describe
-        from app.drawings.figures import write_png, write_shapes
-    if _ending(out) == ".png":
-        pixels = _pixels(options, document, scene)
-        about = describe(document, scene, sweep.panes(options))
-        write_png(out, pixels, picture_json(document), options.scale, about)
-        return
-    drawing = _options(options, document)
-    with _of_options(options):
-        about = describe(document, scene, sweep.panes(options))
-        hidden = options.hidden or "none"
-        write_shapes(out, scene, document.projection, about, hidden=hidden, **drawing)
+def _figure(
+    options: argparse.Namespace, scene: Scene, document: Document, pane: str = ""
+) -> Figure:
+    """Return the figure of all panes, or of one; a refusal names the option that it is about."""
+    from app.drawings.figure import TEXT, Figure
+
+    panes = [pane] if pane else sweep.panes(options)
+    try:
+        return Figure(
+            document, scene, panes, options.size, options.scale, "/" in options.panes and not pane,
+            options.text_size, options.palette, options.hidden or "none", options.crop,
+            options.transparent,
+        )  # fmt: skip
+    except Refusal as error:
+        of_size = options.size and str(error).startswith(("width", "height"))
+        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
+        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
 
 
-def _write_film(
-    options: argparse.Namespace,
-    out: str,
-    frames: Sequence[Document],
-    scene: Scene,
-    size: tuple[int, int],
-) -> None:
+def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:
     with importing():
         from app.drawings.moving import encoded, moving
     # There and back, a state is drawn once.
     done: dict[int, bytes] = {}
     for frame in _with_progress(frames):
         if id(frame) not in done:
-            pixels = _pixels(options, frame, scene)
-            json = picture_json(frame)
-            done[id(frame)] = encoded(pixels, _ending(out), json, options.scale)
+            done[id(frame)] = encoded(frame, _ending(out))
     parts = [done[id(frame)] for frame in frames]
     once, fps = options.loop == "once", sweep.speed(options)
     with blamed_on(out, UNWRITABLE):
-        film = moving(parts, _ending(out), size, fps, once)
+        film = moving(parts, _ending(out), frames[0].size_px, fps, once)
     write_bytes_atomically(out, film)
 
 
@@ -264,50 +243,8 @@ def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
             print(file=terminal)
 
 
-def _pixels(options: argparse.Namespace, document: Document, scene: Scene) -> Pixels:
-    with importing():
-        from app.drawings.figures import render
-    drawing = _options(options, document)
-    with _of_options(options):
-        return render(scene, document.projection, scale=options.scale, **drawing)
-
-
-@contextlib.contextmanager
-def _of_options(options: argparse.Namespace) -> Iterator[None]:
-    """Make a refusal of the drawing name the option that it is about."""
-    from app.drawings.figure_size import TEXT
-
-    try:
-        yield
-    except Refusal as error:
-        of_size = options.size and error.file is None and str(error).startswith(("width", "height"))
-        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
-        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
-
-
-def _options(options: argparse.Namespace, document: Document) -> dict[str, Any]:
-    """Return the parameters that `render` and `write_shapes` share."""
-    from app.drawings.style import PALETTES
-
-    return {
-        "panes": sweep.panes(options),
-        "column": "/" in options.panes,
-        "crop": options.crop,
-        "size": options.size,
-        "transparent": options.transparent,
-        "style": PALETTES[options.palette],
-        "view": document.view,
-        "settings": document.settings,
-        "quality": document.quality,
-        "text_pt": options.text_size,
-    }
-
-
 def _warning(document: Document, scene: Scene) -> str:
     """Return what a picture lacks that was written all the same."""
-    if scene.phenomenon is None:
-        return ""
-    settings = scene.phenomenon.checked(document.settings)
-    illustration = scene.phenomenon.illustration(document.projection, settings, scene.subject)
-    warning = illustration.warning
+    illustration = scene.illustration(document.projection, document.settings)
+    warning = None if illustration is None else illustration.warning
     return "" if warning is None else f"{document.scene}: {warning.sentence()}."

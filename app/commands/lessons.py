@@ -7,8 +7,9 @@ from pathlib import Path
 
 from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
-from app.commands.options import CliError, one_of, parser_of, write_out
+from app.commands.options import one_of, parser_of
 from app.commands.results import results
+from app.commands.terminal import CliError, write_out
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, contained, file_of, ideas
 from app.lessons.lesson import read

@@ -10,12 +10,11 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from app.commands.arguments import check_out, document_of, load_scene
-from app.commands.options import (
+from app.commands.options import parse_number, parser_of
+from app.commands.terminal import (
     CANNOT_DRAW,
     INTERRUPTED,
     CliError,
-    parse_number,
-    parser_of,
     print_error,
     standard_output,
     write_out,
@@ -23,9 +22,9 @@ from app.commands.options import (
 from app.document.files import write_bytes_atomically
 from app.drawings import off_screen
 from app.measure import chart, measuring
-from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.results import GAPS, Measurements, table, to_csv, to_json
+from app.measure.sweeps import SWEEPS
 from app.model.projection import LENSES
 from app.model.refusal import Cancelled
 
@@ -86,7 +85,9 @@ def run(arguments: Sequence[str]) -> int:
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
         if options.chart is not None:
-            drawn = chart.picture(results.by_cost(options.cost), options.chart)
+            from widgets.parts.chart_picture import picture
+
+            drawn = picture(results.by_cost(options.cost), options.chart)
             write_bytes_atomically(options.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 

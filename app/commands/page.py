@@ -10,18 +10,19 @@ from typing import TYPE_CHECKING, Any
 
 from app.commands import sweep
 from app.commands.arguments import importing
-from app.commands.options import CliError
+from app.commands.terminal import CliError
 from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.files import write_bytes_atomically
 from app.lecture.dependence import FIELDS as LETTERS
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
+from app.model.parameters import TITLES
 from app.scenes.phenomena.readout import digits_apart, figure
 
 if TYPE_CHECKING:
+    from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
 FRAMES = 21
@@ -52,9 +53,12 @@ def write(
     told: Iterable[Document],
     states: Sequence[Document],
     scene: Scene,
-    drawing: Callable[[Document], dict[str, Any]],
+    alone: Callable[[Document, str], Figure],
 ) -> str:
-    """Write the page of states, which `told` yields too, and warn if it is large."""
+    """Write the page of states, which `told` yields too; return a warning if it is large.
+
+    `alone` returns the figure of a pane.
+    """
     with importing():
         from app.drawings.describing import describe
         from app.drawings.page import LARGEST, SliderPosition, drawn, page
@@ -62,8 +66,7 @@ def write(
     shown = []
     for value, state in zip(values, told, strict=True):
         about = describe(state, scene, sweep.panes(options))
-        given = {**drawing(state), "hidden": options.hidden or "none"}
-        panes = [drawn(pane, said, state, scene, **given) for pane, said in about.panes.items()]
+        panes = [drawn(alone(state, pane), said) for pane, said in about.panes.items()]
         shown.append(SliderPosition(value, panes, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in options.panes)
     write_bytes_atomically(out, content)
@@ -88,7 +91,7 @@ def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> lis
     def named(field: str) -> str:
         letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
-        return f"{FIELDS.get(field, field)} {symbol}".strip() + " ="
+        return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
 
     written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings

@@ -14,7 +14,8 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple, Self
 
 from app import bootstrap
-from app.commands.options import CliError, parse_number, print_error
+from app.commands.options import parse_number
+from app.commands.terminal import CliError, print_error
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.numerals import plain

@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from app.commands import points
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
-from app.commands.options import CliError, parser_of, write_out
+from app.commands.options import parser_of
+from app.commands.terminal import CliError, write_out
 from app.document.document import MESH_ENDINGS
 from app.model.projection import PLANES, Array, Projection, Space, Trace
 from app.precision.levels import (

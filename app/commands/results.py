@@ -11,7 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 from app.commands.arguments import check_out
-from app.commands.options import BAD_INPUT, CliError, print_error, write_out
+from app.commands.terminal import BAD_INPUT, CliError, print_error, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.course import idea_named
 from app.lessons.record import RIGHT, SHOWN, WRONG

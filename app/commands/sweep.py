@@ -13,21 +13,25 @@ import os
 import re
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from app.commands.arguments import (
     course_of,
     document_before,
     importing,
-    load_scene,
     place_of,
     state_at,
     with_values,
 )
-from app.commands.options import FULL_TURN, CliError
+from app.commands.options import FULL_TURN
+from app.commands.terminal import CliError
 from app.document.document import Document
 from app.lecture.stages import IMAGE
 from app.model.numerals import numbers
 from app.model.projection import Camera
+
+if TYPE_CHECKING:
+    from app.drawings.figure import Figure
 
 MOTIONS = ("sweep", "orbit", "stages", "transition")
 """The options that make a picture move; one at a time."""
@@ -103,14 +107,14 @@ def states(options: argparse.Namespace, file: str | None) -> list[Document]:
 
 
 def with_views(
-    options: argparse.Namespace, file: str | None, states: list[Document]
-) -> list[Document]:
-    """Return states with the places from which their worlds are seen, on a machine that draws."""
+    options: argparse.Namespace, file: str | None, figures: list[Figure]
+) -> list[Figure]:
+    """Return figures with the places from which their worlds are seen, on a machine that draws."""
     if options.transition:
-        return _along(options, file, states)
+        return _along(options, file, figures)
     if options.orbit is not None:
-        return _round(options, file, states)
-    return _still(options, file, states) if options.sweep else states
+        return _round(options, figures)
+    return _still(options, figures) if options.sweep else figures
 
 
 def check_stages(options: argparse.Namespace) -> None:
@@ -180,45 +184,47 @@ def _steps(options: argparse.Namespace, file: str | None) -> tuple[int, Document
     return place + 1, start, end
 
 
-def _along(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
-    """Return states whose world is seen on the way from the view of one step to that of another."""
+def _along(options: argparse.Namespace, file: str | None, figures: list[Figure]) -> list[Figure]:
+    """Return figures whose world is seen on the way from one step's view to another's."""
     from app.lessons.transition import camera_between
 
     place, *ends = _steps(options, file)
     views: list[Camera | None] = [None, None]
-    if not any(_is_fixed(end, file) for end in ends):
-        views = [_still(options, file, [end])[0].view.panes.get("world") for end in ends]
+    shown = [replace(figures[0], document=end) for end in ends]
+    if not any(map(_is_fixed, shown)):
+        views = [_still(options, [end])[0].document.view.panes.get("world") for end in shown]
     first, last = views
     stages = {end.view.stage for end in ends}
     if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
         raise CliError(f"--transition: step {place} shows the same as the step before.")
     if first is None or last is None:
-        return states
-    parts = (_eased(step / (len(states) - 1)) for step in range(len(states)))
+        return figures
+    parts = (_eased(step / (len(figures) - 1)) for step in range(len(figures)))
     return [
-        _seen(state, camera_between(first, last, part))
-        for state, part in zip(states, parts, strict=True)
+        _seen(figure, camera_between(first, last, part))
+        for figure, part in zip(figures, parts, strict=True)
     ]
 
 
 # --------------------------------------------------------------------------- the world's view
 
 
-def _still(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
-    """Return states whose world is seen from one place, as in the window while a value changes."""
-    first = states[0]
-    if "world" not in panes(options) or "world" in first.view.panes or _is_fixed(first, file):
-        return states
-    (view,) = _standing(options, file, states, [0.0])
-    return [_seen(state, view) for state in states]
+def _still(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
+    """Return figures whose world is seen from one place, as in the window while a value changes."""
+    first = figures[0]
+    if (
+        "world" not in panes(options) or "world" in first.document.view.panes or _is_fixed(first)
+    ):  # fmt: skip
+        return figures
+    (view,) = _standing(figures, [0.0])
+    return [_seen(figure, view) for figure in figures]
 
 
-def _is_fixed(state: Document, file: str | None) -> bool:
+def _is_fixed(figure: Figure) -> bool:
     """Whether the world is seen from a viewpoint that moves with the camera."""
-    scene = load_scene(state.scene, state.mesh, file)
-    with importing():
-        from app.document.naming import seen_from
-    return bool(seen_from(state.view, scene))
+    from app.document.naming import seen_from
+
+    return bool(seen_from(figure.document.view, figure.scene))
 
 
 def _check_orbit(options: argparse.Namespace) -> None:
@@ -231,14 +237,14 @@ def _check_orbit(options: argparse.Namespace) -> None:
         raise CliError(f"--orbit: needs the pane world, and --panes = {options.panes!r}.")
 
 
-def _round(options: argparse.Namespace, file: str | None, states: list[Document]) -> list[Document]:
-    """Return states whose world is seen from places around it; the camera stays where it is."""
-    document, count = states[0], len(states)
+def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
+    """Return figures whose world is seen from places around it; the camera stays where it is."""
+    figure, count = figures[0], len(figures)
     # Round and round, the step after the last one leads to the first.
     steps = count if options.loop == "repeat" and abs(options.orbit) == FULL_TURN else count - 1
     turns_deg = [options.orbit * step / steps for step in range(count)]
-    if (view := document.view.panes.get("world")) is None:
-        views = _standing(options, file, [document], turns_deg)
+    if (view := figure.document.view.panes.get("world")) is None:
+        views = _standing([figure], turns_deg)
     else:
         at = view.orbit
         views = [view]  # to the last bit
@@ -246,24 +252,19 @@ def _round(options: argparse.Namespace, file: str | None, states: list[Document]
             Camera.from_orbit(view.target, at._replace(azimuth_deg=at.azimuth_deg + turn_deg))
             for turn_deg in turns_deg[1:]
         )
-    return [_seen(document, view) for view in views]
+    return [_seen(figure, view) for view in views]
 
 
-def _seen(state: Document, view: Camera) -> Document:
+def _seen(figure: Figure, view: Camera) -> Figure:
+    state = figure.document
     panes = state.view.panes | {"world": view}
-    return replace(state, view=replace(state.view, fixed="", panes=panes))
+    return replace(figure, document=replace(state, view=replace(state.view, fixed="", panes=panes)))
 
 
-def _standing(
-    options: argparse.Namespace, file: str | None, states: Sequence[Document], turns: list[float]
-) -> list[Camera]:
-    scene = load_scene(states[0].scene, states[0].mesh, file)
+def _standing(figures: Sequence[Figure], turns_deg: list[float]) -> list[Camera]:
     with importing():
         from app.drawings.standing import standing
-    return standing(
-        scene, states, turns, panes=panes(options), column="/" in options.panes, size=options.size,
-        scale=options.scale, text_pt=options.text_size,
-    )  # fmt: skip
+    return standing(figures[0], [figure.document for figure in figures], turns_deg)
 
 
 # --------------------------------------------------------------------------- the options

@@ -8,7 +8,8 @@ from pathlib import Path
 from app import bootstrap
 from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.composed import SLIDE_PX, Composed, measure, taken
-from app.commands.options import CliError, one_of, parser_of, write_out
+from app.commands.options import one_of, parser_of
+from app.commands.terminal import CliError, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, file_of

@@ -39,10 +39,10 @@ from app.document.fields import (
 )
 from app.document.view import read_view, view_tree
 from app.model.object_transform import NOT_MOVED, ObjectTransform
+from app.model.parameter import YES_OR_NO
 from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
 from app.precision.quality import Quality
-from app.scenes.phenomena.settings import YES_OR_NO
 
 Path: TypeAlias = str | os.PathLike[str]
 
@@ -380,7 +380,6 @@ def to_json(document: Document, folder: Path | None = None) -> str:
 
     Parameters
     ----------
-    document : Document
     folder : path, optional
         The folder that the text will be in. A mesh near it is named from there, so that both can
         be moved together.

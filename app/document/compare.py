@@ -12,10 +12,11 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
+from app.model.parameter import Parameter
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.readout import FEW, digits_apart
-from app.scenes.phenomena.settings import Setting, Settings
+from app.scenes.phenomena.settings import Settings
 
 MOST_PICTURES = 4
 """As many as the lectures show side by side: the four cases of an edge and the eye plane."""
@@ -161,7 +162,7 @@ class DifferenceWriter:
 def in_words(
     pictures: Sequence[ComparedPicture],
     states: Sequence[Held],
-    settings: Sequence[Setting],
+    settings: Sequence[Parameter],
     written: DifferenceWriter,
 ) -> list[str]:
     """Describe in words how pictures differ: ``near 4 \u2192 8``.
@@ -178,7 +179,7 @@ def in_words(
 def names_in(
     own: Sequence[str],
     states: Sequence[Held],
-    settings: Sequence[Setting],
+    settings: Sequence[Parameter],
     written: DifferenceWriter,
 ) -> list[str]:
     """The name of each picture: its own one, or what differs: ``near 4``, ``near 8``.
@@ -204,14 +205,14 @@ def names_in(
 
 
 def _in_words(
-    path: str, values: Sequence[Any], setting: Setting | None, written: DifferenceWriter
+    path: str, values: Sequence[Any], setting: Parameter | None, written: DifferenceWriter
 ) -> str:
     label, texts = _written(path, values, setting, written)
     return f"{label} {ARROW.join(texts)}" if all(texts) else label
 
 
 def _written(
-    path: str, values: Sequence[Any], setting: Setting | None, written: DifferenceWriter
+    path: str, values: Sequence[Any], setting: Parameter | None, written: DifferenceWriter
 ) -> tuple[str, list[str]]:
     """What a value is called, and the text of each, with its unit; no text for a matrix."""
     _, _, name = path.rpartition(".")
@@ -223,7 +224,7 @@ def _written(
     )  # fmt: skip
     texts = [_value(value, written, digits) for value in values]
     if setting is not None:
-        label, unit = written.text(setting.label), written.text(setting.unit)
+        label, unit = written.text(setting.title), written.text(setting.unit)
         words = {key: written.text(text) for key, text in setting.choices}
         texts = [words.get(text, text) for text in texts]
     elif name == "image":

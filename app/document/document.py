@@ -45,7 +45,6 @@ class Document:
     ----------
     scene : str
         Name of a built-in scene, or path of a mesh file.
-    projection : Projection
     extra : dict
         Keys that this program does not know, at their places in the file:
         ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.

@@ -17,7 +17,16 @@ from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_P
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.object_transform import ObjectTransform
-from app.model.projection import LARGEST_IMAGE_PX, LENSES, Camera, FreeMatrix, Orbit, kinds
+from app.model.parameters import FOCAL_LENGTH, FOV_X, HEIGHT, WIDTH
+from app.model.projection import (
+    LARGEST_IMAGE_PX,
+    LENSES,
+    Camera,
+    FreeMatrix,
+    Intrinsics,
+    Orbit,
+    kinds,
+)
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.quality import Quality
 from app.scenes.phenomena import PHENOMENA
@@ -165,7 +174,7 @@ def _fields(
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
 OBJECT = _fields("object", ObjectTransform, required=False)
 CAMERA = _fields("camera", Camera, required=True)
-IMAGE = tuple(Field("image", name, PIXELS, True, "px") for name in ("width", "height"))
+IMAGE = tuple(Field("image", side.name, PIXELS, True, "px") for side in (WIDTH, HEIGHT))
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
@@ -208,10 +217,10 @@ CALIBRATED = (
     Field("lens", "K", FieldKind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
     *(
         Field("lens", name, NUMBER)
-        for name in ("fx", "fy", "cx", "cy", "focal_mm", "sensor_width_mm", "sensor_height_mm")
+        for name in (*Intrinsics._fields, "focal_mm", "sensor_width_mm", "sensor_height_mm")
     ),
 )
-ANGLES = tuple(Field("lens", name, NUMBER) for name in ("fov_x_deg", "focal_length_mm"))
+ANGLES = tuple(Field("lens", each.name, NUMBER) for each in (FOV_X, FOCAL_LENGTH))
 """Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
 CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
 LENS_CONTROLS = tuple(field.path for field in ANGLES)
@@ -246,7 +255,6 @@ def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
     Parameters
     ----------
     tree : dict
-    scene : str
     kind : object
         Of the lens.
     panes : iterable of str

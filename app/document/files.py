@@ -228,8 +228,8 @@ def _read_bytes(path: Path) -> bytes:
 
 # --------------------------------------------------------------------------- PNG pictures
 
-# Pillow writes the chunk (`app.drawings.figures`). It is read here: Pillow decodes all pixels to
-# see what follows them, refuses compressed texts above 1 MB, and lets a damaged end pass.
+# Pillow writes the chunk (`app.drawings.figure_files`). It is read here: Pillow decodes all pixels
+# to see what follows them, refuses compressed texts above 1 MB, and lets a damaged end pass.
 _PNG = b"\x89PNG\r\n\x1a\n"
 
 

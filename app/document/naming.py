@@ -9,8 +9,8 @@ from __future__ import annotations
 from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.highlight import AXES, WINDOW
-from app.lecture.notation import in_letters
+from app.lecture.highlight import AXES, ENDS, WINDOW
+from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, NDC, VIEW
 from app.model.formula import ARROW
 from app.scenes.phenomena.illustration import Illustration
@@ -19,7 +19,7 @@ from app.scenes.scene import Scene
 FRAMES = {"frame-o": "O", "frame-w": "W", "frame-e": "E"}
 """The frames of the object, the world and the eye, which a world picture shows if it names them,
 and their letters."""
-_CUBE = frozenset({"near", "far"})
+_CUBE = frozenset(ENDS)
 """What the cube beside a scene's own picture is named by."""
 
 
@@ -59,11 +59,8 @@ def seen_from(view: View, scene: Scene) -> str:
 def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
     """Return the ids of everything that a pane of a document can name."""
     view, projection = document.view, document.projection
-    shown = Illustration(())
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked(document.settings)
-        shown = scene.phenomenon.illustration(projection, settings, scene.subject)
-    planes = frozenset(("near", "far") if projection.lens.planes is not None else ())
+    shown = scene.illustration(projection, document.settings) or Illustration(())
+    planes = frozenset(ENDS if projection.lens.planes is not None else ())
     if pane == "image":
         return frozenset({"pixels"}).union(text.name for text in shown.image.texts)
     if pane == "ndc":

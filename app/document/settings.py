@@ -26,7 +26,8 @@ from app.lecture.equation import equation_of
 from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
 from app.model.object_transform import NOT_MOVED
-from app.model.projection import LENSES, Intrinsics, fov_y_from_focal_length_35mm, kinds
+from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
+from app.model.projection import LENSES, Intrinsics, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
 from app.scenes.phenomena import PHENOMENA
 
@@ -50,10 +51,10 @@ NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 Values: TypeAlias = dict[str, Any]
 MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
+_SIDES = tuple(each.path for each in WINDOW_SIDES)
 _DECIDING = (
     tuple(field.path for field in CALIBRATED), *((field.path,) for field in ANGLES),
-    ("lens.fov_y_deg",),
-    tuple(f"lens.{name}" for name in ("left", "right", "bottom", "top", "keep")),
+    (FOV_Y.path,), (*_SIDES, KEEP.path),
 )  # fmt: skip
 _RIVALS = (
     _DECIDING,
@@ -80,7 +81,6 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
 
     Parameters
     ----------
-    document : Document
     assignments : iterable of str
         ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
         ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
@@ -112,8 +112,8 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     if "view.frame_step" in texts:
         texts.setdefault("view.panel", "frame")
     kind = texts.pop("lens.kind", "")
-    if kind and any(f"lens.{side}" in texts for side in ("left", "right", "bottom", "top")):
-        texts.setdefault("lens.keep", "stretch")
+    if kind and any(path in texts for path in _SIDES):
+        texts.setdefault(KEEP.path, "stretch")
     document = _with_lens(document, kind)
     if CAMERA_P.path in texts:
         document = _through(document, texts, kind)
@@ -194,12 +194,10 @@ def _measured(
     if projection.lens.kind not in lenses:
         raise Refusal.in_document(OTHER_LENS, ", ".join(lenses), field=next(iter(texts)))
     with document_paths("lens"):
-        if "fov_x_deg" in values:
-            projection = projection.with_fov_x(values["fov_x_deg"])
-        elif "focal_length_mm" in values:
-            fov_y_deg = fov_y_from_focal_length_35mm(values["focal_length_mm"], projection.aspect)
-            projection = replace(projection, lens=projection.lens.replaced(fov_y_deg=fov_y_deg))
-        else:
+        for angle in (FOV_X, FOCAL_LENGTH):
+            if angle.name in values:
+                projection = angle.put(projection, values[angle.name])
+        if not by_angle:
             now = projection.intrinsics
             focal = _focal_px(values, projection.image_size, now)
             centre = values.get("cx", now.cx), values.get("cy", now.cy)

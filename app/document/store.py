@@ -52,7 +52,6 @@ class Store(QObject):
 
     Parameters
     ----------
-    document : Document
     saved : Document, optional
         The content of the document's file, if it differs; undo returns to it if it has the same
         scene.
@@ -143,7 +142,6 @@ class Store(QObject):
 
         Parameters
         ----------
-        document : Document
         saved : bool
             False for a recovered document, which is in no file of the user's.
         path, is_work

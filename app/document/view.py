@@ -11,7 +11,7 @@ from typing import Any
 
 from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
-from app.lecture.notation import LETTERS, Letters
+from app.lecture.letters import LETTERS, Letters
 from app.lecture.stages import IMAGE, NDC
 from app.model.infinity import homogeneous
 from app.model.limits import (

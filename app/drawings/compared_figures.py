@@ -2,25 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise, starmap
-from typing import NamedTuple, TypeVar
 
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from app.document.compare import DifferenceWriter, in_words, names_in
-from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.settings import name_of, pictured
-from app.drawings.label import SceneLabel, font_file
+from app.drawings.drawing import Drawing
+from app.drawings.label import SceneLabel
 from app.drawings.off_screen import Pixels
-from app.drawings.one_pane import illustration_of
+from app.drawings.one_pane import Ends, PanePicture
 from app.drawings.side_by_side import BARE_EM, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
-from app.model.projection import Array, Projection
-from app.scenes.phenomena.illustration import Illustration
+from app.lecture.typesetting import font_file
+from app.model.parameters import TITLES
+from app.model.projection import Array
 from app.scenes.phenomena.readout import figure
 from app.scenes.scene import Scene
 
@@ -28,144 +28,136 @@ LINE_EM = 1.5
 _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 
 
-class Compared(NamedTuple):
-    """How a pane shows several pictures: each with its projection, illustration and name."""
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Several pictures that a pane shows: side by side, or as strips of one picture."""
 
-    pane: str
-    shown: list[tuple[Projection, Illustration | None, str]]
+    pictures: list[PanePicture]
+    """Each has its name as its caption."""
     places: list[tuple[int, int, int, int]]
     """Left, top, width and height of each, if they are side by side."""
     dividers: tuple[float, ...]
     live: int
     size: tuple[int, int]
     """Without the lines of words below."""
-    framed: bool
     lines: list[str]
 
+    @property
+    def _style(self) -> Style:
+        return self.pictures[0].style
 
-def compared_in(
-    pane: str,
-    document: Document,
-    scene: Scene,
-    size: tuple[int, int],
-    framed: bool,
-    style: Style,
-    words: Mapping[str, str],
-) -> Compared:
+    @property
+    def _is_titled(self) -> bool:
+        """Whether the names are written here; images write theirs themselves."""
+        return self.pictures[0].pane == "world"
+
+    def _edges(self, ends: Ends) -> list[int]:
+        """Return where the strips of a divided picture begin and end."""
+        begin, end = ends
+        inner = (round(begin + part * (end - begin)) for part in self.dividers)
+        return [0, *inner, self.size[0]]
+
+    def pixels(self, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
+        (width, height), style = self.size, self._style
+        ink = _in_words(self.lines, width, style)
+        drawn = [picture.pixels_and_ends(seen) for picture in self.pictures]
+        if not self.dividers:
+            parts = [pixels for pixels, _ in drawn]
+            if self._is_titled:
+                named = zip(parts, self.pictures, strict=True)
+                parts = [_titled(part, picture.caption, style) for part, picture in named]
+            whole = np.empty((height, width, parts[0].shape[2]), np.uint8)
+            whole[:] = parts[0][0, 0]  # beside the pictures
+            for part, (left, top, wide, high) in zip(parts, self.places, strict=True):
+                whole[top : top + high, left : left + wide] = part
+            return _with_words(whole, ink, style)
+        edges = self._edges(drawn[self.live][1])
+        whole = drawn[0][0].copy()
+        for (pixels, _), strip in zip(drawn, starmap(slice, pairwise(edges)), strict=True):
+            whole[:, strip] = pixels[:, strip]
+        half = max(1, round(style.line_width / 2.0))
+        for x in edges[1:-1]:
+            whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
+            whole[:, max(0, x - half) : x + half, 3:] = 255
+        return _with_words(whole, ink, style)
+
+    def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
+        """Return the shapes of `pixels`."""
+        (width, height), style, shapes = self.size, self._style, list[Shape]()
+        line_px = _line_px(style)
+        drawn = [picture.shapes_and_ends(hidden, watch) for picture in self.pictures]
+        if self.dividers:
+            edges = self._edges(drawn[self.live][1])
+            for (part, _), (left, right) in zip(drawn, pairwise(edges), strict=True):
+                shapes += within(part, left, right)
+            for x in edges[1:-1]:
+                ends = [(float(x), 0.0), (float(x), float(height))]
+                shapes.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
+        for (part, _), picture, (left, top, wide, _) in zip(
+            drawn, self.pictures, self.places, strict=False
+        ):
+            if self._is_titled:
+                part.append(_line_of_text(picture.caption, wide / 2.0, line_px / 2.0, style))
+            shapes += (moved(shape, left, top) for shape in part)
+        ground = next((each for each in shapes if isinstance(each, Area)), None)
+        if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
+            low = height + line_px * len(self.lines)
+            corners = [(0.0, 0.0), (float(width), 0.0), (float(width), low), (0.0, low)]
+            shapes.insert(0, ground._replace(rings=[corners]))
+        for number, text in enumerate(self.lines):
+            y = height + (number + 0.5) * line_px
+            shapes.append(_line_of_text(text, width / 2.0, y, style))
+        return shapes
+
+
+def compared_in(whole: PanePicture, scene: Scene) -> Compared:
+    """Return the pictures that are compared in a pane, which is as large as `whole`.
+
+    The scene is the document's own one.
+    """
+    document, style, words = whole.document, whole.style, whole.words
     pictures, dividers = document.view.compare, document.view.dividers
-    phenomenon = scene.phenomenon
-    settings = () if phenomenon is None else phenomenon.settings
+    settings = () if scene.phenomenon is None else scene.phenomenon.settings
     written = DifferenceWriter(
-        lambda name: words.get(FIELDS.get(name, name), FIELDS.get(name, name)),
+        lambda name: words.get(TITLES.get(name, name), TITLES.get(name, name)),
         lambda text: words.get(text, text),
         figure,
     )
     given = [name_of(document, picture) for picture in pictures]
     states = [pictured(document, picture).state for picture in pictures]
     names = names_in([words.get(name, name) for name in given], states, settings, written)
-    shown = [
-        (of.projection, illustration_of(scene, of.projection, of.settings), name)
-        for name, of in zip(names, states, strict=True)
-    ]
-    aspects = [projection.aspect for projection, _, _ in shown]
-    is_divided = bool(dividers) and len(set(aspects)) == 1 and pane == "image"
+    aspects = [state.projection.aspect for state in states]
+    is_divided = bool(dividers) and len(set(aspects)) == 1 and whole.pane == "image"
     # A divided picture without a frame has no names.
     lines = list[str]()
-    if framed or not is_divided:
+    if whole.framed or not is_divided:
         differing = in_words(pictures, states, settings, written)
-        lines = _lines_of(", ".join(differing), size, style)
-    width, height = size[0], size[1] - _line_px(style) * len(lines)
-    places = [] if is_divided else places_of(pane, width, height, aspects, style.font_size)
-    live = next((place for place, picture in enumerate(pictures) if picture.live), 0)
-    return Compared(
-        pane, shown, [*places], dividers if is_divided else (), live, (width, height), framed, lines
-    )
-
-
-def compared_pixels(
-    compared: Compared, draw: Callable[..., tuple[Pixels, tuple[float, float]]], style: Style
-) -> Pixels:
-    """The document's picture and those it is compared with, divided or side by side.
-
-    `draw` returns a pane's pixels, and where its picture begins and ends in them.
-    """
-    (width, height), shown = compared.size, compared.shown
-    ink = _in_words(compared.lines, width, style)
-    if not compared.dividers:
-        drawn = [
-            draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
-            for (*each, name), (_, _, wide, high) in zip(shown, compared.places, strict=True)
-        ]
-        if compared.pane == "world":
-            named = zip(drawn, shown, strict=True)
-            drawn = [_titled(part, name, style) for part, (_, _, name) in named]
-        whole = np.empty((height, width, drawn[0].shape[2]), np.uint8)
-        whole[:] = drawn[0][0, 0]  # beside the pictures
-        for part, (left, top, wide, high) in zip(drawn, compared.places, strict=True):
-            whole[top : top + high, left : left + wide] = part
-        return _with_words(whole, ink, style)
-    layers = _layers(compared, draw)
-    edges = _edges(compared, layers[compared.live][1])
-    whole = layers[0][0].copy()
-    for (pixels, _), strip in zip(layers, starmap(slice, pairwise(edges)), strict=True):
-        whole[:, strip] = pixels[:, strip]
-    half = max(1, round(style.line_width / 2.0))
-    for x in edges[1:-1]:
-        whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
-        whole[:, max(0, x - half) : x + half, 3:] = 255
-    return _with_words(whole, ink, style)
-
-
-_Drawn = TypeVar("_Drawn")
-
-
-def _layers(
-    compared: Compared, draw: Callable[..., tuple[_Drawn, tuple[float, float]]]
-) -> list[tuple[_Drawn, tuple[float, float]]]:
-    """The whole pictures of which a divided one shows strips."""
-    middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *compared.dividers, 1.0))]
-    return [
-        draw(*each, compared.size, framed=compared.framed, caption=name, middle=middle)
-        for (*each, name), middle in zip(compared.shown, middles, strict=True)
+        lines = _lines_of(", ".join(differing), whole.size, style)
+    width, height = whole.size[0], whole.size[1] - _line_px(style) * len(lines)
+    shown = [
+        replace(
+            whole,
+            document=replace(document, projection=state.projection, settings=state.settings),
+            illustration=scene.illustration(state.projection, state.settings),
+            caption=name,
+        )
+        for name, state in zip(names, states, strict=True)
     ]
-
-
-def _edges(compared: Compared, ends: tuple[float, float]) -> list[int]:
-    begin, end = ends
-    inner = (round(begin + part * (end - begin)) for part in compared.dividers)
-    return [0, *inner, compared.size[0]]
-
-
-def compared_shapes(
-    compared: Compared,
-    draw: Callable[..., tuple[list[Shape], tuple[float, float]]],
-    style: Style,
-) -> list[Shape]:
-    (width, height), drawn = compared.size, list[Shape]()
-    line_px = _line_px(style)
-    if compared.dividers:
-        layers = _layers(compared, draw)
-        edges = _edges(compared, layers[compared.live][1])
-        for (part, _), (left, right) in zip(layers, pairwise(edges), strict=True):
-            drawn += within(part, left, right)
-        for x in edges[1:-1]:
-            ends = [(float(x), 0.0), (float(x), float(height))]
-            drawn.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
-    for (*each, name), (left, top, wide, high) in zip(
-        compared.shown, compared.places, strict=False
-    ):
-        part = draw(*each, (wide, high), framed=True, caption=name, bare=True)[0]
-        if compared.pane == "world":
-            part.append(_line_of_text(name, wide / 2.0, line_px / 2.0, style))
-        drawn += (moved(shape, left, top) for shape in part)
-    ground = next((each for each in drawn if isinstance(each, Area)), None)
-    if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
-        low = height + line_px * len(compared.lines)
-        corners = [(0.0, 0.0), (float(width), 0.0), (float(width), low), (0.0, low)]
-        drawn.insert(0, ground._replace(rings=[corners]))
-    for number, text in enumerate(compared.lines):
-        drawn.append(_line_of_text(text, width / 2.0, height + (number + 0.5) * line_px, style))
-    return drawn
+    live = next((place for place, picture in enumerate(pictures) if picture.live), 0)
+    places = list[tuple[int, int, int, int]]()
+    if is_divided:
+        middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
+        shown = [
+            replace(picture, size=(width, height), middle=middle)
+            for picture, middle in zip(shown, middles, strict=True)
+        ]
+    else:
+        places = places_of(whole.pane, width, height, aspects, style.font_size)
+        shown = [
+            replace(picture, size=(wide, high), framed=True, bare=True)
+            for picture, (_, _, wide, high) in zip(shown, places, strict=True)
+        ]
+    return Compared(shown, places, dividers if is_divided else (), live, (width, height), lines)
 
 
 def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -19,13 +20,14 @@ from app.document.settings import pictured
 from app.drawings import DrawingWords
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
-from app.drawings.label import LabelActor, pieces_of
+from app.drawings.label import LabelActor
 from app.drawings.off_screen import Pixels, pixels_of
-from app.drawings.one_pane import drawn_pane
+from app.drawings.one_pane import PanePicture
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import WINDOW
+from app.lecture.typesetting import pieces_of
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -166,16 +168,11 @@ def _measured(
     style: Style,
     bare: bool,
 ) -> ComposedPicture:
-    illustration = None
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked(of.settings)
-        illustration = scene.phenomenon.illustration(of.projection, settings, scene.subject)
-    view = document.view
-    with drawn_pane(
-        pane, scene, of.projection, illustration, size_px, style=style,
-        words=DrawingWords(view.letters),
-        framed=True, view=view, quality=document.quality, bare=bare,
-    ) as (window, drawing):  # fmt: skip
+    illustration, view = scene.illustration(of.projection, of.settings), document.view
+    state = replace(document, projection=of.projection, settings=of.settings)
+    words = DrawingWords(view.letters)
+    picture = PanePicture(pane, state, scene, illustration, size_px, style, words, bare=bare)
+    with picture.drawn() as (window, drawing):
         labels, actors = [], list(_actors(window))
         for renderer, actor in actors:
             label = actor.label()

@@ -11,7 +11,7 @@ from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
 from app.drawings.scene_bounds import bounds_px, predictions
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
 from app.model.limits import PLANES
@@ -19,7 +19,6 @@ from app.model.projection import Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
-from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene
 
@@ -119,14 +118,12 @@ def describe(
 
     `translate` puts every text of the program into another language.
     """
-    projection, phenomenon = document.projection, scene.phenomenon
-    illustration: Illustration | None = None
-    letters = document.view.letters
+    projection, letters = document.projection, document.view.letters
+    illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()
-    if phenomenon is not None:
-        general.append(in_letters(translate(phenomenon.explanation, "phenomena"), letters))
-        settings = phenomenon.checked(document.settings)
-        illustration = phenomenon.illustration(projection, settings, scene.subject)
+    if scene.phenomenon is not None:
+        explanation = translate(scene.phenomenon.explanation, "phenomena")
+        general.append(in_letters(explanation, letters))
     own = int(scene.own_lines.sum()), scene.dot_count
     if any(own):
         general.append(translate(CONTENT, "Description").format(scene.triangles, *own))

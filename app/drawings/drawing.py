@@ -9,7 +9,8 @@ from app.lecture.highlight import Highlight
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.picking.handles import Handle, Spot
-from app.picking.picking import Probe, Sight
+from app.picking.picking import Probe
+from app.picking.sight import Sight
 from app.precision.levels import Precision
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import Phrase

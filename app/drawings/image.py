@@ -35,7 +35,8 @@ from app.drawings.style import TITLE_EM, Style, rgb
 from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
-from app.picking.picking import Probe, Sight
+from app.picking.picking import Probe
+from app.picking.sight import Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.illustration import Illustration

@@ -1,18 +1,14 @@
 """Labels as they are printed: words upright, letters of formulas in italics.
 
-A label is written as formulas are elsewhere: ``y_p`` has a subscript, `ARROW` follows
-the letter of a vector, ``'`` is a prime. A word of several letters is upright. What stands between
-dollar signs is TeX. matplotlib sets the letters in STIX, and Agg draws them into a texture.
+A label is written as formulas are elsewhere (`app.lecture.typesetting`), and Agg draws it into a
+texture.
 """
 
 from __future__ import annotations
 
-import importlib.util
 import math
-import pathlib
-import re
 import weakref
-from functools import cache, lru_cache
+from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -23,138 +19,15 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkTexturedActor2D
 
 from app.drawings.style import Style, rgb
-from app.lessons.text import outline
-from app.model.formula import ARROW
-from app.model.projection import Array
+from app.lecture.typesetting import line_of, piece_of
 
 Pixels = NDArray[np.uint8]
 
-LARGER = 1.3
-"""Size of a label that is only a letter, relative to a word."""
-_AMONG_WORDS = 1.12
-"""Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
 HALO_EM = 0.14
 HALO_OPACITY = 0.8
 """The tint of a plane shows through."""
 UNDER_EM = 0.2
-_LOWERED = re.compile("[₀-₉]+")
-_LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
-_FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
-_SIZE = 100.0
 _PARTS = 4  # of a pixel, to which a piece is placed
-_GREEK = dict(zip("αβγδεθλμπρσφω", (
-    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
-    "phi", "omega",
-), strict=True))  # fmt: skip
-_TOKEN = re.compile(
-    r"\$(?P<tex>[^$]+)\$"
-    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
-    r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+))?)(?P<prime>['\u2032]*)"
-    r"|(?P<word>[^\W\d_]{2,})"
-    r"|(?P<sign>.)",
-    re.DOTALL,
-)
-
-
-class LabelPiece(NamedTuple):
-    vertices: Array  # (n, 2), in em from its place on the line
-    codes: NDArray[Any]
-    width: float
-
-    @property
-    def box(self) -> tuple[float, float, float, float]:
-        (left, low), (right, high) = self.vertices.min(axis=0), self.vertices.max(axis=0)
-        return float(left), float(low), float(right), float(high)
-
-
-class LabelLayout(NamedTuple):
-    """A label that is set in one line, in words' em; `box` is where there is ink, y upwards."""
-
-    pieces: tuple[tuple[str, bool, float, float], ...]  # each with its size and its left end
-    box: tuple[float, float, float, float]  # left, low, right, high
-
-
-def pieces_of(text: str) -> list[tuple[str, bool]]:
-    """Split a label into words and formulas, each with whether it is TeX."""
-    pieces: list[tuple[str, bool]] = []
-    for token in _TOKEN.finditer(
-        _LOWERED.sub(lambda match: "_" + match[0].translate(_LEVEL), text)
-    ):
-        if token["tex"]:
-            pieces.append((token["tex"], True))
-        elif token["letter"]:
-            pieces.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
-        elif token["word"] in _FUNCTIONS:
-            pieces.append((rf"\{token['word']} ", True))
-        elif token["word"] == "fov":  # as in fov_x
-            pieces.append((_tex("fov", ""), True))
-        else:
-            pieces.append((token["word"] or token["sign"], False))
-    return pieces
-
-
-def _tex(letter: str, sub: str) -> str:
-    name = letter.removesuffix(ARROW)
-    base = (
-        rf"\mathrm{{{name}}}" if len(name) > 1 else rf"\{_GREEK[name]} " if name in _GREEK else name
-    )
-    if name != letter:
-        base = rf"\vec{{{base}}}"
-    below = sub[1:].strip("{}")
-    if len(below) > 1 and not below.isdigit():
-        below = rf"\mathrm{{{below}}}"
-    return f"{base}_{{{below}}}" if below else base
-
-
-@lru_cache(maxsize=256)
-def laid(text: str, plain: bool = False) -> LabelLayout:
-    """Set a label in one line. TeX that cannot be drawn is shown as it is typed."""
-    pieces = [(text, False)] if plain else [_drawable(*piece) for piece in pieces_of(text)]
-    has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
-    larger = 1.0 if plain else _AMONG_WORDS if has_words else LARGER
-    placed, boxes, x = [], [], 0.0
-    for piece, is_tex in pieces:
-        size = 1.0 if len(piece) > 1 and not is_tex else larger
-        drawn = piece_of(piece, is_tex)
-        placed.append((piece, is_tex, size, x))
-        if len(drawn.vertices):
-            left, low, right, high = (size * side for side in drawn.box)
-            boxes.append((x + left, low, x + right, high))
-        x += drawn.width * size
-    lefts, lows, rights, highs = zip(*boxes or [(0.0, 0.0, 0.0, 0.0)], strict=True)
-    return LabelLayout(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)))
-
-
-def _drawable(piece: str, is_tex: bool) -> tuple[str, bool]:
-    try:
-        if is_tex:
-            outline(piece)
-    except ValueError:
-        return f"${piece}$", False
-    return piece, is_tex
-
-
-def is_set_in_words(piece: str) -> bool:
-    """Whether a piece that is no formula is set in the font of words."""
-    return any(map(str.isalpha, piece)) or not _signs("STIXGeneral").issuperset(piece)
-
-
-@lru_cache(maxsize=1024)
-def piece_of(text: str, is_tex: bool) -> LabelPiece:
-    if is_tex:
-        drawn = outline(text)
-        return LabelPiece(drawn.vertices, drawn.codes, drawn.width)
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextToPath
-
-    reader: Any = TextToPath()
-    name = "DejaVuSans" if is_set_in_words(text) else "STIXGeneral"
-    text = "".join(sign if sign in _signs(name) else "\ufffd" for sign in text)
-    font: Any = FontProperties(fname=font_file(name), size=_SIZE)
-    width, _, _ = reader.get_text_width_height_descent(text, font, ismath=False)
-    vertices, codes = reader.get_text_path(font, text, ismath=False)
-    points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _SIZE
-    return LabelPiece(points, np.asarray(codes, dtype=np.uint8), width / _SIZE)
 
 
 def drawn(
@@ -174,7 +47,7 @@ def drawn(
     (h, w, 4) array of uint8
         Red, green, blue and opacity, from the top; the halo's `rim` on every side.
     """
-    label, rim = laid(text, plain), rim_px(em)
+    label, rim = line_of(text, plain), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
     under = max(2, round(UNDER_EM * em)) if underlined else 0
     width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
@@ -247,12 +120,12 @@ def rim_px(em: float) -> int:
 
 def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
     """Return the width and the height of a label's letters, without its halo."""
-    left, low, right, high = laid(text, plain).box
+    left, low, right, high = line_of(text, plain).box
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
 class LabelText(NamedTuple):
-    """A label as text: its pieces as of `LabelLayout`, and where its line of writing begins.
+    """A label as text: its pieces as of `LineLayout`, and where its line of writing begins.
 
     `place` is in pixels, counted from the renderer's left and bottom; `turn` is in radians.
     """
@@ -403,7 +276,7 @@ class SceneLabel:
 
     @property
     def written(self) -> LabelText:
-        label = laid(self._text, self._plain)
+        label = line_of(self._text, self._plain)
         left, low, _, _ = label.box
         (x, y, turn), (to_right, to_top) = self._place, self._anchor
         (wide, high), (cos, sin) = self.size_px, (math.cos(turn), math.sin(turn))
@@ -430,25 +303,3 @@ class SceneLabel:
         left, right, bottom, top = self.box_px
         inside = left <= x_px <= right and bottom <= y_px <= top
         return inside and bool(self.actor.GetVisibility())
-
-
-@cache
-def _signs(font: str) -> frozenset[str]:
-    """The characters that a font can show."""
-    from matplotlib.font_manager import get_font
-
-    return frozenset(map(chr, get_font(font_file(font)).get_charmap()))
-
-
-@cache
-def font_file(name: str) -> str:
-    """Return the path of a font that comes with matplotlib, a dependency of pyvista.
-
-    VTK's built-in font has no Cyrillic, and a system font would make figures differ between
-    machines.
-    """
-    spec = importlib.util.find_spec("matplotlib")
-    if spec is None or not spec.submodule_search_locations:
-        raise ImportError("matplotlib, which brings the labels' fonts, is not installed")
-    folder = pathlib.Path(spec.submodule_search_locations[0]) / "mpl-data" / "fonts" / "ttf"
-    return str(folder / f"{name}.ttf")

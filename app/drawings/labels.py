@@ -190,7 +190,9 @@ class Board:
         for key, (label, leader) in self._labels.items():
             spot = placed.get(key)
             label.set_visible(spot is not None)
-            leader.set_visible(spot is not None and spot.leader is not None)
+            is_led = spot is not None and spot.leader is not None
+            if leader.is_visible != is_led:
+                leader.set_visible(is_led)
             if spot is not None:
                 label.set_position(*spot.centre, spot.turn)
                 if spot.leader is not None:
@@ -392,6 +394,7 @@ class Leader:
         self.set_visible(False)
 
     def set_visible(self, visible: bool) -> None:
+        self.is_visible = visible
         self._canvas.set_visible(self.actor, visible)
 
     def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:

@@ -14,8 +14,10 @@ from collections.abc import Sequence
 import numpy as np
 from PIL import GifImagePlugin, Image
 
+from app.document.codec import picture_json
 from app.document.files import chunks
-from app.drawings.figures import png_bytes
+from app.drawings.figure import Figure
+from app.drawings.figure_files import png_bytes
 from app.drawings.mp4 import mp4
 from app.drawings.off_screen import Pixels
 
@@ -24,10 +26,12 @@ WEBP_PX = 16383
 _GIF_COLOURS = 256
 
 
-def encoded(pixels: Pixels, ending: str, document_json: str, scale: float) -> bytes:
-    """Return a frame as `moving` takes it; as APNG it carries a document, as a figure does."""
+def encoded(figure: Figure, ending: str) -> bytes:
+    """Draw a frame as `moving` takes it; as APNG it carries its document, as a figure does."""
+    pixels = figure.pixels()
     if ending in (".apng", ".mp4"):
-        return png_bytes(pixels, document_json if ending == ".apng" else None, scale)
+        json = picture_json(figure.document) if ending == ".apng" else None
+        return png_bytes(pixels, json, figure.scale)
     if ending == ".gif":
         return b"".join(GifImagePlugin.getdata(_indexed(pixels), include_color_table=True))
     buffer = io.BytesIO()

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 
+from app.document.document import Document
 from app.document.naming import named_in, seen_from
-from app.document.view import View
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
@@ -22,9 +23,7 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import Style, mixed, rgb
 from app.drawings.vectors import Shape, refuse_too_many, shapes_of
 from app.drawings.world import WorldDrawing
-from app.model.projection import Projection
 from app.precision.levels import DRAWING_TOLERANCE_PX
-from app.precision.quality import Quality
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
@@ -35,133 +34,123 @@ _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing
 }
 _LARGEST_DRAWN_PX = 8192  # largest side before averaging; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
+Ends: TypeAlias = tuple[float, float]
+"""Where a picture begins and ends in the width of its pane, in pixels."""
 _GREY = 0.55  # of the background in the colour of hidden lines
 
 
-def illustration_of(
-    scene: Scene, projection: Projection, settings: Mapping[str, Any] | None
-) -> Illustration | None:
-    if scene.phenomenon is None:
-        return None
-    chosen = scene.phenomenon.checked(settings or {})
-    return scene.phenomenon.illustration(projection, chosen, scene.subject)
+@dataclass(frozen=True, eq=False)
+class PanePicture:
+    """What one pane of a figure shows, or one of the pictures that are compared in it.
 
-
-def render_pane(
-    pane: str,
-    projection: Projection,
-    illustration: Illustration | None,
-    size: tuple[int, int],
-    *,
-    scene: Scene,
-    transparent: bool,
-    seen: Callable[[Drawing, int], object] | None,
-    **options: Any,
-) -> tuple[Pixels, tuple[float, float]]:
-    """A pane's pixels, and where its picture begins and ends in them."""
-    factor = _oversampling(size)
-    with drawn_pane(
-        pane, scene, projection, illustration, size, finer=factor, transparent=transparent,
-        **options,
-    ) as (window, drawing):  # fmt: skip
-        drawn = pixels_of(window)
-        if seen is not None:
-            seen(drawing, factor)
-        ends = _ends(drawing, size, factor)
-    return _averaged(drawn, factor, transparent), ends
-
-
-def shapes_of_pane(
-    pane: str,
-    projection: Projection,
-    illustration: Illustration | None,
-    size: tuple[int, int],
-    *,
-    scene: Scene,
-    hidden: str,
-    style: Style,
-    watch: Callable[[], None],
-    **options: Any,
-) -> tuple[list[Shape], tuple[float, float]]:
-    """A pane's shapes, and where its picture begins and ends in them."""
-    factor = _oversampling(size)
-    with drawn_pane(
-        pane, scene, projection, illustration, size, style=style, finer=factor,
-        before=refuse_too_many, **options,
-    ) as (window, drawing):  # fmt: skip
-        grey = rgb(mixed(style.ink, style.background, _GREY))
-        return shapes_of(window, factor, hidden, grey, watch), _ends(drawing, size, factor)
-
-
-def _ends(drawing: Drawing, size: tuple[int, int], factor: int) -> tuple[float, float]:
-    """Where a pane's picture begins and ends."""
-    if isinstance(drawing, ImageDrawing):
-        place = drawing.picture_rectangle_px
-        return place.left / factor, (place.left + place.width) / factor
-    return 0.0, float(size[0])
-
-
-@contextmanager
-def drawn_pane(
-    pane: str,
-    scene: Scene,
-    projection: Projection,
-    illustration: Illustration | None,
-    size: tuple[int, int],
-    *,
-    style: Style,
-    words: Mapping[str, str],
-    framed: bool,
-    view: View,
-    quality: Quality,
-    caption: str = "",
-    middle: float = 0.5,
-    bare: bool = False,
-    finer: int = 1,
-    transparent: bool = False,
-    before: Callable[[Any], None] = lambda window: None,
-) -> Iterator[tuple[Any, Drawing]]:
-    """A pane that has been drawn off the screen, `finer` times as large: its window and drawing.
-
-    ``before(window)`` is called before it is drawn.
+    Parameters
+    ----------
+    pane : {"world", "ndc", "image"}
+    scene : Scene
+        The document's, as it is drawn: perhaps with fewer triangles, or in other colours.
+    size : (int, int)
+        In pixels.
+    framed : bool
+        Whether an image has its frame.
+    caption : str
+        The name of an image.
+    middle : float
+        Where the caption is, as a part of the image's width.
+    bare : bool
+        Whether an image has no pixel axes.
     """
-    width, height = (finer * side for side in size)
-    options: dict[str, Any] = {}
-    if pane != "world":
-        options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
-    if pane == "image":
-        options |= {
-            "framed": framed, "quality": quality, "caption": caption, "middle": middle,
-            "finer": finer,
-        }  # fmt: skip
-    with off_screen(width, height) as screen:
-        window = screen.render_window
-        drawing = _DRAWINGS[pane](screen, scene, words, style.enlarged(finer), **options)
-        drawing.show_layers(view.layers | {AXES} if bare else view.layers)
-        drawing.show_names(named_in(pane, scene, view.names))
-        drawing.show_projection(projection, illustration)
-        if illustration is not None:  # as in the window, while nobody points at anything
-            drawing.show_highlight(frozenset(illustration.about))
-        if isinstance(drawing, StageDrawing):
-            drawing.show_stage(view.stage)
-        drawing.show_probes(view.probes)  # which are framed, too
-        drawing.reset_view()
-        if pane in view.panes:
-            drawing.show_view(view.panes[pane])
-        if isinstance(drawing, WorldDrawing):
-            drawing.show_step(view.step)
-            drawing.show_fixed(seen_from(view, scene))
-        if transparent:
-            for renderer in window.GetRenderers():
-                renderer.SetBackground(0.0, 0.0, 0.0)
-                renderer.SetBackgroundAlpha(0.0)
-        before(window)
-        drawing.refine(whole=True)
-        window.Render()
-        if isinstance(drawing, ImageDrawing) and drawing.problem is not None:  # known from now on
+
+    pane: str
+    document: Document
+    scene: Scene
+    illustration: Illustration | None
+    size: tuple[int, int]
+    style: Style
+    words: Mapping[str, str]
+    framed: bool = True
+    transparent: bool = False
+    caption: str = ""
+    middle: float = 0.5
+    bare: bool = False
+
+    def pixels(self, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
+        """Draw it; `seen` gets the drawing, and how many of its pixels are one of the picture's."""
+        return self.pixels_and_ends(seen)[0]
+
+    def pixels_and_ends(
+        self, seen: Callable[[Drawing, int], object] | None = None
+    ) -> tuple[Pixels, Ends]:
+        factor = _oversampling(self.size)
+        with self.drawn(factor) as (window, drawing):
+            pixels = pixels_of(window)
+            if seen is not None:
+                seen(drawing, factor)
+            ends = self._ends(drawing, factor)
+        return _averaged(pixels, factor, self.transparent), ends
+
+    def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
+        """Return its shapes; `hidden` and `watch` are those of `shapes_of`."""
+        return self.shapes_and_ends(hidden, watch)[0]
+
+    def shapes_and_ends(self, hidden: str, watch: Callable[[], None]) -> tuple[list[Shape], Ends]:
+        factor = _oversampling(self.size)
+        with self.drawn(factor, refuse_too_many) as (window, drawing):
+            grey = rgb(mixed(self.style.ink, self.style.background, _GREY))
+            return shapes_of(window, factor, hidden, grey, watch), self._ends(drawing, factor)
+
+    def _ends(self, drawing: Drawing, factor: int) -> Ends:
+        if isinstance(drawing, ImageDrawing):
+            place = drawing.picture_rectangle_px
+            return place.left / factor, (place.left + place.width) / factor
+        return 0.0, float(self.size[0])
+
+    @contextmanager
+    def drawn(
+        self, finer: int = 1, before: Callable[[Any], None] = lambda window: None
+    ) -> Iterator[tuple[Any, Drawing]]:
+        """Draw it `finer` times as large; yield the window and the drawing.
+
+        ``before(window)`` is called before it is drawn.
+        """
+        pane, scene, view = self.pane, self.scene, self.document.view
+        quality, illustration = self.document.quality, self.illustration
+        width, height = (finer * side for side in self.size)
+        options: dict[str, Any] = {}
+        if pane != "world":
+            options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
+        if pane == "image":
+            options |= {
+                "framed": self.framed, "quality": quality, "caption": self.caption,
+                "middle": self.middle, "finer": finer,
+            }  # fmt: skip
+        with off_screen(width, height) as screen:
+            window, style = screen.render_window, self.style.enlarged(finer)
+            drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)
+            drawing.show_layers(view.layers | {AXES} if self.bare else view.layers)
+            drawing.show_names(named_in(pane, scene, view.names))
+            drawing.show_projection(self.document.projection, illustration)
+            if illustration is not None:  # as in the window, while nobody points at anything
+                drawing.show_highlight(frozenset(illustration.about))
+            if isinstance(drawing, StageDrawing):
+                drawing.show_stage(view.stage)
+            drawing.show_probes(view.probes)  # which are framed, too
+            drawing.reset_view()
+            if pane in view.panes:
+                drawing.show_view(view.panes[pane])
+            if isinstance(drawing, WorldDrawing):
+                drawing.show_step(view.step)
+                drawing.show_fixed(seen_from(view, scene))
+            if self.transparent:
+                for renderer in window.GetRenderers():
+                    renderer.SetBackground(0.0, 0.0, 0.0)
+                    renderer.SetBackgroundAlpha(0.0)
+            before(window)
+            drawing.refine(whole=True)
             window.Render()
-        yield window, drawing
-        drawing.remove()
+            if isinstance(drawing, ImageDrawing) and drawing.problem is not None:
+                window.Render()  # it is known from now on
+            yield window, drawing
+            drawing.remove()
 
 
 def _oversampling(size: tuple[int, int]) -> int:

@@ -30,7 +30,7 @@ from app.drawings.pointing import FACES
 from app.drawings.style import TITLE_EM
 from app.model.limits import cos_sin_deg
 from app.model.projection import Array, Camera
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 
 _VIEW_ANGLE_DEG = 50.0
 _MARGIN_EM = 1.3  # for the labels

@@ -16,19 +16,17 @@ import base64
 import hashlib
 import re
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from html import escape
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
-from app.document.document import Document
 from app.document.lengths import Size
-from app.drawings.figure_size import PANE_PX
-from app.drawings.figures import render, shapes
+from app.drawings.figure import PANE_PX, Figure
 from app.drawings.hidden import TANGLED
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
 from app.drawings.vectors import TOO_MANY, PixelShape, Shape
 from app.model.refusal import Refusal
-from app.scenes.scene import Scene
 from app.strangers import printable
 
 LARGEST = 500_000
@@ -156,34 +154,27 @@ def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> 
     return html(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
 
 
-def drawn(
-    pane: str,
-    said: str,
-    document: Document,
-    scene: Scene,
-    size: Size | None = None,
-    text_pt: float | None = None,
-    **options: Any,
-) -> PagePane:
-    """Draw a pane alone, for a page places the panes; `options` are those of `shapes`.
+def drawn(figure: Figure, said: str) -> PagePane:
+    """Draw a figure of one pane, in a size for a page unless it has one.
 
     Of too many shapes it is a picture of pixels.
     """
-    aspect = document.projection.aspect if pane == "image" else 1.0
-    if document.view.compare and not document.view.dividers:
-        aspect = 1.0
-    if size is None:
+    document = figure.document
+    if figure.size is None:
+        is_wide = figure.panes == ("image",) and not (
+            document.view.compare and not document.view.dividers
+        )
+        aspect = document.projection.aspect if is_wide else 1.0
         size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
-        text_pt = text_pt or TEXT_PT
-    options |= {"panes": [pane], "size": size, "text_pt": text_pt}
+        figure = replace(figure, size=size, text_pt=figure.text_pt or TEXT_PT)
     try:
-        return PagePane(*shapes(scene, document.projection, **options), said)
+        return PagePane(*figure.shapes(), said)
     except Refusal as error:
         if error.bound not in (TOO_MANY, TANGLED):
             raise
-    options.pop("hidden", None)
-    pixels = render(scene, document.projection, scale=_SHARPER, **options)
-    return PagePane(size.px, [PixelShape(pixels, (0.0, 0.0, *size.px))], said)
+    size_px = figure.full_size.px
+    pixels = replace(figure, scale=_SHARPER).pixels()
+    return PagePane(size_px, [PixelShape(pixels, (0.0, 0.0, *size_px))], said)
 
 
 def picture(size: tuple[float, float], inner: str, attributes: str) -> str:

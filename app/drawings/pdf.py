@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 
 from app.document.lengths import DPI
-from app.drawings.hidden import Points
-from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, font_file, is_set_in_words, piece_of
+from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
+from app.drawings.occlusion import Points
 from app.drawings.style import rgb
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
-from app.lessons.text import FONT, mathtext
+from app.lecture.typesetting import FONT, font_file, is_set_in_words, mathtext, piece_of
 
 _SEAM_PX = 0.4  # as in SVG
 _PT_PER_PX = 72.0 / DPI

@@ -28,7 +28,8 @@ from app.drawings.labels import PROBE, Board
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
-from app.picking.picking import Hit, Lines, PickSurface, Probe, Sight, pick, projector, stops
+from app.picking.picking import Hit, Lines, PickSurface, Probe, pick, projector, stops
+from app.picking.sight import Sight
 from app.scenes.scene import Scene
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii

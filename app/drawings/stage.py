@@ -45,7 +45,8 @@ from app.drawings.style import TITLE_EM, Style
 from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW, WORLD, Morph, morph_of
 from app.model.projection import Array, Camera, Projection
-from app.picking.picking import Probe, Sight
+from app.picking.picking import Probe
+from app.picking.sight import Sight
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Marks

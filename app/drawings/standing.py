@@ -7,48 +7,35 @@ one place shows all of the frames, or a round of places shows one state.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from app.document.document import Document
 from app.drawings.drawing import Drawing
-from app.drawings.figures import render
+from app.drawings.figure import Figure
 from app.drawings.world import WorldDrawing
-from app.model.projection import Camera, Projection
-from app.scenes.phenomena.illustration import Illustration
-from app.scenes.scene import Scene
+from app.model.projection import Camera
 
 _MOST_MOMENTS = 9
 
 
 def standing(
-    scene: Scene, states: Sequence[Document], turns_deg: Sequence[float], **options: Any
+    figure: Figure, states: Sequence[Document], turns_deg: Sequence[float]
 ) -> list[Camera]:
     """Return the views of the world that show all of the states, one for each turn.
 
-    `options` are those of `render`, as far as they matter for the size of the panes.
+    The panes are those of the figure, which shows the first state.
     """
     cameras: list[list[Camera]] = []
     last = len(states) - 1
     chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
-    moments = [_moment(scene, states[place]) for place in chosen]
+    moments = [
+        (state.projection, figure.scene.illustration(state.projection, state.settings))
+        for state in map(states.__getitem__, chosen)
+    ]
 
     def seen(drawing: Drawing, _factor: int) -> None:
         if isinstance(drawing, WorldDrawing):
             cameras.append(drawing.views(moments, turns_deg))
 
-    first = states[0]
-    render(
-        scene, first.projection, view=first.view, settings=first.settings, quality=first.quality,
-        seen=seen, **options,
-    )  # fmt: skip
+    figure.pixels(seen=seen)
     # Compared pictures have a world each.
     return max(cameras, key=lambda views: views[0].distance)
-
-
-def _moment(scene: Scene, state: Document) -> tuple[Projection, Illustration | None]:
-    if scene.phenomenon is None:
-        return state.projection, None
-    settings = scene.phenomenon.checked(state.settings)
-    return state.projection, scene.phenomenon.illustration(
-        state.projection, settings, scene.subject
-    )

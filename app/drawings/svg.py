@@ -13,10 +13,10 @@ from xml.sax.saxutils import escape, quoteattr
 from PIL import Image
 
 from app.document.lengths import PX_PER
-from app.drawings.hidden import Colour, Points
-from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, is_set_in_words
+from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
+from app.drawings.occlusion import Colour, Points
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
-from app.lessons.text import outline
+from app.lecture.typesetting import FUNCTIONS, GREEK, is_set_in_words, outline
 
 WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
 OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'
@@ -29,11 +29,7 @@ TEX = re.compile(
     r"(?P<arrow>\\vec\{)?(?:\\mathrm\{(?P<word>\w+)\}|\\(?P<sign>[a-z]+) ?|(?P<letter>[^\W\d_]))"
     r"(?(arrow)\})(?:_(?:\{(?:\\mathrm\{(?P<sub>\w+)\}|(?P<low>\w))\}))?(?P<prime>['\u2032]*)"
 )
-GREEK = dict(zip((
-    "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
-    "phi", "omega",
-), "αβγδεθλμπρσφω", strict=True))  # fmt: skip
-FUNCTIONS = ("tan", "sin", "cos", "log")
+_OF_GREEK = {name: letter for letter, name in GREEK.items()}
 
 
 def svg(shapes: Sequence[Shape], size: tuple[float, float], title: str, text: str = "") -> bytes:
@@ -182,7 +178,7 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
         match = TEX.fullmatch(piece)
         base = "" if match is None else match["letter"] or match["word"] or ""
         if match is not None and match["sign"]:
-            base = GREEK.get(match["sign"], match["sign"] if match["sign"] in FUNCTIONS else "")
+            base = _OF_GREEK.get(match["sign"], match["sign"] if match["sign"] in FUNCTIONS else "")
         if match is None or not base:
             spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
             outlines.append(outlined(piece, at * em, size * em))

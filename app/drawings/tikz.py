@@ -14,11 +14,12 @@ from itertools import count, groupby
 from PIL import Image
 
 from app.document.lengths import DPI
-from app.drawings.hidden import Colour, Points
 from app.drawings.label import HALO_EM, HALO_OPACITY
+from app.drawings.occlusion import Colour, Points
 from app.drawings.style import rgb
-from app.drawings.svg import FUNCTIONS, GREEK, SEAM_PX, TEX, chained, kind_of, turned
+from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
+from app.lecture.typesetting import FUNCTIONS, GREEK
 from app.strangers import printable
 
 LARGEST = 1_500_000
@@ -30,8 +31,8 @@ _FONT_PT = 10.0
 _HELD = 0xE000  # the first private letter, which stands for a formula
 _MOST_POINTS = 500  # of a path, which TeX holds in its memory
 _COMMANDS = "|".join((
-    *GREEK, *FUNCTIONS, "vec", "mathrm", "mathbf", "frac", "sqrt", "cdot", "times", "pm", "infty",
-    "approx", "neq", "leq", "geq", "to",
+    *GREEK.values(), *FUNCTIONS, "vec", "mathrm", "mathbf", "frac", "sqrt", "cdot", "times", "pm",
+    "infty", "approx", "neq", "leq", "geq", "to",
 ))  # fmt: skip
 _FORMULA = re.compile(
     rf"(?:\\(?:{_COMMANDS})(?![a-zA-Z])|[a-zA-Z0-9_ +\-*/=<>()\[\].,:;|{{}}'\u2032]|\^(?!\^))*"
@@ -40,7 +41,7 @@ _CYRILLIC = re.compile("[\u0400-\u052f]")
 _PLAIN = "0123456789+=/()[],."
 _IN_MATH = {
     **{sign: sign for sign in _PLAIN},
-    **{sign: rf"\{name} " for name, sign in GREEK.items()},
+    **{sign: rf"\{name} " for sign, name in GREEK.items()},
     "\u2212": "-", "\u2032": "'", "²": "^2", "°": r"^\circ ", "×": r"\times ", "·": r"\cdot ",
     "∞": r"\infty ", "→": r"\to ", "←": r"\leftarrow ", "↔": r"\leftrightarrow ", "±": r"\pm ",
     "≈": r"\approx ", "≠": r"\neq ", "≤": r"\leq ", "≥": r"\geq ", "<": "<", ">": ">", "%": r"\%",

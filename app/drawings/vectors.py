@@ -23,10 +23,12 @@ from vtkmodules.vtkRenderingCore import vtkActor, vtkActor2D
 
 from app.document.lengths import PX_PER
 from app.drawings.actors import PAPER, FlatActor
-from app.drawings.hidden import Colour, Occlusion, Points, ScreenCell, cut, in_order, visible
-from app.drawings.label import LabelActor, LabelText, SceneLabel, piece_of
+from app.drawings.hidden import in_order, visible
+from app.drawings.label import LabelActor, LabelText, SceneLabel
+from app.drawings.occlusion import Colour, Occlusion, Points, ScreenCell, cut
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
+from app.lecture.typesetting import piece_of
 from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
@@ -39,8 +41,6 @@ TOO_MANY = QT_TRANSLATE_NOOP(
     "write it as .png",
 )
 
-HIDDEN = ("none", "dashed", "grey")
-"""What becomes of lines that faces hide."""
 _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0)]
 """The widths of ISO 128 in pixels, each half of the one after the next."""
 _WIDE = _WIDTHS[2]  # beside lines that are hidden, which are half as wide
@@ -198,8 +198,8 @@ def shapes_of(
 ) -> list[Shape]:
     """Return the shapes of a window that has been drawn, `finer` times as large as the figure.
 
-    What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (`HIDDEN`). `watch`
-    is called now and then, and may raise an exception.
+    What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (one of "none",
+    "dashed" and "grey"). `watch` is called now and then, and may raise an exception.
 
     Raises
     ------

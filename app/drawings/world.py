@@ -42,7 +42,8 @@ from app.drawings.world_axes import WorldAxes
 from app.lecture.highlight import AXES, CORNERS, OBJECT_AXES, SIDES, WINDOW, Highlight, made_of
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.handles import Handle, nearest, shown
-from app.picking.picking import Probe, Sight
+from app.picking.picking import Probe
+from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
 from app.scenes.scene import Scene

@@ -30,7 +30,6 @@ class Ratio:
 
     Attributes
     ----------
-    above : Polynomial
     below : tuple of (Polynomial, int)
         Factors and their powers: single letters, and sums without a common factor.
     """

@@ -24,17 +24,18 @@ from app.model.formula import (
     Sum,
     parse,
 )
+from app.model.parameters import ASPECT, EYE, FOV_Y, PARAMETERS, TARGET, UP
 from app.model.projection import Projection
 
 FIELDS = {
-    "n": ("near",), "f": ("far",), "l": ("left",), "r": ("right",), "b": ("bottom",), "t": ("top",),
-    "fov": ("fov_y_deg",), "theta_v": ("fov_y_deg",), "theta_h": ("fov_y_deg", "image"),
-    "e": ("fov_y_deg", "image"), "aspect": ("image",), "a": ("image",), "W": ("image",),
-    "H": ("image",), "alpha": ("alpha_deg",), "beta": ("beta_deg",),
-    "axis_u": ("eye", "target", "up"), "axis_v": ("eye", "target", "up"),
-    "axis_n": ("eye", "target"), "eye": ("eye",), "target": ("target",),
-    "move": ("translate",), "turn": ("rotate_deg",), "size": ("scale",),
-}  # fmt: skip
+    **{each.letter: each.fields for each in PARAMETERS.values() if each.letter},
+    "theta_v": FOV_Y.fields,
+    "theta_h": (*FOV_Y.fields, *ASPECT.fields),
+    "e": (*FOV_Y.fields, *ASPECT.fields),
+    **dict.fromkeys(("a", "W", "H"), ASPECT.fields),
+    **dict.fromkeys(("axis_u", "axis_v"), (EYE.name, TARGET.name, UP.name)),
+    "axis_n": (EYE.name, TARGET.name),
+}
 """Fields of the document by the names in the formulas of `app.lecture.notation`."""
 
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}

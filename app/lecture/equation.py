@@ -24,16 +24,9 @@ import numpy as np
 
 from app.arithmetic.rationals import product
 from app.lecture.algebra import Ratio, ratio
-from app.lecture.notation import (
-    LETTERS,
-    Formulas,
-    Letters,
-    WrittenMatrix,
-    latex_called,
-    latex_formula,
-    matrices,
-    names_of,
-)
+from app.lecture.copying import latex_called
+from app.lecture.letters import LETTERS, Letters, latex_formula
+from app.lecture.notation import Formulas, WrittenMatrix, matrices, names_of
 from app.model.formula import LONGEST, parse
 from app.model.object_transform import FROM_OBJECT
 from app.model.projection import Projection

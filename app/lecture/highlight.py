@@ -22,22 +22,26 @@ from __future__ import annotations
 
 from typing import TypeAlias
 
+from app.model.parameters import BOTTOM, FAR, LEFT, NEAR, RIGHT, TOP
+
 Highlight: TypeAlias = frozenset[str]
 """The highlighted things; empty for none."""
 
 NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
+ENDS = NEAR.name, FAR.name
+"""The planes across the view direction."""
 OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
 """The columns of `world_from_object`."""
 CORNERS = tuple(
     f"{depth}_{corner}"
-    for depth in ("near", "far")
+    for depth in ENDS
     for corner in ("left_bottom", "right_bottom", "right_top", "left_top")
 )
 """Corners in the order of the drawings."""
-SIDES = ("bottom", "right", "top", "left")
+SIDES = (BOTTOM.name, RIGHT.name, TOP.name, LEFT.name)
 """The sides between consecutive corners."""
-WINDOW = {"l": "left", "r": "right", "b": "bottom", "t": "top"}
+WINDOW = {side.letter: side.name for side in (LEFT, RIGHT, BOTTOM, TOP)}
 """The letters of the near plane's sides, in the order of `Projection.window`."""
 
 

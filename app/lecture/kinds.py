@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from typing import Any, NamedTuple
+from pathlib import Path
+from typing import NamedTuple
 
+from app.model.content_file import read_sections, section_of
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
-from app.model.refusal import QT_TRANSLATE_NOOP
 
 TOLERANCE = 1e-4
 """Tolerance of an axis' component across the image plane and of a receding edge.
@@ -49,104 +50,40 @@ def _degrees(tangent: float) -> float:
     return math.degrees(math.atan(tangent))
 
 
+_SECTIONS = read_sections(Path(__file__).with_name("content") / "kinds.md")
+
+
+def _kind(
+    name: str, parent: str, orbit: tuple[float, float] | None = None, receding: float | None = None
+) -> ProjectionKind:
+    title, section = section_of(name, _SECTIONS)
+    place = None if orbit is None else Orbit(*orbit, 1.0)
+    return ProjectionKind(name, parent, title, section.text[0], place, receding)
+
+
 KINDS: dict[str, ProjectionKind] = {
     kind.name: kind
     for kind in (
-        ProjectionKind(
-            "planar", "", QT_TRANSLATE_NOOP("Kind", "planar projections"),
-            QT_TRANSLATE_NOOP("Kind", "projectors are straight lines, and meet a plane"),
-        ),
-        ProjectionKind(
-            "perspective", "planar", QT_TRANSLATE_NOOP("Kind", "perspective"),
-            QT_TRANSLATE_NOOP("Kind", "all projectors meet in the eye"),
-        ),
-        ProjectionKind(
-            "1-point", "perspective", QT_TRANSLATE_NOOP("Kind", "1-point"),
-            QT_TRANSLATE_NOOP(
-                "Kind", "two axes are parallel to the image plane: one vanishing point"
-            ),
-            Orbit(0.0, 0.0, 1.0),
-        ),
-        ProjectionKind(
-            "2-point", "perspective", QT_TRANSLATE_NOOP("Kind", "2-point"),
-            QT_TRANSLATE_NOOP(
-                "Kind", "one axis is parallel to the image plane: two vanishing points"
-            ),
-            Orbit(40.0, 0.0, 1.0),
-        ),
-        ProjectionKind(
-            "3-point", "perspective", QT_TRANSLATE_NOOP("Kind", "3-point"),
-            QT_TRANSLATE_NOOP(
-                "Kind", "no axis is parallel to the image plane: three vanishing points"
-            ),
-            Orbit(44.0, 30.0, 1.0),
-        ),
-        ProjectionKind(
-            "parallel", "planar", QT_TRANSLATE_NOOP("Kind", "parallel"),
-            QT_TRANSLATE_NOOP("Kind", "all projectors are parallel"),
-        ),
-        ProjectionKind(
-            "orthographic", "parallel", QT_TRANSLATE_NOOP("Kind", "orthographic"),
-            QT_TRANSLATE_NOOP("Kind", "projectors are at right angles to the image plane"),
-        ),
-        ProjectionKind(
-            "axonometric", "orthographic", QT_TRANSLATE_NOOP("Kind", "axonometric"),
-            QT_TRANSLATE_NOOP("Kind", "no two axes are parallel to the image plane"),
-        ),
-        ProjectionKind(
-            "isometric", "axonometric", QT_TRANSLATE_NOOP("Kind", "isometric"),
-            QT_TRANSLATE_NOOP("Kind", "all three axes make equal angles with the image plane"),
-            Orbit(45.0, _degrees(math.sqrt(0.5)), 1.0),
-        ),
-        ProjectionKind(  # from (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y
-            "dimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "dimetric"),
-            QT_TRANSLATE_NOOP("Kind", "two axes make equal angles with the image plane"),
-            Orbit(_degrees(1.0 / math.sqrt(7.0)), _degrees(1.0 / math.sqrt(8.0)), 1.0),
-        ),
-        ProjectionKind(
-            "trimetric", "axonometric", QT_TRANSLATE_NOOP("Kind", "trimetric"),
-            QT_TRANSLATE_NOOP("Kind", "the axes make three different angles with the image plane"),
-            Orbit(30.0, 20.0, 1.0),
-        ),
-        ProjectionKind(
-            "multiview", "orthographic", QT_TRANSLATE_NOOP("Kind", "multiview"),
-            QT_TRANSLATE_NOOP("Kind", "two axes are parallel to the image plane"),
-        ),
-        ProjectionKind(
-            "front", "multiview", QT_TRANSLATE_NOOP("Kind", "front"),
-            QT_TRANSLATE_NOOP("Kind", "x and y are parallel to the image plane, seen along −z"),
-            Orbit(0.0, 0.0, 1.0),
-        ),
-        ProjectionKind(
-            "top", "multiview", QT_TRANSLATE_NOOP("Kind", "top"),
-            QT_TRANSLATE_NOOP("Kind", "x and z are parallel to the image plane, seen along −y"),
-            Orbit(0.0, 90.0, 1.0),
-        ),
-        ProjectionKind(
-            "side", "multiview", QT_TRANSLATE_NOOP("Kind", "side"),
-            QT_TRANSLATE_NOOP("Kind", "y and z are parallel to the image plane, seen along −x"),
-            Orbit(90.0, 0.0, 1.0),
-        ),
-        ProjectionKind(
-            "oblique", "parallel", QT_TRANSLATE_NOOP("Kind", "oblique"),
-            QT_TRANSLATE_NOOP("Kind", "projectors are oblique to the image plane"),
-        ),
-        ProjectionKind(
-            "cavalier", "oblique", QT_TRANSLATE_NOOP("Kind", "cavalier"),
-            QT_TRANSLATE_NOOP(
-                "Kind",
-                "two axes are parallel to the image plane, the third is drawn at full length",
-            ),
-            Orbit(0.0, 0.0, 1.0), 1.0,
-        ),
-        ProjectionKind(
-            "cabinet", "oblique", QT_TRANSLATE_NOOP("Kind", "cabinet"),
-            QT_TRANSLATE_NOOP(
-                "Kind",
-                "two axes are parallel to the image plane, the third is drawn at half its length",
-            ),
-            Orbit(0.0, 0.0, 1.0), 0.5,
-        ),
+        _kind("planar", ""),
+        _kind("perspective", "planar"),
+        _kind("1-point", "perspective", (0.0, 0.0)),
+        _kind("2-point", "perspective", (40.0, 0.0)),
+        _kind("3-point", "perspective", (44.0, 30.0)),
+        _kind("parallel", "planar"),
+        _kind("orthographic", "parallel"),
+        _kind("axonometric", "orthographic"),
+        _kind("isometric", "axonometric", (45.0, _degrees(math.sqrt(0.5)))),
+        # From (1, 1, sqrt 7), as ISO 5456-3 draws it: z half as long as x and y.
+        _kind("dimetric", "axonometric",
+              (_degrees(1.0 / math.sqrt(7.0)), _degrees(1.0 / math.sqrt(8.0)))),
+        _kind("trimetric", "axonometric", (30.0, 20.0)),
+        _kind("multiview", "orthographic"),
+        _kind("front", "multiview", (0.0, 0.0)),
+        _kind("top", "multiview", (0.0, 90.0)),
+        _kind("side", "multiview", (90.0, 0.0)),
+        _kind("oblique", "parallel"),
+        _kind("cavalier", "oblique", (0.0, 0.0), 1.0),
+        _kind("cabinet", "oblique", (0.0, 0.0), 0.5),
     )
 }  # fmt: skip
 """Every node, by name; parents first, children from left to right."""
@@ -230,7 +167,7 @@ def with_kind(projection: Projection, kind: str) -> Projection:
     if "oblique" in above:
         projection = projection.with_lens("oblique")
         if node.receding is not None:
-            projection = leaning(projection, *oblique_angles(node.receding, RECEDING_DEG))
+            projection = projection.with_angles(*oblique_angles(node.receding, RECEDING_DEG))
     elif "parallel" in above:
         projection = projection.with_lens("orthographic")
     else:
@@ -238,16 +175,3 @@ def with_kind(projection: Projection, kind: str) -> Projection:
     if kind in path(kind_of(projection) or kind):
         return projection
     return with_kind(projection, next(each.name for each in KINDS.values() if each.parent == kind))
-
-
-def leaning(projection: Projection, alpha_deg: float, beta_deg: float) -> Projection:
-    """Change the angles of an oblique lens, and keep the target's place in the picture."""
-    lens: Any = projection.lens
-    leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
-    away = projection.camera.distance - lens.near
-    x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
-    lens = replace(
-        leaning,
-        left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
-    )  # fmt: skip
-    return replace(projection, lens=lens)

@@ -13,93 +13,28 @@ import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from functools import cache, lru_cache
-from typing import Literal, NamedTuple, TypeAlias
+from typing import NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import product
 from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
-from app.model import formula
+from app.lecture.letters import (
+    FROM_SHEARED,
+    MATRIX_NAMES,
+    SHEARED,
+    Letters,
+    written,
+)
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
 from app.model.object_transform import FACTORS, FROM_OBJECT
 from app.model.projection import DEPTH_RANGES, Array, Projection, Stage
-from app.model.refusal import format_value
 from app.model.tables import VIEWPORT, PipelineStep, evaluated
 
-EVERY_DIGIT = 17
-"""As many significant digits tell every number of float64 from its neighbours."""
-
-Letters: TypeAlias = Literal["own", "000", "001", "002", "003", "004"]
 Numbers: TypeAlias = tuple[tuple[float, ...], ...]
 Formulas: TypeAlias = tuple[tuple[str, ...], ...]
-
-LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
-"""The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
-
-_OURS = {
-    "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
-    "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
-    **{f"move_{x}": f"t_{x}" for x in "xyz"},
-    **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
-    **{f"size_{x}": f"s_{x}" for x in "xyz"},
-    "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
-    "near_distance": "n", "far_distance": "f",
-}  # fmt: skip
-_EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
-_SYMBOLS: dict[str, dict[str, str]] = {
-    "own": _OURS,
-    "000": {
-        **_OURS,
-        "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
-        "near_distance": "z_min", "far_distance": "z_max",
-    },
-    "001": {
-        **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
-        "fov": "θ_v", "fov_x": "θ_h", "eye_point": "P",
-    },
-    "002": {
-        **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
-        "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
-    },
-    "003": {  # e is its focal length
-        **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
-        "fov": "β", "fov_x": "\u03b1",
-    },
-    "004": {
-        **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
-        "eye_point": "T\u2080", "target_point": "T\u2081",
-    },
-}  # fmt: skip
-
-
-SHEARED, FROM_SHEARED = "sheared_from_view", "clip_from_sheared"
-"""Lecture 002's steps of an oblique or off-axis lens: H first."""
-
-_CHAINS: dict[str, dict[str, str]] = {
-    "001": {
-        "canonical_perspective_from_view": "M_persp",
-        "canonical_parallel_from_canonical_perspective": "M_pp",
-        "depth_range_from_canonical_parallel": "M_z",
-        "clip_from_depth_range": "{w} I",  # the lecture's own w is 1 at far
-    },
-    "000": {"clip_from_view": "P"},
-    "002": {
-        FROM_OBJECT: "M",
-        "view_from_world": "V",
-        SHEARED: "H",
-        FROM_SHEARED: "P_{kind}",
-        "clip_from_view": "P_{kind}",
-    },
-    "003": {
-        FROM_OBJECT: "M_O\u2192W",
-        "view_from_world": "M_W\u2192E",
-        "clip_from_view": "M_projection",
-    },
-    "004": {"view_from_world/rotation": "R", "view_from_world/translation": "P"},
-}
-"""The lectures' names of matrices and factors; lecture 002 names projections by kind."""
 
 _ONE_MATRIX = ("000", "002", "003")
 """The lectures with one matrix from view to clip space, possibly after a shear."""
@@ -113,55 +48,6 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {
     }.items()
 }
 """The lectures' replacements of our quantities."""
-
-
-_FRAME = {
-    "e": "eye", "n": "axis_n", "u": "axis_u", "v": "axis_v", "up": "up", "target": "target",
-}  # fmt: skip
-
-
-def frame_letters(letters: Letters) -> dict[str, str]:
-    """Return a lecture's names of the vectors of the camera's frame, without arrows.
-
-    The keys are our own letters ``e``, ``n``, ``u``, ``v``, ``up``, ``target``, and ``M`` for the
-    view matrix and ``T`` for its translation.
-    """
-    symbols = _SYMBOLS[letters]
-    points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
-    symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
-    letter_of = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
-    names = _CHAINS.get(letters, {})
-    letter_of["T"] = names.get("view_from_world/translation", "T")
-    return {**letter_of, "M": names.get("view_from_world", "M")}
-
-
-def axis_letters(letters: Letters) -> dict[str, str]:
-    """Return the labels at the camera in a lecture's letters: ``u``, ``v``, ``n``, ``up``, ``eye``.
-
-    Lecture 003 also has letters for the object's axes. The dictionary omits the points and
-    directions without a letter, which keep their names.
-    """
-    letter_of = frame_letters(letters)
-    letter_of |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
-    letter_of = {
-        name: letter_of[name]
-        for name in ("u", "v", "n", "up", "eye", "target")
-        if letter_of[name] != name or len(name) == 1
-    }
-    axes = {name: _SYMBOLS[letters].get(name, "") for name in OBJECT_AXES}
-    return letter_of | {name: letter for name, letter in axes.items() if letter}
-
-
-def in_letters(text: str, letters: Letters) -> str:
-    """Replace the names in braces by a lecture's letters.
-
-    ``{l}, {r}`` becomes ``x_min, x_max`` for lecture 000, and ``{axis_n}`` ``w`` for lecture 001.
-    """
-
-    def letter(match: re.Match[str]) -> str:
-        return _SYMBOLS[letters].get(match[1], match[1]).replace(ARROW, "")
-
-    return re.sub(r"\{([a-z]\w*)\}", letter, text)
 
 
 def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:
@@ -305,7 +191,7 @@ def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
 
 def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
     """Return a lecture's names of the matrices of a lens."""
-    names = _CHAINS.get(letters, {})
+    names = MATRIX_NAMES.get(letters, {})
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, letters).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
     texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
@@ -683,109 +569,3 @@ def _sum(terms: Sequence[tuple[str, str]]) -> str:
 
 def _in_brackets(tree: Formula) -> str:
     return f"({tree.text})" if isinstance(tree, Pair) else tree.text
-
-
-# --------------------------------------------------------------------------- writing
-
-
-@cache
-def written(text: str, letters: Letters) -> str:
-    """Write a formula in one line: ``2n/(r−l)``.
-
-    ``_`` stands before a subscript, and `ARROW` after a vector's letter.
-    """
-    return formula.written(parse(text), _SYMBOLS[letters])
-
-
-@cache
-def stacked(text: str, letters: Letters) -> str:
-    """Write a formula with fractions as in `app.model.formula.stacked_fraction`."""
-    return formula.stacked(parse(text), _SYMBOLS[letters])
-
-
-@cache
-def latex_formula(text: str, letters: Letters) -> str:
-    """Write a formula in LaTeX's math mode: ``\\frac{2 n}{r - l}``."""
-    return formula.latex(parse(text), _SYMBOLS[letters])
-
-
-# --------------------------------------------------------------------------- copying
-
-
-def cell_text(value: float) -> str:
-    """Write a cell's number with every digit, as `python -m app matrices` prints it."""
-    return format_value(value)
-
-
-def as_text(matrix: WrittenMatrix, letters: Letters = "own", *, formulas: bool = False) -> str:
-    """Write the matrix as aligned columns of numbers or formulas under its name."""
-    cells = (
-        [[written(cell, letters) for cell in row] for row in matrix.formulas]
-        if formulas
-        else [[cell_text(value) for value in row] for row in matrix.values]
-    )
-    widths = [max(map(_places, column)) for column in zip(*cells, strict=True)]
-    lines = (
-        "  "
-        + "  ".join(
-            " " * (width - _places(cell)) + cell for cell, width in zip(row, widths, strict=True)
-        )
-        for row in cells
-    )
-    return "\n".join([_title(matrix), *lines]) + "\n"
-
-
-def _places(text: str) -> int:
-    """Return the width of a text in letters; an arrow stands above a letter."""
-    return len(text) - text.count(ARROW)
-
-
-def as_numpy(matrix: WrittenMatrix) -> str:
-    """Write the matrix as a Python statement, with ``np`` for NumPy."""
-    rows = ",\n".join(
-        "    [" + ", ".join(repr(value) for value in row) + "]" for row in matrix.values
-    )
-    called = f"  # {matrix.called}" if matrix.called else ""
-    return f"{matrix.name} = np.array([{called}\n{rows},\n])\n"
-
-
-def as_latex(matrix: WrittenMatrix, letters: Letters, *, formulas: bool = False) -> str:
-    """Write the matrix as a displayed equation with a pmatrix (amsmath)."""
-    cells = (
-        [[latex_formula(cell, letters) for cell in row] for row in matrix.formulas]
-        if formulas
-        else [[latex_number(value) for value in row] for row in matrix.values]
-    )
-    body = " \\\\\n".join(" & ".join(row) for row in cells)
-    name = latex_called(matrix.called) or latex_name(matrix.name)
-    equation = f"{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
-    return f"\\[\n{equation}\n\\]\n"
-
-
-def latex_called(called: str) -> str:
-    """Write a lecture's name of a matrix in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
-    if "_from_" in called:
-        return latex_name(called)
-    return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
-
-
-def _title(matrix: WrittenMatrix) -> str:
-    if matrix.called:
-        return f"{matrix.name} = {matrix.called}"
-    names = matrix.product or tuple(factor.name for factor in matrix.factors)
-    return f"{matrix.name} = {' '.join(names)}" if names else matrix.name
-
-
-def latex_name(name: str) -> str:
-    """Write ``M`` with the spaces of a matrix, or the name of a factor, as its index."""
-    target, between, source = (part.replace("_", " ") for part in name.partition("_from_"))
-    if not between:
-        return rf"M_{{\text{{{target}}}}}"
-    return rf"M_{{\text{{{target}}}\leftarrow\text{{{source}}}}}"
-
-
-def latex_number(value: float, digits: int = EVERY_DIGIT) -> str:
-    """Write a number with so many digits, and its exponent as a power of ten."""
-    text = cell_text(value) if digits == EVERY_DIGIT else f"{value:.{digits}g}"
-    mantissa, e, exponent = text.partition("e")
-    return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa

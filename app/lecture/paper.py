@@ -9,15 +9,10 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from app.lecture.copying import EVERY_DIGIT, latex_called, latex_name, latex_number
 from app.lecture.equation import latex_cell
-from app.lecture.notation import (
-    EVERY_DIGIT,
-    Letters,
-    WrittenMatrix,
-    latex_called,
-    latex_name,
-    latex_number,
-)
+from app.lecture.letters import Letters
+from app.lecture.notation import WrittenMatrix
 
 TEXT_WIDTH_PT = 345.0
 """Of a line in LaTeX's classes, in 10 points."""

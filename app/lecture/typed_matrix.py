@@ -24,6 +24,7 @@ from app.lecture.rounded import moved_px, nearest_rotation, rounding_of
 from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
 from app.model.limits import DEPTH_RANGES, Cells, DepthRange, finite_matrix
+from app.model.parameters import ALPHA, BETA, BOTTOM, FAR, FOV_Y, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
@@ -143,14 +144,14 @@ def recognised_lens(cells: Cells, projection: Projection, *, whole: bool = False
 def _shortened(lens: Lens, has: Callable[[Lens], bool], projection: Projection) -> Lens:
     """Return the lens with the fewest digits in each field that still has the rounded matrix."""
     aspect = Fraction(*projection.image_size)
-    planes_first = (("near", "far"), ("near",), ("far",))
-    groups = (*planes_first, ("fov_y_deg",), ("left", "right"), ("bottom", "top"))
-    for names in (*groups, ("alpha_deg", "beta_deg")):
+    planes_first = ((NEAR, FAR), (NEAR,), (FAR,))
+    for group in (*planes_first, (FOV_Y,), (LEFT, RIGHT), (BOTTOM, TOP), (ALPHA, BETA)):
+        names = [each.name for each in group]
         for digits in range(1, DIGITS if names[0] in lens.__dataclass_fields__ else 0):
             short = {name: float(f"{getattr(lens, name):.{digits - 1}e}") for name in names}
             try:
-                if names[0] in ("near", "far"):  # the window stays the same in degrees
-                    planes = {"near": lens.near, "far": lens.far, **short}
+                if group in planes_first:  # the window stays the same in degrees
+                    planes = {NEAR.name: lens.near, FAR.name: lens.far, **short}
                     shortened = lens.cut(lens.window(aspect), **planes)
                 else:
                     shortened = lens.replaced(**short)
@@ -229,7 +230,6 @@ class MatrixReading(NamedTuple):
     ----------
     lens : Lens
         It looks along -z of a view space with y up.
-    depth : DepthRange
     y, z : int
         The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
         points down, and that it looks along +z.

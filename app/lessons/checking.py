@@ -13,6 +13,7 @@ from pathlib import Path
 
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
+from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial, of_kind
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.question import MarkedQuestion, Question
@@ -22,7 +23,7 @@ from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.record import RIGHT, WRONG
 from app.lessons.state import path_of
-from app.lessons.text import MATH, formulas_in, outline
+from app.lessons.text import MATH, formulas_in
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
 from app.scenes.mesh import Progress, report
 

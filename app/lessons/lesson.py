@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
-from app.lecture.notation import LETTERS, Letters
+from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Asked, Block, ReadBlock, TextBlock, of_kind
 from app.lessons.blocks.note import Note

@@ -9,8 +9,8 @@ from app.document.fields import fields_of
 from app.document.naming import nameable
 from app.document.view import PANES
 from app.lessons.quantities import FUNCTIONS, Quantities
+from app.model.parameter import Parameter
 from app.model.projection import kinds
-from app.scenes.phenomena.settings import Setting
 from app.scenes.scene import BUILT_IN, load
 
 _HEAD = """# All names in lessons
@@ -69,7 +69,7 @@ def _listed(names: Iterable[str], *, in_order: bool = False) -> str:
     return " ".join(f"`{name}`" for name in (names if in_order else sorted(names)))
 
 
-def _setting(setting: Setting) -> str:
+def _setting(setting: Parameter) -> str:
     """Return a setting and its values: its choices or its bounds, and what it is at first."""
     default = setting.default
     if isinstance(default, str):

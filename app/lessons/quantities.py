@@ -15,7 +15,7 @@ import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -27,10 +27,28 @@ from app.model import formula
 from app.model.formula import Arithmetic, Formula
 from app.model.infinity import trace_at_infinity
 from app.model.limits import LARGEST, Row
+from app.model.parameter import Parameter
+from app.model.parameters import (
+    ALPHA,
+    ASPECT,
+    AZIMUTH,
+    BETA,
+    DISTANCE,
+    ELEVATION,
+    FAR,
+    FOCAL_E,
+    FOCAL_LENGTH,
+    FOV_X,
+    FOV_Y,
+    HEIGHT,
+    NEAR,
+    PARAMETERS,
+    WIDTH,
+    WINDOW_SIDES,
+)  # fmt: skip
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.readout import Reading
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -120,6 +138,7 @@ RATIONAL = Arithmetic(Fraction, _rational)
 
 NEGLIGIBLE = 1.0 / LARGEST
 """A number nearer to 0 counts as 0."""
+_LARGEST, _NEGLIGIBLE = Fraction(LARGEST), Fraction(NEGLIGIBLE)
 _CONSTANTS = {"pi": math.pi, "infinity": math.inf}
 
 
@@ -157,9 +176,15 @@ def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
     """
     with _of(asked):
         value: Fraction = asked.evaluate(numbers, RATIONAL)
-    if abs(value) > LARGEST:
+    if abs(value) > _LARGEST:
         raise _refused(asked, TOO_LARGE, LARGEST)
-    return value if abs(value) >= NEGLIGIBLE else Fraction(0)
+    return value if abs(value) >= _NEGLIGIBLE else Fraction(0)
+
+
+@lru_cache(maxsize=256)
+def _nearest_name(name: str, known: tuple[str, ...]) -> str:
+    """Return the known name that is most like an unknown one, which each variant names again."""
+    return next(iter(difflib.get_close_matches(name, known, n=1, cutoff=0.0)), "none")
 
 
 @lru_cache(maxsize=4096)
@@ -168,7 +193,6 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 
     Parameters
     ----------
-    text : str
     infinite : bool
         Whether its value may be infinite.
     """
@@ -184,7 +208,6 @@ class Quantities:
 
     Parameters
     ----------
-    document : Document
     scene : callable
         Returns its scene; called only when the readout is needed.
     view : View, optional
@@ -256,10 +279,9 @@ class Quantities:
             return self._before._number(name.removeprefix("was_"), places)
         value = self._looked_up(name)
         if value is None:
-            known = [*self.names, *(() if places == () else FUNCTIONS)]
-            near = difflib.get_close_matches(name, known, n=1, cutoff=0.0)
+            known = (*self.names, *(() if places == () else FUNCTIONS))
             bound = NO_FUNCTION if places else NO_NAME
-            raise Refusal("formula", name, bound, name, near[0])
+            raise Refusal("formula", name, bound, name, _nearest_name(name, known))
         return _part(name, value, places)
 
     def _looked_up(self, name: str) -> Any:
@@ -319,21 +341,16 @@ class Quantities:
     def readings(self) -> Mapping[str, Any]:
         """Return the numbers of the scene's readout, by the names that formulas use."""
         if self._readings is None:
-            phenomenon = self._scene().phenomenon
-            readings: tuple[Reading, ...] = ()
-            if phenomenon is not None:
-                shown = phenomenon.illustration(
-                    self.projection, self.document.settings, self._scene().subject
-                )
-                readings = shown.readings
+            shown = self._scene().illustration(self.projection, self.document.settings)
+            readings = () if shown is None else shown.readings
             self._readings = {reading_name(each.label): each.value for each in readings}
         return self._readings
 
     def _reading(self, name: str) -> Any:
         readings = self.readings
         if name not in readings:
-            near = difflib.get_close_matches(name, readings, n=1, cutoff=0.0) or ["none"]
-            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near[0]}")
+            near = _nearest_name(name, tuple(readings))
+            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near}")
         return _numeric(f"reading_{name}", readings[name])
 
     def _coordinate(self, number: int, space: str, part: str) -> float:
@@ -404,13 +421,13 @@ def reading_name(label: str) -> str:
 
 
 def _window(side: int) -> Callable[[Quantities], float]:
-    return lambda known: _lens_number(known, "near") and known.projection.window[side]
+    return lambda known: _of_lens(NEAR, known) and known.projection.window[side]
 
 
-def _lens_number(known: Quantities, name: str) -> float:
-    value = getattr(known.projection.lens, name, None)
+def _of_lens(parameter: Parameter, known: Quantities) -> float:
+    value = getattr(known.projection.lens, parameter.name, None)
     if value is None:
-        raise NotThere(name)
+        raise NotThere(parameter.name)
     return float(value)
 
 
@@ -418,66 +435,51 @@ def _angle_of_view(first: int, last: int) -> Callable[[Quantities], float]:
     def angle(known: Quantities) -> float:
         lens = known.projection.lens
         if lens.parallel:
-            raise NotThere("fov")
-        near, window = _lens_number(known, "near"), known.projection.window
+            raise NotThere(FOV_Y.formula)
+        near, window = _of_lens(NEAR, known), known.projection.window
         return math.degrees(math.atan(window[last] / near) - math.atan(window[first] / near))
 
     return angle
 
 
 def _fov(known: Quantities) -> float:
-    typed = getattr(known.projection.lens, "fov_y_deg", None)
+    typed = known.projection.lens.fov_y_deg
     if typed is not None and getattr(known.projection.lens, "keep", "y") in (None, "y"):
         return float(typed)
     return _angle_of_view(2, 3)(known)
 
 
-def _at(path: str, *places: int) -> Callable[[Quantities], float]:
-    """Return a function for a number of the projection: an attribute, or a part of it."""
-    get = operator.attrgetter(path)
+def _value(parameter: Parameter, known: Quantities) -> float:
+    return float(parameter.value(known.projection))
 
-    def number(known: Quantities) -> float:
-        value = get(known.projection)
-        for place in places:
-            value = value[place]
-        return float(value)
 
-    return number
+def _of_frame(row: int, place: int, known: Quantities) -> float:
+    return float(known.projection.camera.frame[row][place])
 
 
 _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "pi": lambda known: math.pi,
     "infinity": lambda known: math.inf,
-    "near": lambda known: _lens_number(known, "near"),
-    "far": lambda known: _lens_number(known, "far"),
-    "left": _window(0),
-    "right": _window(1),
-    "bottom": _window(2),
-    "top": _window(3),
-    "fov": _fov,
-    "fov_x": _angle_of_view(0, 1),
-    "aspect": _at("aspect"),
-    "alpha": lambda known: _lens_number(known, "alpha_deg"),
-    "beta": lambda known: _lens_number(known, "beta_deg"),
-    "focal_e": lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1)(known) / 2.0)),
-    "focal_35mm": lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
-    "width": _at("image_size", 0),
-    "height": _at("image_size", 1),
-    "distance": _at("camera.orbit.distance"),
-    "azimuth": _at("camera.orbit.azimuth_deg"),
-    "elevation": _at("camera.orbit.elevation_deg"),
+    **{each.formula: partial(_of_lens, each) for each in (NEAR, FAR)},
+    **{side.formula: _window(place) for place, side in enumerate(WINDOW_SIDES)},
+    FOV_Y.formula: _fov,
+    FOV_X.formula: _angle_of_view(0, 1),
+    ASPECT.formula: lambda known: float(known.projection.aspect),
+    **{each.formula: partial(_of_lens, each) for each in (ALPHA, BETA)},
+    FOCAL_E.formula: lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1)(known) / 2.0)),
+    FOCAL_LENGTH.formula: lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
+    **{
+        each.formula: partial(_value, each)
+        for each in (WIDTH, HEIGHT, DISTANCE, AZIMUTH, ELEVATION)
+    },
     "stage": lambda known: known._view.stage,
     "turned": lambda known: float("world" in known._view.panes),
 }
 for _place, _axis in enumerate(XYZ):
-    for _name, _path in (
-        ("eye", "camera.eye"), ("target", "camera.target"), ("up", "camera.up"),
-        ("move", "placement.translate"), ("turn", "placement.rotate_deg"),
-        ("size", "placement.scale"),
-    ):  # fmt: skip
-        _SIMPLE[f"{_name}_{_axis}"] = _at(_path, _place)
-    for _row, _name in enumerate("uvn"):
-        _SIMPLE[f"{_name}_{_axis}"] = _at("camera.frame", _row, _place)
+    for _vector in (each for each in PARAMETERS.values() if each.vector):
+        _SIMPLE[f"{_vector.formula}_{_axis}"] = partial(_value, _vector.component(_place))
+    for _row, _letter in enumerate("uvn"):
+        _SIMPLE[f"{_letter}_{_axis}"] = partial(_of_frame, _row, _place)
 
 # --------------------------------------------------------------------------- conditions
 

@@ -3,17 +3,10 @@
 from __future__ import annotations
 
 import html
-import logging
 import re
-import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import cache, lru_cache
-from typing import TYPE_CHECKING, Any, NamedTuple
-
-import numpy as np
-
-from app.model.formula import ARROW
-from app.model.limits import Array
+from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from markdown_it import MarkdownIt
@@ -21,15 +14,6 @@ if TYPE_CHECKING:
 
 FORMULA, DISPLAYED = "\ue000", "\ue001"
 """Placeholders in the HTML: for a formula in a line, and for one on a line of its own."""
-FONT = "stix"
-"""A font of mathtext that goes with any text."""
-DEEPEST = 12
-"""Most levels of braces in a formula: each needs many nested Python calls."""
-WIDEST = 400
-"""Largest width of a formula, in em."""
-_EM = 100.0
-_ONE_READER = threading.RLock()
-"""matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _SCRIPTS = re.compile(r"([_^]?\{|\}|\\frac)")
 _BREAK = re.compile(r"(\\q?quad(?![a-zA-Z])|[{}])")
 _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
@@ -73,100 +57,6 @@ def formulas_in(text: str) -> list[str]:
     return [
         part.content for token in tokens for part in token.children or () if part.type == "math"
     ]
-
-
-class Outline(NamedTuple):
-    """A formula's outlines in em, from its place on the line, y upwards.
-
-    `ascent` and `descent` are its extent above and below the line; `vertices` have shape (n, 2);
-    `codes` are those of `matplotlib.path.Path`. `letters` has the names of the italic letters,
-    ``y_p``, ``P'`` or ``u`` with its arrow, each with its range of the vertices, in their order.
-    """
-
-    width: float
-    ascent: float
-    descent: float
-    vertices: Array
-    codes: Array
-    letters: tuple[tuple[str, int, int], ...] = ()
-
-
-def mathtext(tex: str) -> str:
-    """Return a formula as matplotlib reads it.
-
-    A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
-    """
-    return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
-
-
-@lru_cache(maxsize=1024)
-def outline(tex: str) -> Outline:
-    """Return a formula's outlines; a `ValueError` says why it cannot be drawn."""
-    depth = 0
-    for opened, closed in re.findall(r"(?<!\\)(?:(\{|\\left\b)|(\}|\\right\b))", tex):
-        depth += bool(opened) - bool(closed)
-        if depth > DEEPEST:
-            raise ValueError(f"has more than {DEEPEST} levels of braces")
-    with _ONE_READER:
-        return _read(tex)
-
-
-def _read(tex: str) -> Outline:
-    from matplotlib.font_manager import FontProperties
-    from matplotlib.textpath import TextToPath
-
-    logging.getLogger("matplotlib.mathtext").addFilter(_refuse)
-    reader: Any = TextToPath()
-    font: Any = FontProperties(size=_EM, math_fontfamily=FONT)
-    text = mathtext(tex)
-    width, height, descent = reader.get_text_width_height_descent(text, font, ismath=True)
-    if not 0.0 <= width <= WIDEST * _EM:
-        raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
-    vertices, codes = reader.get_text_path(font, text, ismath=True)
-    return Outline(
-        width / _EM,
-        (height - descent) / _EM,
-        descent / _EM,
-        np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
-        np.asarray(codes),
-        tuple(_letters(reader, font, text)),
-    )
-
-
-def _letters(reader: Any, font: Any, text: str) -> Iterator[tuple[str, int, int]]:
-    """Yield the letters of a formula with their subscripts, as they follow in its outlines."""
-    shapes, outlines, _ = reader.get_glyphs_mathtext(font, text)
-    glyphs = reader.mathtext_parser.parse(text, reader.DPI, font).glyphs
-    is_short = iter([len(part) < 2 for part in re.findall(r"\\vec\s*(?:\{([a-zA-Z]*)\})?", text)])
-    name, arrow, begin, end, size, line = "", "", 0, 0, 0.0, 0.0
-    for (face, points, code, *_, y), (shape, *_) in zip(glyphs, shapes, strict=True):
-        sign, first = chr(code), end
-        is_low = points < size and y < line and sign.isalnum()
-        if name and is_low:
-            name += sign if "_" in name else f"_{sign}"
-        elif name and sign == "\u2032":
-            name += "'"
-        else:
-            if name:
-                yield name + arrow, begin, end
-            is_italic = sign.isalpha() and face.postscript_name.endswith("Italic")
-            if not (arrow and not name and is_italic):  # an accent comes before its letter
-                begin = first
-            arrow = arrow if is_italic and not name else ""
-            if sign == ARROW and next(is_short, True):  # not over a word
-                arrow = ARROW
-            name = sign if is_italic else ""
-            size, line = points, y
-        end += len(outlines[shape][1])
-    if name:
-        yield name + arrow, begin, end
-
-
-def _refuse(warning: logging.LogRecord) -> bool:
-    """Refuse a character that mathtext would replace with only a warning."""
-    if warning.levelno >= logging.WARNING:
-        raise ValueError("has a character that the formulas' font lacks")
-    return True
 
 
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:

@@ -22,7 +22,7 @@ from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
-from app.lecture.notation import Letters
+from app.lecture.letters import Letters
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
 from app.lessons.state import BESIDE
@@ -174,7 +174,6 @@ def add_step(
     path : path
     after, title : str
         The name of a step; the title of the new one.
-    document : Document
     panes : bool
         Whether to keep how the panes are turned, which needs a document beside the file.
 

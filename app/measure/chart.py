@@ -1,4 +1,4 @@
-"""Charts of measurements: as data that the window draws, and as pictures.
+"""Charts of measurements as data, which `widgets.parts.diagram_painter` draws.
 
 A trade's chart shows cost against error with the choices as points. A line joins the choices that
 no other choice beats in both; the others are faded, and libraries are circles beside it. A sweep's
@@ -9,20 +9,15 @@ infinity is at the edge, and its name says so.
 
 from __future__ import annotations
 
-import io
 import math
 import os
-import textwrap
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
-from app.drawings.label_placement import beside
-from app.drawings.style import LIGHT
-from app.measure.meaning import meaning
 from app.measure.results import (
     BUSY,
     GAPS,
@@ -37,10 +32,8 @@ from app.measure.results import (
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 ENDINGS = (".png", ".pdf")
+"""The formats of `widgets.parts.chart_picture`."""
 TITLES = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
@@ -147,9 +140,6 @@ def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
     )  # fmt: skip
-
-
-# --------------------------------------------------------------------------- as data
 
 
 def diagrams(
@@ -373,169 +363,3 @@ def _breaks(
         text = f"{name}: {notes[at]}"
         crosses.append(Spot(xs[at], place, text, "", text, colour, broken=True))
     return bars, crosses
-
-
-# --------------------------------------------------------------------------- as pictures
-
-
-def picture(
-    results: Measurements,
-    file: str,
-    current: Mapping[str, str] | None = None,
-    other: Measurements | None = None,
-    translate: Callable[[str], str] = str,
-) -> bytes:
-    """Draw all charts of some results with matplotlib; return the bytes of the file.
-
-    The ending of `file` selects the format: one of `ENDINGS`. The other parameters are as for
-    `diagrams`; `other` is drawn over the charts of the same name. For bytes, draw `results.by`.
-    """
-    from matplotlib.figure import Figure
-    from PIL import Image
-
-    parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
-    others: dict[str, Trade | Sweep] = {}
-    if other is not None:
-        others = {t.name: t for t in other.trades} | {s.parameter: s for s in other.sweeps}
-    shown: list[tuple[Diagram | None, Trade | Sweep]] = []
-    for part in parts:
-        name = part.name if isinstance(part, Trade) else part.parameter
-        over = others.get(name)
-        charts = diagrams(part, current, over, machine(other) if other else "", translate)
-        shown += [(chart, part) for chart in charts or (None,)]
-    columns = 1 if len(shown) == 1 else 2
-    rows = max(1, -(-len(shown) // columns))
-    width, height = (8.0, 4.9) if columns == 1 else (11.0, 3.5 * rows + 0.4)
-    figure = Figure(figsize=(width, height), dpi=100, layout="constrained", facecolor="white")
-    axes = [figure.add_subplot(rows, columns, i + 1) for i in range(len(shown))]
-    for ax, (chart, part) in zip(axes, shown, strict=True):
-        if chart is None:
-            ax.set_axis_off()
-            said = meaning(part).sentence(translate) if isinstance(part, Trade) else "-"
-            text = f"{title(part, translate)}\n\n" + "\n".join(textwrap.wrap(said, 60))
-            ax.text(0.5, 0.5, text, ha="center", va="center")
-        else:
-            _draw(ax, chart)
-    lines = [seen(results, translate), where(results)]
-    if len(parts) == 1 and isinstance(parts[0], Trade):
-        lines.insert(0, meaning(parts[0]).sentence(translate))
-    wrapped = [piece for line in lines for piece in textwrap.wrap(line, round(15 * width))]
-    figure.supxlabel("\n".join(wrapped), fontsize=7, color=LIGHT.muted)
-    figure.draw_without_rendering()  # lays out the figure, so that texts have sizes
-    for ax, (chart, _) in zip(axes, shown, strict=True):
-        if chart is not None:
-            _name(ax, chart)
-    figure.set_layout_engine("none")
-    out = io.BytesIO()
-    if file.lower().endswith(".pdf"):
-        figure.savefig(out, format="pdf", metadata={"CreationDate": None})
-    else:
-        drawn = io.BytesIO()
-        figure.savefig(drawn, format="png")
-        # 256 colours look alike and take a third of the size.
-        with Image.open(drawn) as image:
-            few = image.convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE)
-            few.save(out, "png", optimize=True)
-    return out.getvalue()
-
-
-def _colour(name: str) -> str:
-    return name if name.startswith("#") else str(getattr(LIGHT, name))
-
-
-def _draw(ax: Axes, chart: Diagram) -> None:
-    """Draw the axes, the curves and the dots."""
-    ax.set_title(chart.title, fontsize=10, fontweight="bold")
-    ax.set_xlabel(chart.x_label, fontsize=8)
-    ax.set_ylabel(chart.y_label, fontsize=8)
-    if chart.x_log:
-        ax.set_xscale("log")
-    if chart.y_log:
-        ax.set_yscale("log")
-    ax.set_xlim(chart.left, chart.right)
-    ax.set_ylim(chart.bottom, chart.top)
-    ax.tick_params(labelsize=7, which="both")
-    for axis, low, high in (
-        (ax.xaxis, chart.left, chart.right),
-        (ax.yaxis, chart.bottom, chart.top),
-    ):
-        if (
-            axis.get_scale() == "log" and 1e-3 < high / low < 1e3
-        ):  # plain numbers for few powers of ten
-            axis.set_major_formatter(lambda value, _place: f"{value:g}")
-            axis.set_minor_formatter(
-                lambda value, _place: f"{value:g}" if f"{value:e}"[0] in "25" else ""
-            )
-    ax.grid(True, color=LIGHT.margin, linewidth=0.7)
-    ax.set_axisbelow(True)
-    for curve in chart.curves:
-        xs, ys = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2).T
-        shape: dict[str, Any] = {"linewidth": 1.2 * curve.width}
-        if curve.dots:
-            shape = {"linestyle": "none", "marker": "o", "markersize": 4.0 * curve.width}
-        ax.plot(xs, ys, color=_colour(curve.colour), label=curve.label or "_", **shape)
-    for spot in chart.spots:
-        colour = _colour("muted" if spot.faded else spot.colour)
-        marker, size = ("x", 6.0) if spot.broken else ("o", 4.0 if spot.faded else 5.5)
-        inside = "white" if spot.hollow else colour
-        ax.plot(
-            [spot.x], [spot.y], marker, color=colour, mfc=inside, markersize=size, clip_on=False
-        )
-        if spot.marked:
-            ax.plot([spot.x], [spot.y], "o", mfc="none", mec=LIGHT.u, markersize=10.0, mew=1.5)
-    if any(curve.label for curve in chart.curves):
-        ax.legend(fontsize=7, loc="best", framealpha=0.85, edgecolor=LIGHT.margin)
-
-
-def _name(ax: Axes, chart: Diagram) -> None:
-    """Write the spots' names without overlap, with a line to those that are farther away."""
-    figure = ax.get_figure(root=True)
-    assert figure is not None
-    to_points = 72.0 / figure.dpi
-    texts = [
-        ax.annotate(
-            spot.name, (spot.x, spot.y), (0.0, 0.0), textcoords="offset points", fontsize=7,
-            ha="center", va="center", color=LIGHT.muted if spot.faded else LIGHT.ink,
-        )
-        for spot in chart.spots
-    ]  # fmt: skip
-    if not texts:
-        return
-    boxes = [text.get_window_extent() for text in texts]
-    sizes = np.array(
-        [
-            (box.width + 2.0, box.height) if spot.name else (0.0, 0.0)
-            for box, spot in zip(boxes, chart.spots, strict=True)
-        ]
-    )
-    points = ax.transData.transform([(spot.x, spot.y) for spot in chart.spots])
-    frame = np.array(ax.get_window_extent().extents)
-    along = np.vstack([np.empty((0, 2)), *(_along(ax, curve) for curve in chart.curves)])
-    legend = ax.get_legend()
-    taken = [] if legend is None else [legend.get_window_extent().extents]
-    gaps = np.array([9.0 if spot.marked else 6.0 for spot in chart.spots])
-    places = beside(points, sizes, frame, along, gaps, np.reshape(taken, (-1, 4)))
-    for text, point, place in zip(texts, points, places, strict=True):
-        if place is None:
-            text.remove()
-            continue
-        centre = (place[:2] + place[2:]) / 2.0
-        text.set_position(tuple((centre - point) * to_points))
-        nearest = np.clip(point, place[:2], place[2:])
-        if math.hypot(*(nearest - point)) > 12.0:
-            ax.annotate(
-                "", tuple(ax.transData.inverted().transform(point)),
-                tuple((nearest - point) * to_points),
-                textcoords="offset points",
-                arrowprops={"arrowstyle": "-", "color": LIGHT.muted, "linewidth": 0.5},
-            )  # fmt: skip
-
-
-def _along(ax: Axes, curve: Curve) -> Any:
-    """Return places along a curve, some pixels apart."""
-    points = np.asarray(curve.points, dtype=np.float64).reshape(-1, 2)
-    places = ax.transData.transform(points)
-    if not curve.dots and len(places) > 1:
-        parts = np.linspace(0.0, 1.0, 60)[:, None, None]
-        places = (places[:-1] + parts * (places[1:] - places[:-1])).reshape(-1, 2)
-    return places[np.isfinite(places).all(axis=1)]

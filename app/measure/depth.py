@@ -11,9 +11,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.measure.arithmetic import SWEEPS, Answer
 from app.measure.results import BUFFERS, ChartPoint, Trade
 from app.measure.run import Watch, unwatched
+from app.measure.sweeps import SWEEPS, Answer
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
@@ -76,7 +76,7 @@ def _trade(choices: Sequence[ChartPoint]) -> Trade:
 def gaps(
     parameter: str, projection: Projection, _points_world: Array, value: float
 ) -> Mapping[str, Answer]:
-    """Return the gap of each of `BUFFERS` at one value of near or far, for `arithmetic.sweep`.
+    """Return the gap of each of `BUFFERS` at one value of near or far, for `sweeps.sweep`.
 
     The surface is the target, or at 2 near or far / 2 if the target would lie outside.
     """

@@ -19,6 +19,7 @@ from app.document.document import Document
 from app.measure import arithmetic, depth, detail, interpolation, smoothing
 from app.measure.results import GAPS, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
+from app.measure.sweeps import errors, sweep, values_of
 from app.model.projection import Projection
 from app.model.refusal import Cancelled
 from app.scenes.scene import Scene
@@ -62,7 +63,7 @@ def measure_all(
     trades : sequence of str
         Names in `TRADES`.
     sweeps : mapping of str to (float, float)
-        The range of each of `app.measure.arithmetic.SWEEPS`; None for its usual end.
+        The range of each of `app.measure.sweeps.SWEEPS`; None for its usual end.
     quick : bool
         Shorter timings and fewer values: half a minute in all.
     opengl : bool
@@ -88,9 +89,9 @@ def measure_all(
             trade = TRADES[name](scene, projection, seconds, part)
             results = replace(results, trades=(*results.trades, trade))
         for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
-            values = arithmetic.values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
-            at = depth.gaps if parameter in GAPS else arithmetic.errors
-            swept = arithmetic.sweep(parameter, projection, scene.sample, values, part, at)
+            values = values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
+            at = depth.gaps if parameter in GAPS else errors
+            swept = sweep(parameter, projection, scene.sample, values, part, at)
             results = replace(results, sweeps=(*results.sweeps, swept))
     except Cancelled as cancelled:
         if isinstance(cancelled.partial, Trade):

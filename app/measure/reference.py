@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.lenses.windowed import Windowed
-from app.model.projection import Array, Oblique, Perspective, Projection
+from app.model.parameters import ALPHA, BETA
+from app.model.projection import Array, Projection
 
 DIGITS = 200
 SAMPLE = 64
@@ -48,7 +48,8 @@ def truth(projection: Projection, points_world: Array) -> Truth:
     """
     from mpmath import mp
 
-    lens, camera = projection.lens, projection.camera
+    lens: Any = projection.lens
+    camera = projection.camera
     with mp.workdps(DIGITS):
 
         def exact(values: Any) -> list[Any]:
@@ -69,12 +70,11 @@ def truth(projection: Projection, points_world: Array) -> Truth:
         frame = u, cross(n, u), n
         width, height = exact(projection.image_size)
         near, far = mp.mpf(lens.near), mp.mpf(lens.far)
-        if isinstance(lens, Perspective):
+        if lens.fov_y_deg is not None:
             half_height = near / cot(mp.mpf(lens.fov_y_deg) / 2)
             half_width = half_height * width / height
             left, top = -half_width, half_height
         else:
-            assert isinstance(lens, Windowed)
             left, right, bottom, top = exact([lens.left, lens.right, lens.bottom, lens.top])
             half_width, half_height = (right - left) / 2, (top - bottom) / 2
             if lens.keep == "x":
@@ -83,8 +83,7 @@ def truth(projection: Projection, points_world: Array) -> Truth:
             elif lens.keep == "y":
                 left = (left + right) / 2 - half_height * width / height
                 half_width = half_height * width / height
-        slant = (lens.alpha_deg, lens.beta_deg) if isinstance(lens, Oblique) else (90.0, 90.0)
-        cot_alpha, cot_beta = map(cot, slant)
+        cot_alpha, cot_beta = (cot(getattr(lens, each.name, 90.0)) for each in (ALPHA, BETA))
         numbers, rests = np.empty((len(points_world), 3)), np.empty((len(points_world), 3))
         for row, point in enumerate(points_world):
             offset = [a - b for a, b in zip(exact(point), eye, strict=True)]

@@ -37,6 +37,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
+from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 FORMAT = "frustum-lab-measurements"
@@ -66,18 +67,20 @@ COLUMNS = {
 }
 """Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
-    "near": QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
+    NEAR.formula: QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
+    FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
 """What a sweep changes besides its parameter, because near must be less than far."""
-GAPS = ("near", "far")
+SWEPT = tuple(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT))
+"""The parameters that can be swept."""
+GAPS = (NEAR.formula, FAR.formula)
 """The sweeps of the smallest gap in depth, in world units; the others have errors in px."""
 _JUDGED = QT_TRANSLATE_NOOP(
     "Measure", "the largest of up to {0} points against 200 digits of mpmath"
 )
 JUDGED = _JUDGED.format(64)
 """The definition of the errors of trade 1 and of the sweeps."""
-_SWEPT_FIELDS = {"near": "lens.near", "far": "lens.far", "fov": "lens.fov_y_deg"}
+_SWEPT_FIELDS = {each.formula: each.path for each in (NEAR, FAR, FOV_Y)}
 _DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
 BUFFERS = {
     "fixed16": {"depth_format": "fixed16", "depth_mapping": "opengl"},

@@ -78,7 +78,6 @@ class Orbit(NamedTuple):
         Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
     elevation_deg : float
         Angle above the target's horizon, from -90 to 90.
-    distance : float
     roll_deg : float
         Rotation about the view direction, clockwise as the photographer sees it.
     """

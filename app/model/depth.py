@@ -84,7 +84,6 @@ class DepthBuffer:
     format : name in `FORMATS`
     mapping : name in `MAPPINGS`
         How a distance becomes a depth.
-    lens : Lens
 
     Raises
     ------

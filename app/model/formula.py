@@ -426,21 +426,14 @@ def _degree(formula: Formula, text: str) -> int:
 # --------------------------------------------------------------------------- writing
 
 
-_IN_SUM, _IN_PRODUCT, _FACTOR, _BASE = 1, 2, 3, 4
+IN_SUM, IN_PRODUCT, FACTOR, BASE = 1, 2, 3, 4
 """How tightly the surrounding formula binds."""
 
 ARROW = "\u20d7"
 """Follows the letter of a vector: n is near, and n\u20d7 an axis."""
-OPEN, OVER, CLOSE = "{", "\u2044", "}"
-"""Delimiters of the parts of a stacked fraction; no formula contains them."""
 
 
-def stacked_fraction(above: str, below: str) -> str:
-    """The text of a stacked fraction: ``{2n\u2044r − l}``."""
-    return f"{OPEN}{above}{OVER}{below}{CLOSE}"
-
-
-class _FormulaWriter:
+class FormulaWriter:
     """Writes formulas in their own language; the other writers override the differences."""
 
     minus, minus_between, plus, space, degree = "-", " - ", " + ", "*", ""
@@ -452,30 +445,30 @@ class _FormulaWriter:
         """Write a formula that is part of one that binds as tightly as `outer`."""
         if isinstance(formula, Number):
             sign = self.degree if isinstance(formula, Degrees) else ""
-            return f"{_decimal(formula.number)}{sign}"
+            return f"{decimal_of(formula.number)}{sign}"
         if isinstance(formula, Letter):
             return self.symbol(self._symbols.get(formula.name, formula.name))
         if isinstance(formula, Call):
             return self.call(formula.name, [self.write(part) for part in formula.parts], outer)
         if isinstance(formula, Power):
-            return self.power(self.write(formula.base, _BASE), formula.exponent, outer)
+            return self.power(self.write(formula.base, BASE), formula.exponent, outer)
         if isinstance(formula, Negative):
-            text = f"{self.minus}{self.write(formula.operand, _IN_PRODUCT)}"
-            return self.bracketed(text, outer > _IN_SUM)
+            text = f"{self.minus}{self.write(formula.operand, IN_PRODUCT)}"
+            return self.bracketed(text, outer > IN_SUM)
         if isinstance(formula, Product):
-            left, right = self.first(formula.left, outer), self.write(formula.right, _FACTOR)
-            return self.bracketed(self.product(left, right), outer > _IN_PRODUCT)
+            left, right = self.first(formula.left, outer), self.write(formula.right, FACTOR)
+            return self.bracketed(self.product(left, right), outer > IN_PRODUCT)
         if isinstance(formula, Quotient):
             return self.quotient(formula.left, formula.right, outer)
         assert isinstance(formula, Sum | Difference)
         sign = self.plus if isinstance(formula, Sum) else self.minus_between
-        left, right = self.write(formula.left, _IN_SUM), self.write(formula.right, _IN_PRODUCT)
-        return self.bracketed(f"{left}{sign}{right}", outer > _IN_SUM)
+        left, right = self.write(formula.left, IN_SUM), self.write(formula.right, IN_PRODUCT)
+        return self.bracketed(f"{left}{sign}{right}", outer > IN_SUM)
 
     def first(self, formula: Formula, outer: int) -> str:
         """The first factor, whose sign needs no brackets unless another sign precedes it."""
-        is_bare = isinstance(formula, Negative | Product | Quotient) and outer < _IN_PRODUCT
-        return self.write(formula, _IN_SUM if is_bare else _IN_PRODUCT)
+        is_bare = isinstance(formula, Negative | Product | Quotient) and outer < IN_PRODUCT
+        return self.write(formula, IN_SUM if is_bare else IN_PRODUCT)
 
     def bracketed(self, text: str, needed: bool) -> str:
         return self.brackets(text) if needed else text
@@ -490,108 +483,17 @@ class _FormulaWriter:
         return f"{name}({', '.join(inside)})"
 
     def power(self, base: str, exponent: int, outer: int) -> str:
-        return self.bracketed(f"{base}^{exponent}", outer > _FACTOR)
+        return self.bracketed(f"{base}^{exponent}", outer > FACTOR)
 
     def product(self, left: str, right: str) -> str:
         return f"{left}{self.space}{right}"
 
     def quotient(self, above: Formula, below: Formula, outer: int) -> str:
-        text = f"{self.first(above, outer)}/{self.write(below, _FACTOR)}"
-        return self.bracketed(text, outer > _IN_PRODUCT)
+        text = f"{self.first(above, outer)}/{self.write(below, FACTOR)}"
+        return self.bracketed(text, outer > IN_PRODUCT)
 
 
-class _Plain(_FormulaWriter):
-    """Writes one line for a reader."""
-
-    minus, minus_between, plus, space, degree = "−", " − ", " + ", "\u2009", "°"
-    times = "·"
-
-    def call(self, name: str, inside: list[str], outer: int) -> str:
-        if name == "dot":
-            return self.bracketed(self.times.join(inside), outer > _IN_PRODUCT)
-        return super().call(name, inside, outer)
-
-    def product(self, left: str, right: str) -> str:
-        is_number = left[-1].isdigit() and not set("_^") & set(left)
-        between = "" if is_number else self.space
-        return f"{left}{self.times if right[0].isdigit() else between}{right}"
-
-
-class _Stacked(_Plain):
-    """Writes stacked fractions; those inside a fraction or a function stay on one line."""
-
-    def __init__(self, symbols: Mapping[str, str]) -> None:
-        super().__init__(symbols)
-        self._in_line = _Plain(symbols)
-
-    def write(self, formula: Formula, outer: int = 0) -> str:
-        writer = self._in_line.write if isinstance(formula, Call) else super().write
-        return writer(formula, outer)
-
-    def quotient(self, above: Formula, below: Formula, outer: int) -> str:
-        minus = ""
-        if isinstance(above, Negative):
-            above, minus = above.operand, self.minus
-        text = f"{minus}{self.fraction(above, below)}"
-        return self.bracketed(text, outer == _BASE or (bool(minus) and outer > _IN_SUM))
-
-    def fraction(self, above: Formula, below: Formula) -> str:
-        return stacked_fraction(self._in_line.write(above), self._in_line.write(below))
-
-
-_IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "operatorname{abs}"}
-_LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
-_LATEX_NUMBER = re.compile(r"(\\left)?\(-?[0-9]|\\frac")
-"""After a number it needs a sign of multiplication: 2(-3) and 2 1/3 are something else."""
-_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
-_GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
-
-
-class _Latex(_Stacked):
-    """Writes LaTeX mathematics."""
-
-    minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
-    degree = r"^{\circ}"
-    times = r" \cdot "
-
-    def symbol(self, name: str) -> str:
-        if name.endswith(ARROW):
-            return rf"\vec{{{name.removesuffix(ARROW)}}}"
-        head, _, below = name.partition("_")
-        head = _GREEK.get(head, head if len(head) == 1 else rf"\mathrm{{{head}}}")
-        if not below:
-            return head
-        if len(below) > 1 and not below.isdigit():
-            below = rf"\mathrm{{{below}}}"
-        return f"{head}_{{{below}}}"
-
-    def call(self, name: str, inside: list[str], outer: int) -> str:
-        if name == "dot":
-            return super().call(name, inside, outer)
-        if name == "sqrt":
-            return rf"\sqrt{{{', '.join(inside)}}}"
-        return rf"\{_IN_LATEX.get(name, name)}\left({', '.join(inside)}\right)"
-
-    def product(self, left: str, right: str) -> str:
-        if left[-1].isdigit() and _LATEX_NUMBER.match(right):
-            return f"{left}{self.times}{right}"
-        is_word = _LATEX_WORD.match(right) is not None
-        return f"{left}{self.space}{right}" if is_word else super().product(left, right)
-
-    def power(self, base: str, exponent: int, outer: int) -> str:
-        return self.bracketed(f"{base}^{{{exponent}}}", outer > _FACTOR)
-
-    def write(self, formula: Formula, outer: int = 0) -> str:
-        return _Plain.write(self, formula, outer)
-
-    def fraction(self, above: Formula, below: Formula) -> str:
-        return rf"\frac{{{self.write(above)}}}{{{self.write(below)}}}"
-
-    def brackets(self, text: str) -> str:
-        return rf"\left({text}\right)" if "\\frac" in text else f"({text})"
-
-
-def _decimal(number: Fraction) -> str:
+def decimal_of(number: Fraction) -> str:
     """A decimal fraction with all its digits."""
     places = 0
     while (number * 10**places).denominator != 1:
@@ -600,22 +502,4 @@ def _decimal(number: Fraction) -> str:
     return f"{digits[:-places]}.{digits[-places:]}" if places else digits
 
 
-_SOURCE = _FormulaWriter({})
-
-
-def written(formula: Formula, symbols: Mapping[str, str]) -> str:
-    """A formula for a reader, in one line: ``2n/(r − l)``.
-
-    `symbols` replace letters: ``_`` precedes a subscript, and `ARROW` follows a vector's letter.
-    """
-    return _Plain(symbols).write(formula)
-
-
-def stacked(formula: Formula, symbols: Mapping[str, str]) -> str:
-    """A formula for a reader with stacked fractions; `symbols` as in `written`."""
-    return _Stacked(symbols).write(formula)
-
-
-def latex(formula: Formula, symbols: Mapping[str, str]) -> str:
-    """A formula in LaTeX, ``\\frac{2 n}{r - l}``; `symbols` as in `written`."""
-    return _Latex(symbols).write(formula)
+_SOURCE = FormulaWriter({})

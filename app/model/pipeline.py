@@ -143,8 +143,6 @@ class Pipeline:
 
     Parameters
     ----------
-    camera : Camera
-    lens : Lens
     image_size : (int, int)
         Width and height in pixels.
     depth : {"opengl", "direct3d", "reversed"}

@@ -272,6 +272,18 @@ class Projection(Pipeline):
         fov_y_deg = fov_x_from_fov_y(fov_x_deg, 1.0 / self.aspect)
         return replace(self, lens=self.lens.replaced(fov_y_deg=fov_y_deg))
 
+    def with_angles(self, alpha_deg: float, beta_deg: float) -> Projection:
+        """Change the angles of an oblique lens, and keep the target's place in the picture."""
+        lens: Any = self.lens
+        leaning = replace(lens, alpha_deg=alpha_deg, beta_deg=beta_deg)
+        away = self.camera.distance - lens.near
+        x, y = ((was - now) * away for was, now in zip(lens.shear, leaning.shear, strict=True))
+        lens = replace(
+            leaning,
+            left=lens.left + x, right=lens.right + x, bottom=lens.bottom + y, top=lens.top + y,
+        )  # fmt: skip
+        return replace(self, lens=lens)
+
     def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 

@@ -42,7 +42,7 @@ class Refusal(ValueError):
     Parameters
     ----------
     field : str
-        Name of the refused parameter (``"near"``), or its path in a document (``"lens.near"``);
+        Name of the refused parameter (``"eye"``), or its path in a document (``"camera.eye"``);
         empty for the whole document.
     value : object
         The refused value; `Ellipsis` if there is none to show.

@@ -13,15 +13,30 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import fields, replace
+from dataclasses import replace
 from types import MappingProxyType
-from typing import Literal, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
+from app.model import parameters
+from app.model.parameter import Parameter
+from app.model.parameters import (
+    BOTTOM,
+    FAR,
+    FOV_Y,
+    LEFT,
+    NEAR,
+    PARAMETERS,
+    RIGHT,
+    ROTATE,
+    SCALE,
+    TOP,
+    TRANSLATE,
+)  # fmt: skip
 from app.model.projection import LENSES, ONE_OF, Array, ObjectTransform, Projection, Vector
 from app.model.refusal import Refusal
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 
 Change: TypeAlias = dict[str, "float | Vector"]
 """New values for fields of the camera, the lens or the object."""
@@ -34,38 +49,41 @@ class Handle(NamedTuple):
 
     Attributes
     ----------
-    face : {"", "near", "far"}
-        The face of the view volume that it lies on, if any.
+    name : str
+        As the table of parameters has it, ``grip`` or ``object``.
+    face : str
+        The plane of the view volume that it lies on, if any.
     at : (float, float)
         Position on that face, from -1 to 1. For the object: the drawn length of its axes, twice.
     setting : str
         For a grip: the scene setting that it moves. For the object: one of `OBJECT_POINTS`.
     """
 
-    name: Literal["eye", "target", "near", "far", "corner", "grip", "object"]
-    face: Literal["", "near", "far"] = ""
+    name: str
+    face: str = ""
     at: tuple[float, float] = (0.0, 0.0)
     setting: str = ""
 
 
-EYE, TARGET = Handle("eye"), Handle("target")
+EYE, TARGET = Handle(parameters.EYE.handle), Handle(parameters.TARGET.handle)
+CORNER = LEFT.handle
 # A plane's handle is at the middle of an edge, or in its own middle if no edge is in the pane.
 _MIDDLES = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0))
 _CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
-_NEAR = [Handle("near", "near", at) for at in _MIDDLES]
-_FAR = [Handle("far", "far", at) for at in _MIDDLES]
-_NEAR_CORNERS = [Handle("corner", "near", at) for at in _CORNERS]
-_FAR_CORNERS = [Handle("corner", "far", at) for at in _CORNERS]
+_NEAR = [Handle(NEAR.handle, NEAR.name, at) for at in _MIDDLES]
+_FAR = [Handle(FAR.handle, FAR.name, at) for at in _MIDDLES]
+_NEAR_CORNERS = [Handle(CORNER, NEAR.name, at) for at in _CORNERS]
+_FAR_CORNERS = [Handle(CORNER, FAR.name, at) for at in _CORNERS]
 _ALL = [EYE, TARGET, *_NEAR, *_FAR, *_NEAR_CORNERS, *_FAR_CORNERS]
 _ON_FACES = _ALL[2:]
 _AT = np.array([handle.at for handle in _ON_FACES])
-_IS_FAR = np.array([handle.face == "far" for handle in _ON_FACES])
+_IS_FAR = np.array([handle.face == FAR.name for handle in _ON_FACES])
 
 OBJECT_POINTS = ("origin", "x", "y", "z", "turn")
 """The object's handles: one to move it, three to stretch it along an axis, one to turn it."""
 _TURN_OUT = 0.75  # of the axes' length, between x and z
-_CAMERA = ("eye", "target")
-_OBJECT = tuple(field.name for field in fields(ObjectTransform))
+_CAMERA = (EYE.name, TARGET.name)
+_OF_OBJECT = {each.handle: each for each in (TRANSLATE, ROTATE, SCALE)}
 _PER_PX = 0.1  # values are rounded to this part of a pixel: no hand is steadier
 
 
@@ -140,13 +158,13 @@ def shown(
         same = kept is not None and alternatives[0].name == kept.name and kept.name not in several
         if not same and alternatives[0] != kept:
             any(take(handle) for handle in alternatives)
-    if not has_faces or "corner" in without:
+    if not has_faces or CORNER in without:
         return visible
     corners = [spots[handle] for handle in _NEAR_CORNERS]
     sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
     face = _NEAR_CORNERS if min(sides) >= 2.0 * apart_px else _FAR_CORNERS
-    if kept is not None and kept.name == "corner":
-        face = _FAR_CORNERS if kept.face == "far" else _NEAR_CORNERS
+    if kept is not None and kept.name == CORNER:
+        face = _FAR_CORNERS if kept.face == FAR.name else _NEAR_CORNERS
     for handle in face:
         if handle != kept:
             take(handle)
@@ -206,11 +224,11 @@ def dragged(
         return {handle.name: _moved_point(before, sight, pixel, shift)}
     if handle.name == "object":
         return _moved_object(projection.placement, handle, sight, pixel, shift)
-    if handle.name in ("near", "far"):
+    if handle.name in (NEAR.handle, FAR.handle):
         return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
     before = projection.lens.fov_y_deg
     if before is not None:
-        return {"fov_y_deg": _opened(projection, before, handle, drawn, sight, pixel)}
+        return {FOV_Y.name: _opened(projection, before, handle, drawn, sight, pixel)}
     return _resized(projection, handle, drawn, sight, pixel, shift)
 
 
@@ -223,7 +241,7 @@ def slid_grip(
     start: Vector, along: Vector, before: float, sight: Sight, pixel: Spot
 ) -> float | None:
     """The new number of a grip on the rail ``start + t along``; None if it is seen end-on."""
-    value, per_px = _slide(sight, np.array(start), np.array(along), pixel)
+    value, per_px = sight.slide(np.array(start), np.array(along), pixel)
     return _tidy(value, before, per_px) if math.isfinite(value) else None
 
 
@@ -256,7 +274,7 @@ def dollied(projection: Projection, factor: float) -> Change:
     if not projection.has_camera:
         raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
-    return {"eye": _vector(target + factor * (eye - target))}
+    return {EYE.name: _vector(target + factor * (eye - target))}
 
 
 def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Projection:
@@ -267,26 +285,30 @@ def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Pro
     Refusal
         If the camera or the lens cannot have these values.
     """
-    camera = {name: value for name, value in change.items() if name in _CAMERA}
-    placement = {name: value for name, value in change.items() if name in _OBJECT}
-    lens = {name: value for name, value in change.items() if name not in (*_CAMERA, *_OBJECT)}
+    parts: dict[str, Change] = {}
+    for name, value in change.items():
+        parts.setdefault(PARAMETERS[name].part, {})[name] = value
+    owners: dict[str, Any] = {part: getattr(projection, part) for part in parts}
     return replace(
-        projection,
-        camera=replace(projection.camera, **camera),  # type: ignore[arg-type]
-        lens=projection.lens.replaced(**lens),
-        placement=replace(projection.placement, **placement),  # type: ignore[arg-type]
+        projection, **{part: replace(owners[part], **values) for part, values in parts.items()}
     )
 
 
 def present(projection: Projection, names: Iterable[str]) -> Change:
     """Current values of fields of the camera, the lens or the object."""
+    return {name: PARAMETERS[name].value(projection) for name in names}
 
-    def owner(name: str) -> object:
-        if name in _CAMERA:
-            return projection.camera
-        return projection.placement if name in _OBJECT else projection.lens
 
-    return {name: getattr(owner(name), name) for name in names}
+def moved_by(projection: Projection, handle: Handle) -> tuple[Parameter, ...]:
+    """The parameters that a handle changes; none for a grip."""
+    if handle.name == "object":
+        return (_OF_OBJECT.get(handle.setting, SCALE),)
+    if handle.name != CORNER:
+        return (PARAMETERS[handle.name],)
+    if projection.lens.fov_y_deg is not None:
+        return (FOV_Y,)
+    right, up = handle.at
+    return RIGHT if right > 0.0 else LEFT, TOP if up > 0.0 else BOTTOM
 
 
 # --------------------------------------------------------------------------- the object
@@ -321,16 +343,16 @@ def _moved_object(
         moved = np.array(_moved_point(_vector(origin), sight, pixel, shift))
         if placement.order == "rts":  # it is rotated after it is translated
             moved = turned.T @ moved
-        return {"translate": _vector(moved)}
+        return {TRANSLATE.name: _vector(moved)}
     if handle.setting == "turn":
-        return {"rotate_deg": _turned_as_seen(placement, points, sight, pixel)}
+        return {ROTATE.name: _turned_as_seen(placement, points, sight, pixel)}
     axis = "xyz".index(handle.setting)
     before = placement.scale[axis]
-    along, per_px = _slide(sight, origin, reach * turned[:, axis], pixel)
+    along, per_px = sight.slide(origin, reach * turned[:, axis], pixel)
     scale = list(placement.scale)
     scale[axis] = _tidy(along, before, per_px)
     x, y, z = scale
-    return {"scale": (x, y, z)}
+    return {SCALE.name: (x, y, z)}
 
 
 def _turned_as_seen(
@@ -391,10 +413,10 @@ def _rail(
 ) -> tuple[Array, Array]:
     """World point (3,) of a plane's handle at distance 0, and its step (3,) per unit distance."""
     lens = projection.lens
-    distance = drawn[handle.face == "far"]
+    distance = drawn[handle.face == FAR.name]
     x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
     along = np.array([0.0, 0.0, -1.0])
-    if handle.face == "far" or not lens.window_stays:
+    if handle.face == FAR.name or not lens.window_stays:
         along[:2] = lens.along(x, y, distance)
     start = np.array([x, y, -distance]) - distance * along
     world_from_view = projection.camera.frame.T
@@ -409,10 +431,10 @@ def _moved_plane(
     pixel: Spot,
 ) -> float:
     before: float = getattr(projection.lens, handle.name)
-    drawn_at = drawn[handle.name == "far"]
-    distance, per_px = _slide(sight, *_rail(projection, handle, drawn), pixel)
+    drawn_at = drawn[handle.name == FAR.handle]
+    distance, per_px = sight.slide(*_rail(projection, handle, drawn), pixel)
     if projection.lens.central and distance <= 0.0:  # at the eye or behind it
-        distance = 0.0 if handle.name == "near" else projection.lens.near
+        distance = 0.0 if handle.name == NEAR.handle else projection.lens.near
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
         return float(f"{before * (distance / drawn_at):.6g}")
     return _tidy(distance, before, per_px)
@@ -427,11 +449,11 @@ def _opened(
     pixel: Spot,
 ) -> float:
     """Field of view that puts a corner at a pixel; the rail is the diagonal of its face."""
-    distance = drawn[handle.face == "far"]
+    distance = drawn[handle.face == FAR.name]
     frame, (right, up) = projection.camera.frame, handle.at
     middle = np.array(projection.camera.eye) - distance * frame[2]
     along = distance * (right * projection.aspect * frame[0] + up * frame[1])
-    slope, per_px = _slide(sight, middle, along, pixel)
+    slope, per_px = sight.slide(middle, along, pixel)
     slope = max(slope, 0.0)
     fov_y_deg = math.degrees(2.0 * math.atan(slope))
     return _tidy(fov_y_deg, before, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
@@ -451,7 +473,7 @@ def _resized(
     become those of the visible window.
     """
     camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
-    distance = drawn[handle.face == "far"]
+    distance = drawn[handle.face == FAR.name]
     window = projection.window
     x, y = handle.at
     corner = np.array([window[1] if x > 0.0 else window[0], window[3] if y > 0.0 else window[2]])
@@ -465,7 +487,7 @@ def _resized(
 
     if keep != "stretch":
         start = in_world(fixed)
-        part, per_px = _slide(sight, start, in_world(corner) - start, pixel)
+        part, per_px = sight.slide(start, in_world(corner) - start, pixel)
         axis = 0 if keep == "x" else 1  # the other axis follows
         length = float(corner[axis] - fixed[axis])
         value = float(fixed[axis]) + length * part
@@ -477,15 +499,15 @@ def _resized(
         if not np.isfinite(moved).all():  # beyond the horizon of the plane
             moved = np.array(handle.at) * math.inf
     change: Change = {}
-    for axis, (low, high) in enumerate((("left", "right"), ("bottom", "top"))):
-        name, other = (high, low) if handle.at[axis] > 0.0 else (low, high)
+    for axis, (low, high) in enumerate(((LEFT, RIGHT), (BOTTOM, TOP))):
+        side, other = (high, low) if handle.at[axis] > 0.0 else (low, high)
         value = _tidy(float(moved[axis]), float(corner[axis]), per_px)
-        change[name] = value
+        change[side.name] = value
         if symmetric:
             mirrored = float(opposite[axis] + (corner[axis] - value))
-            change[other] = _tidy(mirrored, float(opposite[axis]), per_px)
+            change[other.name] = _tidy(mirrored, float(opposite[axis]), per_px)
         elif keep != "stretch":
-            change[other] = float(opposite[axis])
+            change[other.name] = float(opposite[axis])
     return change
 
 
@@ -494,8 +516,8 @@ def _on_window(
 ) -> tuple[Array, float]:
     """Where a pixel's ray meets the face, (2,) on the near plane, and the pixel size there."""
     frame, eye = projection.camera.frame, projection.camera.eye
-    point = _meets(sight, pixel, -frame[2], np.array(eye) - distance * frame[2])
-    per_px = min(_per_px(sight, point, axis) for axis in frame[:2])
+    point = sight.meets(pixel, -frame[2], np.array(eye) - distance * frame[2])
+    per_px = min(sight.per_px(point, axis) for axis in frame[:2])
     across, up = frame[:2] @ (point - eye)
     on_near = np.array(projection.lens.inwards(across, up, distance))
     return on_near, per_px / projection.lens.enlarged(distance)
@@ -507,86 +529,14 @@ def _on_window(
 def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vector:
     point = np.array(before)
     if shift:
-        up, per_px = _slide(sight, point, np.array([0.0, 1.0, 0.0]), pixel)
+        up, per_px = sight.slide(point, np.array([0.0, 1.0, 0.0]), pixel)
         return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
     # The pane's view direction: w grows along it, or for a parallel pane the order does.
     facing = sight.rows[3, :3] if sight.rows[3, :3].any() else sight.rows[2, :3]
-    moved = _meets(sight, pixel, facing, point)
-    per_px = min(_per_px(sight, moved, axis) for axis in np.eye(3))
+    moved = sight.meets(pixel, facing, point)
+    per_px = min(sight.per_px(moved, axis) for axis in np.eye(3))
     x, y, z = (_tidy(new, old, per_px) for new, old in zip(moved.tolist(), before, strict=True))
     return x, y, z
-
-
-def _meets(sight: Sight, pixel: Spot, normal: Array, point: Array) -> Array:
-    """Point (3,) where the ray of a pixel meets a plane; NaN if it does not."""
-    x, y, _, w = sight.rows
-    across, down = x - pixel[0] * w, y - pixel[1] * w
-    system = np.stack([across[:3], down[:3], normal])
-    known = np.array([-across[3], -down[3], normal @ (point - sight.eye)])
-    try:
-        offset = np.linalg.solve(system, known)
-    except np.linalg.LinAlgError:  # the pane sees the plane edge-on
-        return np.full(3, np.nan)
-    met: Array = sight.eye + offset
-    return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
-
-
-class _LineImage(NamedTuple):
-    """The image of a line ``start + t along``.
-
-    Attributes
-    ----------
-    start, along : (3,) array
-        Homogeneous pixels: x w, y w and w.
-    way : (float, float)
-        Derivative of the pixel with respect to t, times w squared.
-    """
-
-    start: Array
-    along: Array
-    way: tuple[float, float]
-
-
-def _line(sight: Sight, start: Array, along: Array) -> _LineImage:
-    rows = sight.rows[[0, 1, 3]]
-    one, two = rows[:, :3] @ (start - sight.eye) + rows[:, 3], rows[:, :3] @ along
-    return _LineImage(
-        one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])
-    )
-
-
-def _per_px(sight: Sight, point: Array, along: Array) -> float:
-    """Distance along a direction that moves a point by one pixel; infinite if it does not move."""
-    line = _line(sight, point, along)
-    length = math.hypot(*line.way)
-    return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
-
-
-def _slide(sight: Sight, start: Array, along: Array, pixel: Spot) -> tuple[float, float]:
-    """The point ``start + t along`` whose image is nearest to a pixel.
-
-    Returns
-    -------
-    t : float
-        Infinite if the pixel is at the line's vanishing point or beyond it. NaN for a line that is
-        seen end-on.
-    per_px : float
-        Change of t from one pixel to the next; infinite where t is not finite.
-    """
-    line = _line(sight, start, along)
-    length = math.hypot(*line.way)
-    if not length > 0.0:
-        return math.nan, math.inf
-    (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
-    right, down = line.way[0] / length, line.way[1] / length
-    # Intersect the line with its perpendicular through the pixel.
-    offset = right * pixel[0] + down * pixel[1]
-    slope = right * x1 + down * y1 - offset * w1
-    t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
-    w = w0 + t * w1
-    if not w > 0.0 or math.isinf(t):
-        return math.copysign(math.inf, w1), math.inf
-    return t, w * w / length
 
 
 def _tidy(value: float, before: float, per_px: float) -> float:

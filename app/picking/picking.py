@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.model.infinity import trace_at_infinity
 from app.model.limits import Row
 from app.model.projection import LARGEST, Array, Projection, Vector
+from app.picking.sight import Sight
 
 VERTEX_WITHIN_PX = 6.0
 """A visible vertex within this distance of the pixel is preferred to the face beside it."""
@@ -46,58 +47,6 @@ _SPREAD = 32_768  # vertices
 _ROW = 4  # height of a row of stops, in the smallest squares
 _SAME_DEPTH = 1e-9  # relative: faces that meet in a vertex do not hide it
 _ON_FACE = 1e-6  # relative: a line on a face, each rounded to float32
-
-
-class Sight(NamedTuple):
-    """How a pane looks at the world.
-
-    Attributes
-    ----------
-    eye : (3,) array
-        World point that is subtracted first, so that no digits are lost far from the origin.
-    rows : (4, 4) array
-        Applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top left, order
-        times w, and w. The order is smaller in front.
-    limits : (k, 4) array
-        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound the drawing.
-    """
-
-    eye: Array
-    rows: Array
-    limits: Array
-
-    @classmethod
-    def of(cls, projection: Projection) -> Sight:
-        """The sight of the image itself, between near and far."""
-        clip, axes = projection.passage.stated_in
-        rows = projection.image_from_ndc @ clip
-        rows[2], limits = projection.passage.order
-        return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
-
-    def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
-        """The sight in other pixels, by an affine (3, 3) matrix of x, y, 1."""
-        rows = self.rows.copy()
-        rows[[0, 1, 3]] = np.asarray(pixels_from_pixels) @ self.rows[[0, 1, 3]]
-        return self._replace(rows=rows)
-
-    def of_object(self, projection: Projection, origin: Vector) -> Sight:
-        """The same sight, for points of the object: ``rows (p - origin, 1)``."""
-        if projection.placement.is_identity:
-            return self
-        local = projection.placement.local_from(origin, tuple(self.eye.tolist()))
-        return Sight(np.array(origin), self.rows @ local, self.limits @ local)
-
-    def seen(self, points_world: ArrayLike) -> Array:
-        """Pixels (n, 2) of points; NaN at or behind the eye plane."""
-        offsets = np.asarray(points_world, dtype=np.float64) - self.eye
-        x, y, _, w = self.rows[:, :3] @ offsets.T + self.rows[:, 3:]
-        w = np.where(w > 0.0, w, np.nan)
-        return np.stack([x / w, y / w], axis=1)
-
-    def seen_at_infinity(self, direction: Vector) -> Array:
-        """Pixel (2,) of a point at infinity; NaN if it has no image."""
-        x, y, _, w = self.rows[:, :3] @ direction
-        return np.array([x / w, y / w]) if w > 0.0 else np.full(2, np.nan)
 
 
 class Hit(NamedTuple):

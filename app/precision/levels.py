@@ -71,7 +71,6 @@ def predict(
 
     Parameters
     ----------
-    projection : Projection
     points : (n, 3) array_like
         All points in front of the eye plane count, whether they are in the view volume or not.
     origin : Vector
@@ -275,7 +274,6 @@ def drawing_bounds_px(
 
     Parameters
     ----------
-    projection : Projection
     boxes : (n, 8, 3) array
         Each must contain its objects completely: an edge may be as wrong as either of its ends.
     origin : Vector

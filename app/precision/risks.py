@@ -83,7 +83,6 @@ def risks(
 
     Parameters
     ----------
-    projection : Projection
     lower, upper : Vector
         Bounds of the scene's objects, in object coordinates.
     drawn : {"float32", "float64"}

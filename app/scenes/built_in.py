@@ -11,9 +11,10 @@ from typing import TypeAlias
 
 import numpy as np
 
+from app.model.parameters import EYE, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.mesh import PAINT_RGB
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
     LETTER_F,
@@ -33,40 +34,15 @@ from app.scenes.shapes import (
 
 Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
-NAMES = ("eye", "near", "far", "x", "y", "z")
+NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
 SIDE = (20.0, 14.0)
 """The world is seen from beside the camera, so that near and far stand apart."""
 CUBE_SIDE = (75.0, 10.0)
 """The cube of the posts is seen nearly from the side, along which they crowd."""
-TITLES = {
-    "letter-f": QT_TRANSLATE_NOOP("phenomena", "Letter F"),
-    "cube": QT_TRANSLATE_NOOP("phenomena", "Unit cube"),
-    "posts": QT_TRANSLATE_NOOP("phenomena", "Row of posts"),
-}
-TRIES = {
-    "letter-f": (
-        QT_TRANSLATE_NOOP("phenomena", "Drag the near plane towards the F."),
-        QT_TRANSLATE_NOOP("phenomena", "What happens to the picture?"),
-        QT_TRANSLATE_NOOP("phenomena", "What happens in the cube?"),
-    ),
-    "cube": (
-        QT_TRANSLATE_NOOP("phenomena", "Go nearer: which edges grow?"),
-        QT_TRANSLATE_NOOP("phenomena", "Which edges are parallel in the picture?"),
-        QT_TRANSLATE_NOOP("phenomena", "Choose the orthographic lens: and now?"),
-    ),
-    "posts": (
-        QT_TRANSLATE_NOOP("phenomena", "Where in the cube do the posts crowd?"),
-        QT_TRANSLATE_NOOP("phenomena", "Make near larger: do they spread out?"),
-        QT_TRANSLATE_NOOP("phenomena", "Move far in: which posts are gone?"),
-    ),
-}
-"""Three suggestions for each scene, translated like the phenomena's texts."""
-TRIES_OF_A_MESH = (
-    QT_TRANSLATE_NOOP("phenomena", "Walk round it: drag the azimuth."),
-    QT_TRANSLATE_NOOP("phenomena", "Move near and far close to it."),
-    QT_TRANSLATE_NOOP("phenomena", "What happens to its shape in the cube?"),
-)
+WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
+"""The title of each scene, and what to try there."""
+WORDS_OF_A_MESH = PhenomenonWords("own-mesh")
 
 
 def _letter_f() -> Parts:

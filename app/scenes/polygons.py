@@ -21,6 +21,10 @@ _RIGHT = 1e-9
 """Part of its area by which a divided polygon may differ."""
 _ROUNDING = 1e-15
 """Part of a polygon's area by which a triangle of its fan may turn backwards."""
+_LEAST_WITH_HOLE = 8
+"""Corners of a triangle with a triangular hole and its bridge."""
+_TRIED = 7
+"""Corners of a ring that decide whether it lies in an outline: one may lie on it."""
 
 
 def following(offsets: Ints) -> Ints:
@@ -79,12 +83,13 @@ def divided(
     closer to its area. `tell` is called with each polygon that takes long, before it is divided.
     """
     counts, areas = np.diff(offsets), area_vectors(points, offsets, corners)
-    waiting = np.arange(len(counts))
+    waiting, returning = np.arange(len(counts)), _returning(points[corners], counts)
     triangles, owners = [], []
     for first in range(min(_FIRSTS, int(counts.max()))):
         fans, owner = _fans(offsets, waiting, first)
         a, b, c = (points[corners[fans[:, i]]] for i in range(3))
         is_fan = np.ones(len(counts), dtype=bool)
+        is_fan[returning] = False
         is_fan[owner[_is_backward(b - a, c - a, areas[owner])]] = False
         triangles.append(corners[fans[is_fan[owner]]])
         owners.append(owner[is_fan[owner]])
@@ -107,6 +112,19 @@ def _fans(offsets: Ints, which: Ints, first: int) -> tuple[Ints, Ints]:
     return offsets[owner][:, None] + around % np.repeat(sizes, counts)[:, None], owner
 
 
+def _returning(corners: Floats, counts: Ints) -> Ints:
+    """Return the polygons that come back to a place (n, 3) after others, as around a hole."""
+    owner = np.repeat(np.arange(len(counts)), counts)
+    at = np.flatnonzero(counts[owner] >= _LEAST_WITH_HOLE)
+    order = at[np.lexsort((at, *corners[at].T, owner[at]))]
+    one, other = order[:-1], order[1:]
+    is_same = (owner[one] == owner[other]) & (corners[one] == corners[other]).all(axis=1)
+    away = (other - one)[is_same]
+    polygon = owner[one[is_same]]
+    returning: Ints = polygon[(away > 1) & (away < counts[polygon] - 1)]
+    return returning
+
+
 def _cut(points: Floats, area: Floats) -> Ints:
     """Return triangles (k, 3) of a polygon (n, 3) as numbers of its corners."""
     away = points - points[0]
@@ -117,7 +135,8 @@ def _cut(points: Floats, area: Floats) -> Ints:
     axis = int(np.abs(area).argmax())
     flat = away[:, [(axis + 1) % 3, (axis + 2) % 3]][:, :: 1 if area[axis] > 0.0 else -1]
     flat = flat / np.abs(flat).max()
-    enclosed, count = _shoelace(flat), len(flat)
+    count, (_, holes) = len(flat), _parted(flat)
+    enclosed = _shoelace(flat) - 2.0 * sum(max(_shoelace(flat[hole]), 0.0) for hole in holes)
     best = _fans(np.array([0, count]), np.zeros(1, dtype=np.int64), 0)[0]
     least = _wrong(flat[best], enclosed)
     for start in range(0, count, -(-count // _STARTS)):
@@ -134,17 +153,41 @@ def _ears(flat: Floats) -> Ints:
     """Divide a counter-clockwise outline (n, 2) into triangles with mapbox-earcut."""
     from mapbox_earcut import triangulate_float64  # few meshes need it
 
-    rings = [(_shoelace(flat[ring]), ring) for ring in _rings(flat)]
-    least = _ROUNDING * abs(sum(size for size, _ in rings))
-    holes = [ring for size, ring in rings if size < -least]
-    outlines = [[ring] for size, ring in sorted(rings, key=lambda each: -each[0]) if size > least]
+    outlines, holes = _parted(flat)
     ears = [np.empty(0, dtype=np.int64)]
     for number, outline in enumerate(outlines):
-        parts = outline if number else [*outline, *holes]
+        parts = [outline] if number else [outline, *holes]
         places = np.concatenate(parts)
         ends = np.cumsum([len(part) for part in parts]).astype(np.uint32)
         ears.append(places[triangulate_float64(np.ascontiguousarray(flat[places]), ends)])
     return np.concatenate(ears).reshape(-1, 3)
+
+
+def _parted(flat: Floats) -> tuple[list[Ints], list[Ints]]:
+    """Return the outlines of a polygon (n, 2), the largest first, and its holes.
+
+    A hole turns the other way round, or lies in the largest outline.
+    """
+    rings = [(_shoelace(flat[ring]), ring) for ring in _rings(flat)]
+    least = _ROUNDING * abs(sum(size for size, _ in rings))
+    holes = [ring for size, ring in rings if size < -least]
+    outlines = [ring for size, ring in sorted(rings, key=lambda each: -each[0]) if size > least]
+    around, others = outlines[:1], list[Ints]()
+    for ring in outlines[1:]:
+        (holes if _is_inside(flat[ring], flat[around[0]]) else others).append(ring)
+    return [*around, *others], holes
+
+
+def _is_inside(ring: Floats, outline: Floats) -> bool:
+    """Whether most of some corners of a ring (k, 2) lie in an outline (n, 2)."""
+    ring = ring[:: -(-len(ring) // _TRIED)]
+    (x, y), (next_x, next_y) = outline.T, np.roll(outline, -1, axis=0).T
+    rise = np.where(next_y == y, 1.0, next_y - y)
+    inside = 0
+    for at_x, at_y in ring.tolist():
+        crosses = ((y > at_y) != (next_y > at_y)) & (at_x < x + (at_y - y) * (next_x - x) / rise)
+        inside += int(crosses.sum()) % 2
+    return 2 * inside > len(ring)
 
 
 def _shoelace(ring: Floats) -> float:

@@ -34,14 +34,14 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, TITLES, TRIES, TRIES_OF_A_MESH
+from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished, vector
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.own_mesh import cells_of, own_mesh
 from app.scenes.phenomena import PHENOMENA, Phenomenon
-from app.scenes.phenomena.illustration import Subject
+from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.poly_data import LaterMesh, dot_set, line_set, poly_data, surface_of
 from app.scenes.reading import read
 from app.scenes.shapes import (
@@ -165,7 +165,9 @@ class Scene:
         """Its title, translated like the phenomena's texts, or the name of the mesh's file."""
         if self.phenomenon is not None:
             return self.phenomenon.title
-        return TITLES.get(self.name) or printable(Path(self.name).name)
+        if self.name in WORDS:
+            return WORDS[self.name].title
+        return printable(Path(self.name).name)
 
     @property
     def leading(self) -> str:
@@ -220,12 +222,21 @@ class Scene:
         """Three short suggestions, translated like the phenomena's texts."""
         if self.phenomenon is not None:
             return self.phenomenon.tries
-        return TRIES.get(self.name, TRIES_OF_A_MESH)
+        return WORDS.get(self.name, WORDS_OF_A_MESH).tries
 
     @cached_property
     def requires(self) -> frozenset[str]:
         """Parts of the drawings for this scene beyond faces, lines and marks."""
         return frozenset() if self.phenomenon is None else self.phenomenon.requires
+
+    def illustration(
+        self, projection: Projection, settings: Mapping[str, Any]
+    ) -> Illustration | None:
+        """What its phenomenon shows of a projection; None if it is no phenomenon."""
+        if self.phenomenon is None:
+            return None
+        chosen = self.phenomenon.checked(settings)
+        return self.phenomenon.illustration(projection, chosen, self.subject)
 
     @cached_property
     def subject(self) -> Subject:

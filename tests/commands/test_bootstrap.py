@@ -31,7 +31,7 @@ import pytest
 from packaging.markers import Marker
 from packaging.requirements import Requirement as Standard
 
-from app import __version__, bootstrap
+from app import __version__, bootstrap, system_packages
 from app.__main__ import need_of
 from tests import PATIENCE_MS
 from tests.__main__ import hides
@@ -132,11 +132,23 @@ def fresh(tmp_path: Path) -> Checkout:
     (checkout.root / "widgets" / "__init__.py").touch()
     shutil.copy(bootstrap.ROOT / "__main__.py", checkout.root)
     stdlib_only = (
-        *("commands/__init__.py", "commands/options.py", "commands/doctor.py"),
+        *(
+            "commands/__init__.py",
+            "commands/options.py",
+            "commands/terminal.py",
+            "commands/doctor.py",
+        ),
         *("document/__init__.py", "document/lengths.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
     )
-    of_start = ("__init__.py", "__main__.py", "bootstrap.py", "modules.py", "strangers.py")
+    of_start = (
+        "__init__.py",
+        "__main__.py",
+        "bootstrap.py",
+        "modules.py",
+        "strangers.py",
+        "system_packages.py",
+    )
     for name in (*of_start, *stdlib_only):
         shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
     (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE)
@@ -207,7 +219,7 @@ Refusing = Callable[..., str]
 def start_refused(capsys: pytest.CaptureFixture[str]) -> Refusing:
     """Start here what must be refused; return the sentence."""
 
-    def start(need: bootstrap.Need, extras: Sequence[str] = ()) -> str:
+    def start(need: system_packages.Need, extras: Sequence[str] = ()) -> str:
         with pytest.raises(SystemExit) as end:
             bootstrap.start(need, extras)
         assert end.value.code == 3
@@ -460,7 +472,7 @@ def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
 def test_a_check_that_is_stopped_says_nothing(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    def stop(_need: bootstrap.Need) -> list[bootstrap.System]:
+    def stop(_need: system_packages.Need) -> list[system_packages.System]:
         raise KeyboardInterrupt
 
     monkeypatch.setattr(bootstrap, "missing_system", stop)
@@ -915,14 +927,14 @@ def program(folder: Path, name: str, script: str = "") -> None:
     (folder / name).chmod(0o755)
 
 
-LIBRARY = bootstrap.System("libfrustum-probe.so.7", "libfrustum-probe7")
-TOOL = bootstrap.System("frustum-tool", "frustum-tools frustum-tools-data")
+LIBRARY = system_packages.System("libfrustum-probe.so.7", "libfrustum-probe7")
+TOOL = system_packages.System("frustum-tool", "frustum-tools frustum-tools-data")
 
 
 @pytest.fixture
 def lacking(monkeypatch: pytest.MonkeyPatch) -> None:
     """A machine that lacks a library and a program."""
-    monkeypatch.setattr(bootstrap, "SYSTEM", (LIBRARY, TOOL))
+    monkeypatch.setattr(system_packages, "SYSTEM", (LIBRARY, TOOL))
 
 
 @pytest.mark.parametrize("root", ["sudo sh -c", "su - -c"])
@@ -944,10 +956,12 @@ def test_one_command_brings_what_app_export_and_tests_lack(
     programs: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     program(programs, "apt-get")
-    for kind in {type(item) for item in bootstrap.SYSTEM}:
+    for kind in {type(item) for item in system_packages.SYSTEM}:
         monkeypatch.setattr(kind, "is_here", lambda _: False)
-    words = bootstrap.advice(bootstrap.missing_system("picture")).replace("'", "").split()
-    named = {name for item in bootstrap.SYSTEM for name in item.packages.split()}
+    words = (
+        system_packages.advice(system_packages.missing_system("picture")).replace("'", "").split()
+    )
+    named = {name for item in system_packages.SYSTEM for name in item.packages.split()}
     assert {"xauth", "xvfb", "libgssapi-krb5-2", "fonts-dejavu-core"} < named <= set(words)
 
 
@@ -958,7 +972,7 @@ def test_a_missing_font_is_reported(
     program(programs, "apt-get")
     empty = tmp_path / "fonts.conf"
     empty.write_text(f"<fontconfig><cachedir>{tmp_path}</cachedir></fontconfig>")
-    probe = "from app import bootstrap as b; print(b.advice(b.missing_system('window')))"
+    probe = "from app import system_packages as s; print(s.advice(s.missing_system('window')))"
     done = subprocess.run(
         [sys.executable, "-c", probe],
         cwd=bootstrap.ROOT,
@@ -990,7 +1004,7 @@ def test_root_installs_what_is_missing_and_says_so(
         f'echo "$*" >> {log}\n[ "$1" = install ] || exit 1\n'
         f"echo '#!/bin/sh' > {tool}; /bin/chmod 755 {tool}",
     )
-    monkeypatch.setattr(bootstrap, "SYSTEM", (TOOL,))
+    monkeypatch.setattr(system_packages, "SYSTEM", (TOOL,))
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     bootstrap.start("window", ["test"])
     assert log.read_text().splitlines() == [
@@ -1016,14 +1030,14 @@ def test_an_installation_that_fails_or_brings_nothing_is_one_sentence(
 
 def test_each_need_asks_for_no_more_than_it_uses(programs: Path) -> None:
     with pytest.MonkeyPatch.context() as patch:
-        for kind in {type(item) for item in bootstrap.SYSTEM}:
+        for kind in {type(item) for item in system_packages.SYSTEM}:
             patch.setattr(kind, "is_here", lambda _: False)
         numbers, picture, window, tests = (
-            {item.name for item in bootstrap.missing_system(need)}
+            {item.name for item in system_packages.missing_system(need)}
             for need in ("numbers", "picture", "window", "tests")
         )
         patch.setattr(sys, "platform", "darwin")
-        assert bootstrap.missing_system("tests") == []
+        assert system_packages.missing_system("tests") == []
     assert numbers == set()
     assert picture < window < tests
     assert {"libGL.so.1", "libEGL.so.1"} <= picture

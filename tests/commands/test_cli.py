@@ -30,9 +30,9 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
+from app.drawings.figure import ENDINGS, HIDDEN
 from app.drawings.style import PALETTES
-from app.drawings.vectors import HIDDEN
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
 from app.model.limits import SMALLEST_WINDOW
 from app.model.object_transform import SPACES
 from app.model.projection import (
@@ -1020,7 +1020,7 @@ def test_the_help_names_what_exists() -> None:
     from app.document.fields import model_paths
     from app.document.settings import MEASURES
     from app.measure import measuring
-    from app.measure.arithmetic import SWEEPS
+    from app.measure.sweeps import SWEEPS
 
     paths = {"scene", "mesh", "depth", *model_paths().values()} - {"lens.former"}
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
@@ -1029,6 +1029,7 @@ def test_the_help_names_what_exists() -> None:
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
     assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
+    assert tuple(f".{name}" for name in options.FIGURE_FORMATS) == ENDINGS
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
     for form in options.PROJECT_FORMATS:

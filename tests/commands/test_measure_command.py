@@ -15,11 +15,11 @@ import pytest
 
 from app.bootstrap import ROOT
 from app.commands.arguments import check_out
-from app.commands.options import CliError
-from app.measure.arithmetic import SWEEPS
+from app.commands.terminal import CliError
 from app.measure.meaning import bargain, cheapest, meaning
 from app.measure.measuring import NEED_OPENGL, TRADES
 from app.measure.results import ChartPoint, Trade, from_json, to_csv
+from app.measure.sweeps import SWEEPS
 from tests import PATIENCE_S
 from tests.support.commands import refused, run, run_here
 

@@ -20,7 +20,7 @@ from app.commands.sweep import order, states, usual_loop, with_views
 from app.document.document import Document
 from app.document.files import read, write
 from app.document.view import View
-from app.drawings import figures
+from app.drawings.figure import Figure
 from app.model.projection import Camera
 from app.scenes.scene import load
 from tests.support.commands import one_sentence, refused, run_here
@@ -102,10 +102,8 @@ def test_an_orbit_goes_round_in_equal_steps_and_shows_all_of_the_world(tmp_path:
         spots.append(lens / factor)
 
     for number, state in enumerate(states):
-        figure = figures.render(
-            scene, state.projection, ["world"], (48, 48), view=state.view, seen=seen
-        )
-        assert np.array_equal(figure, frames_of(tmp_path / f"{number}.png")[0])
+        pixels = Figure(state, scene, ["world"], (48, 48)).pixels(seen=seen)
+        assert np.array_equal(pixels, frames_of(tmp_path / f"{number}.png")[0])
     assert 0.0 < np.min(spots) < np.max(spots) < 48.0, "all of the frustum is in the pane"
     assert np.min(spots) < 12.0 or np.max(spots) > 36.0, "and fills it"
 
@@ -122,8 +120,9 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
     found.loop = usual_loop(found, numbered=False)
     assert (found.loop, out, file) == ("back-and-forth", "a.gif", "b.json")
     turned = str(tmp_path / "turned.json")
-    moments = with_views(found, turned, states(found, turned))
-    first, middle, last = (each.view.panes["world"] for each in moments)
+    figures = [Figure(state, load("letter-f"), ("world",)) for state in states(found, turned)]
+    moments = with_views(found, turned, figures)
+    first, middle, last = (each.document.view.panes["world"] for each in moments)
     assert first == view and middle.target == last.target == view.target
     assert last.orbit.azimuth_deg == pytest.approx(view.orbit.azimuth_deg - 60.0)
     assert middle.orbit.azimuth_deg == pytest.approx(view.orbit.azimuth_deg - 30.0)
@@ -223,9 +222,9 @@ def test_an_interrupted_film_leaves_the_old_one(
         if drawn:
             raise KeyboardInterrupt
         drawn.append(True)
-        return np.zeros((32, 48, 3), np.uint8)
+        return b""
 
-    monkeypatch.setattr(figures, "render", interrupted)
+    monkeypatch.setattr("app.drawings.moving.encoded", interrupted)
     film = tmp_path / "film.gif"
     film.write_bytes(b"old")
     assert run_here("export", film, "--sweep=lens.far=15:17", *SMALL).returncode == 130

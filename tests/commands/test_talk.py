@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from app.commands.composed import Composed, taken
-from app.drawings.figure_size import PANE_PX
+from app.drawings.figure import PANE_PX
 from app.lecture.notation import matrices
 from app.lessons.course import Course
 from app.lessons.lesson import read

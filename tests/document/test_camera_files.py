@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from app import api
+from app.document.codec import picture_json
 from app.document.document import Document
 from app.document.files import LARGEST_CAMERAS, holds_document, read
 from app.model.projection import Orthographic, Perspective, Projection
@@ -261,7 +262,7 @@ def test_a_view_is_chosen_by_name_or_number() -> None:
 
 
 def test_a_document_has_no_views() -> None:
-    Path("own.json").write_text(api.picture_json(Document()), encoding="utf-8")
+    Path("own.json").write_text(picture_json(Document()), encoding="utf-8")
     assert refusal("own.json#2") == "own.json is a document, and has no view #2."
     assert refusal("none.json#2") == "none.json#2 does not exist."
 
@@ -269,7 +270,7 @@ def test_a_document_has_no_views() -> None:
 def test_saving_never_writes_over_a_camera_file() -> None:
     seen("t.json", NERF)
     assert not holds_document("t.json") and not holds_document("t.json#1")
-    Path("own.json").write_text(api.picture_json(Document()), encoding="utf-8")
+    Path("own.json").write_text(picture_json(Document()), encoding="utf-8")
     assert holds_document("own.json")
 
 

@@ -12,9 +12,9 @@ import pytest
 from app.document.codec import parse, to_json
 from app.document.compare import ComparedPicture, DifferenceWriter, Held, differences, names_in
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.settings import compared, name_of, picture_text, pictured, set_values
 from app.document.view import View
+from app.model.parameters import TITLES
 from app.model.projection import FreeMatrix
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -171,7 +171,7 @@ def test_the_live_picture_has_its_name_as_long_as_it_has_its_values() -> None:
     assert [name_of(other, picture) for picture in document.view.compare] == ["", "correct"]
 
 
-PLAIN = DifferenceWriter(lambda name: FIELDS[name], str, figure)
+PLAIN = DifferenceWriter(lambda name: TITLES[name], str, figure)
 
 
 def names(document: Document) -> list[str]:

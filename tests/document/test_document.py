@@ -37,7 +37,7 @@ from app.document.settings import set_values
 from app.document.view import FIELDS as VIEW_FIELDS
 from app.document.view import FIXED, LAYERS, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
 from app.model.limits import ABOVE
 from app.model.projection import (
     DEPTH_RANGES,

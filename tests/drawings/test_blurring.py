@@ -10,14 +10,13 @@ import pytest
 
 from app.drawings import WORDS
 from app.drawings.blurring import FIRST, MOST, spread
-from app.drawings.figures import render
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Camera, Projection
 from app.scenes.phenomena.focus import PHENOMENON
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import load
-from tests.support.drawings import MakeScreen, Pixels, off_screen
+from tests.support.drawings import MakeScreen, Pixels, figure_of, off_screen
 
 __all__ = ["off_screen"]
 
@@ -40,7 +39,7 @@ def edge_px(pixels: Pixels, post: float, x: float) -> int:
 
 def figure(**settings: float) -> Pixels:
     """The picture, without an outline round any post."""
-    return render(SCENE, SIDE, ("image",), settings={"confusion": 1e-6, **settings})
+    return figure_of(SCENE, SIDE, ("image",), settings={"confusion": 1e-6, **settings}).pixels()
 
 
 def test_the_focused_post_stays_sharp_and_the_others_edges_are_as_wide_as_their_discs() -> None:
@@ -58,8 +57,10 @@ def test_the_focused_post_stays_sharp_and_the_others_edges_are_as_wide_as_their_
 
 
 def test_the_average_has_no_dark_rim_where_the_paper_is_transparent() -> None:
-    pixels = render(SCENE, SIDE, ("image",), settings={"aperture": 1.0}, transparent=True)
-    solid = render(SCENE, SIDE, ("image",), settings={"aperture": 1.0})
+    pixels = figure_of(
+        SCENE, SIDE, ("image",), settings={"aperture": 1.0}, transparent=True
+    ).pixels()
+    solid = figure_of(SCENE, SIDE, ("image",), settings={"aperture": 1.0}).pixels()
     alpha = pixels[..., 3:] / 255.0
     assert 0.0 == alpha.min() < alpha.max() == 1.0
     assert ((alpha > 0.2) & (alpha < 0.8)).sum() > 1000

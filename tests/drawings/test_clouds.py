@@ -11,11 +11,10 @@ import pytest
 
 from app.drawings import WORDS
 from app.drawings.describing import describe
-from app.drawings.figures import shapes, write_shapes
 from app.drawings.image import ImageDrawing
 from app.drawings.probes import next_vertex, pick_in, vertex_of
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, PRINT
+from app.drawings.style import LIGHT
 from app.drawings.vectors import Disc, LineShape, Shape, shapes_of
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
@@ -24,7 +23,7 @@ from app.precision.quality import Quality
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB
-from tests.support.drawings import MakeScreen, off_screen
+from tests.support.drawings import MakeScreen, figure_of, off_screen
 
 __all__ = ["off_screen"]
 
@@ -71,7 +70,7 @@ def test_the_dots_of_a_figure_are_the_traced_points_inside_the_volume(
         trace = projection.trace(points, "object")
         inside = trace.image[~trace.outside.any(axis=1)]
         assert 5 < len(inside) < 100 and (trace.clip[:, 3] < 0.0).any()
-        _, found = shapes(scene, projection, ["image"], size=projection.image_size)
+        _, found = figure_of(scene, projection, ["image"], size=projection.image_size).shapes()
         assert np.abs(discs(found) - np.array(sorted(inside.tolist()))).max() < 1e-9
 
 
@@ -139,7 +138,7 @@ def test_a_line_through_the_near_plane_ends_at_the_image_of_their_point(
     met = one + (CAMERA.lens.near - depths[0]) / (depths[1] - depths[0]) * (other - one)
     inner = one if depths[0] > 0.0 else other
     expected = CAMERA.trace(np.array([met, inner])).image
-    _, found = shapes(scene, CAMERA, ["image"], size=CAMERA.image_size)
+    _, found = figure_of(scene, CAMERA, ["image"], size=CAMERA.image_size).shapes()
     (stroke,) = blue_strokes(found)
     assert np.abs(np.sort(stroke, axis=0) - np.sort(expected, axis=0)).max() < 1e-6
     screen = off_screen(600, 400)
@@ -156,14 +155,16 @@ def test_a_face_hides_dots_and_lines_behind_it(tmp_path: Path) -> None:
     (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\nl 5 7\np 5 6 7 1 8\n")
     scene = load(str(tmp_path / "m.obj"))
     projection = replace(CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=Perspective(60, 1, 9))
-    _, found = shapes(scene, projection, ["image"], size=projection.image_size)
+    _, found = figure_of(scene, projection, ["image"], size=projection.image_size).shapes()
     places = projection.trace(np.array([(0.5, 0, 1), (-3, 0, -1), (-1, -1, 0), (0, 0, 0)])).image
     assert np.abs(discs(found) - np.array(sorted(places.tolist()))).max() < 1e-9
     (stroke,) = blue_strokes(found)
     # From (-3, 0, -1) to where the side of the square at x = -1 begins to hide it.
     expected = projection.trace(np.array([(-3, 0, -1), (-1, 0, 0)])).image
     assert np.abs(np.sort(stroke[:, 0]) - np.sort(expected[:, 0])).max() < 0.05
-    _, found = shapes(scene, projection, ["image"], size=projection.image_size, hidden="dashed")
+    _, found = figure_of(
+        scene, projection, ["image"], size=projection.image_size, hidden="dashed"
+    ).shapes()
     assert any(s.dash and s.colour == BLUE for s in found if isinstance(s, LineShape))
 
 
@@ -285,16 +286,18 @@ def test_a_cloud_is_counted_described_and_bounded_in_figures(
     assert describe(replace(document, projection=away), scene).cut != about.cut
     monkeypatch.setattr(vectors, "MOST_CELLS", 20)
     with pytest.raises(Refusal, match="faces, lines and points in a pane; the limit"):
-        write_shapes(str(tmp_path / "m.svg"), scene, scene.start, panes=["image"])
+        figure_of(scene, scene.start, panes=["image"]).save(str(tmp_path / "m.svg"))
 
 
 def test_dots_and_lines_are_black_in_print(tmp_path: Path) -> None:
     text = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nl 1 2\np 3\n"
     (tmp_path / "m.obj").write_text(text)
     scene = load(str(tmp_path / "m.obj"))
-    _, found = shapes(scene, scene.start, ["image"], style=PRINT)
+    _, found = figure_of(scene, scene.start, ["image"], palette="print").shapes()
     assert {s.colour for s in found if isinstance(s, Disc)} == {(0.0, 0.0, 1.0)}
     assert (0.0, 0.0, 0.0) in {s.colour for s in found if isinstance(s, LineShape)}
     cloud(tmp_path / "m.obj", np.eye(3))
-    _, found = shapes(load(str(tmp_path / "m.obj")), scene.start, ["image"], style=PRINT)
+    _, found = figure_of(
+        load(str(tmp_path / "m.obj")), scene.start, ["image"], palette="print"
+    ).shapes()
     assert {s.colour for s in found if isinstance(s, Disc)} == {(0.0, 0.0, 0.0)}

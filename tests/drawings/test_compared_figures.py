@@ -11,14 +11,14 @@ from PIL import ImageFont
 
 from app.document.compare import DifferenceWriter, in_words
 from app.document.document import Document
-from app.document.field_names import FIELDS
 from app.document.lengths import DPI
 from app.document.settings import compared, pictured, set_values
 from app.drawings.compared_figures import LINE_EM
-from app.drawings.figure_size import checked_text
-from app.drawings.figures import Pixels, render
+from app.drawings.figure import Figure
+from app.drawings.off_screen import Pixels
 from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
+from app.model.parameters import TITLES
 from app.model.refusal import Refusal
 from app.scenes.phenomena.readout import figure as written_figure
 from app.scenes.scene import load
@@ -29,15 +29,8 @@ SIZE = 320, 180
 def figure(
     document: Document, *panes: str, size: tuple[int, int] = SIZE, text_pt: float | None = None
 ) -> Pixels:
-    return render(
-        load(document.scene),
-        document.projection,
-        panes or ("image",),
-        size,
-        view=document.view,
-        settings=document.settings,
-        text_pt=text_pt,
-    )
+    scene = load(document.scene)
+    return Figure(document, scene, panes or ("image",), size, text_pt=text_pt).pixels()
 
 
 def alone(document: Document, place: int) -> Document:
@@ -56,7 +49,7 @@ def test_left_of_the_divider_is_the_one_picture_and_right_of_it_the_other(
     )
     size = 320 * len(panes), 180
     both = figure(document, *panes, size=size)[:, :320]
-    text_pt = checked_text(document.projection.image_size, panes, size)
+    text_pt = Figure(document, load("letter-f"), panes, size).em_pt
     low = 180 - (round(LINE_EM * text_pt * DPI / 72.0) if len(panes) > 1 else 0)
     assert (both[low:] != both[0, 0]).any() == (low < 180), "in what they differ is below them"
     both = both[:low]
@@ -134,7 +127,7 @@ def test_in_what_pictures_differ_in_words() -> None:
         Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30;camera.up=0,2,1"]
     )
     states = [pictured(document, picture).state for picture in document.view.compare]
-    plain = DifferenceWriter(lambda name: FIELDS[name], str, written_figure)
+    plain = DifferenceWriter(lambda name: TITLES[name], str, written_figure)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [
         "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",
@@ -229,7 +222,7 @@ def test_if_the_world_is_the_slide_worlds_are_compared() -> None:
     document = worlds("world")
     assert document.view.compares_in == "world" and worlds("image").view.compares_in == "image"
     assert worlds("world", "image").view.compares_in == "image"
-    size, text_pt = (640, 320), checked_text((1280, 720), ("world",), (640, 320))
+    size, text_pt = (640, 320), Figure(document, load("letter-f"), ("world",), (640, 320)).em_pt
     both = figure(document, "world", size=size, text_pt=text_pt)
     (_, _, wide, _), (left, top, other_wide, _) = places_of(
         "world", *size, [16 / 9] * 2, text_pt * DPI / 72.0

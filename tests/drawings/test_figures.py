@@ -28,28 +28,28 @@ from app.document.files import read
 from app.document.lengths import DPI
 from app.document.view import PANES
 from app.drawings import WORDS, one_pane
-from app.drawings.figures import png_bytes, render, write_png
+from app.drawings.figure_files import png_bytes
 from app.drawings.off_screen import off_screen, take_screen
 from app.drawings.stage import StageDrawing
-from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.style import LIGHT, PALETTES, rgb
 from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal
 from app.scenes.scene import load
 from tests import PATIENCE_S
-from tests.support.drawings import colours_of, labels_of
+from tests.support.drawings import colours_of, figure_of, labels_of
 
 
 def hashes() -> list[str]:
     """Of all panes, and of one without a background."""
     scene = load("letter-f")
-    opaque = render(scene, scene.start, PANES, (330, 120))
-    transparent = render(scene, scene.start, ("image",), (330, 120), transparent=True)
+    opaque = figure_of(scene, scene.start, PANES, (330, 120)).pixels()
+    transparent = figure_of(scene, scene.start, ("image",), (330, 120), transparent=True).pixels()
     return [hashlib.sha256(pixels.tobytes()).hexdigest() for pixels in (opaque, transparent)]
 
 
 def run_script(**changes: str | None) -> subprocess.CompletedProcess[str]:
     script = "import hashlib\nfrom app.document.view import PANES\n"
-    script += "from app.drawings.figures import render\n"
+    script += "from tests.support.drawings import figure_of\n"
     script += "from app.scenes.scene import load\n" + inspect.getsource(hashes)
     script += "print(*hashes())"
     environment = {**os.environ, **{k: v for k, v in changes.items() if v is not None}}
@@ -83,7 +83,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
     from pyvistaqt import QtInteractor
 
     scene = load("cube")
-    alone = hashlib.sha256(render(scene, scene.start, ("ndc",), (200, 150)).tobytes())
+    alone = hashlib.sha256(figure_of(scene, scene.start, ("ndc",), (200, 150)).pixels().tobytes())
     canvas = QtInteractor(auto_update=False, multi_samples=0)
     qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
     canvas.resize(200, 150)
@@ -96,7 +96,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
     context = QOpenGLContext.currentContext()
     if context is not None:
         context.doneCurrent()
-    beside = hashlib.sha256(render(scene, scene.start, ("ndc",), (200, 150)).tobytes())
+    beside = hashlib.sha256(figure_of(scene, scene.start, ("ndc",), (200, 150)).pixels().tobytes())
     QWidget.update(canvas)
     assert canvas.grab().toImage() == before
     drawing.remove()
@@ -106,7 +106,7 @@ def test_a_figure_beside_a_live_pane_is_the_same_and_leaves_the_pane_alone(
 def test_the_image_alone_is_exactly_the_picture() -> None:
     scene = load("letter-f")
     projection = replace(scene.start, image_size=(321, 123))
-    pixels = render(scene, projection, ("image",))
+    pixels = figure_of(scene, projection, ("image",)).pixels()
     assert pixels.shape == (123, 321, 3)
     assert pixels.dtype == np.uint8
     # The letter's top front left vertex: by the model left of it is nothing, right of it a face.
@@ -119,10 +119,10 @@ def test_the_image_alone_is_exactly_the_picture() -> None:
 
 def test_panes_stand_side_by_side_as_they_would_alone() -> None:
     scene = load("letter-f")
-    three = render(scene, scene.start, PANES, (751, 200))
+    three = figure_of(scene, scene.start, PANES, (751, 200)).pixels()
     assert three.shape == (200, 751, 3)
-    two = render(scene, scene.start, ("image", "world"), (500, 200))
-    assert (two[:, 250:] == render(scene, scene.start, ("world",), (250, 200))).all()
+    two = figure_of(scene, scene.start, ("image", "world"), (500, 200)).pixels()
+    assert (two[:, 250:] == figure_of(scene, scene.start, ("world",), (250, 200)).pixels()).all()
     assert (three[:, :250] == two[:, 250:]).all()
     # Framed beside others: its margin is white here, its frame is not.
     assert (two[:3] == 255).all()
@@ -132,51 +132,51 @@ def test_panes_stand_side_by_side_as_they_would_alone() -> None:
 def test_a_phenomenon_is_drawn_with_its_settings() -> None:
     scene = load("similar-triangles")
     size = (480, 160)
-    opened = render(scene, scene.start, PANES, size)
-    plain = render(replace(scene, phenomenon=None), scene.start, PANES, size)
+    opened = figure_of(scene, scene.start, PANES, size).pixels()
+    plain = figure_of(replace(scene, phenomenon=None), scene.start, PANES, size).pixels()
     for left in (0, 160, 320):  # the point P in every pane
         assert (opened[:, left : left + 160] != plain[:, left : left + 160]).any()
     assert scene.phenomenon is not None
     defaults = dict(scene.phenomenon.checked({}))
-    assert (render(scene, scene.start, PANES, size, settings=defaults) == opened).all()
-    behind = render(scene, scene.start, PANES, size, settings={"distance": -3.0})
+    assert (figure_of(scene, scene.start, PANES, size, settings=defaults).pixels() == opened).all()
+    behind = figure_of(scene, scene.start, PANES, size, settings={"distance": -3.0}).pixels()
     assert (behind[:, :160] != opened[:, :160]).any()
     with pytest.raises(Refusal) as caught:
-        render(scene, scene.start, PANES, size, settings={"distance": 0.0})
+        figure_of(scene, scene.start, PANES, size, settings={"distance": 0.0}).pixels()
     assert str(caught.value).startswith("settings.distance = 0")
 
 
 def test_scale_is_the_same_figure_with_more_pixels() -> None:
     scene = load("letter-f")
-    once = render(scene, scene.start, ("ndc",), (240, 200))
-    twice = render(scene, scene.start, ("ndc",), (240, 200), scale=2.0)
+    once = figure_of(scene, scene.start, ("ndc",), (240, 200)).pixels()
+    twice = figure_of(scene, scene.start, ("ndc",), (240, 200), scale=2.0).pixels()
     assert twice.shape == (400, 480, 3)
     shrunk = twice.reshape(200, 2, 240, 2, 3).mean(axis=(1, 3))
     # Lines and letters grew with it; hinting moves letters by fractions of a pixel.
     assert np.abs(shrunk - once).mean() < 3.0
-    thin = render(scene, scene.start, ("ndc",), (480, 400)).reshape(200, 2, 240, 2, 3)
+    thin = figure_of(scene, scene.start, ("ndc",), (480, 400)).pixels().reshape(200, 2, 240, 2, 3)
     assert np.abs(shrunk - once).mean() < 0.5 * np.abs(thin.mean(axis=(1, 3)) - once).mean()
 
 
 @pytest.mark.parametrize("panes", [("world",), ("ndc",), ("image",), ("image", "ndc")])
-@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
-def test_transparent_laid_on_the_background_is_the_opaque_figure(panes: Any, style: Any) -> None:
+@pytest.mark.parametrize("palette", ["screen", "dark"])
+def test_transparent_laid_on_the_background_is_the_opaque_figure(panes: Any, palette: str) -> None:
     """No dark seams: colours at the edges are not mixed with the missing background."""
     scene = load("letter-f")
     size = (160 * len(panes), 160)
-    opaque = render(scene, scene.start, panes, size, style=style).astype(float)
-    clear = render(scene, scene.start, panes, size, transparent=True, style=style).astype(float)
+    opaque = figure_of(scene, scene.start, panes, size, palette=palette)
+    clear = replace(opaque, transparent=True).pixels().astype(float)
     alpha = clear[..., 3:] / 255.0
     assert clear[..., 3].min() == 0.0 and clear[..., 3].max() == 255.0
     assert ((alpha > 0.05) & (alpha < 0.95)).any()
-    background = 255.0 * np.array(rgb(style.background))
+    background = 255.0 * np.array(rgb(PALETTES[palette].background))
     laid = alpha * clear[..., :3] + (1.0 - alpha) * background
-    assert np.abs(laid - opaque).max() <= 3.0
+    assert np.abs(laid - opaque.pixels()).max() <= 3.0
 
 
 def test_edges_are_smooth() -> None:
     scene = replace(load("cube"), lines=None)
-    pixels = render(scene, scene.start, ("image",), (200, 112))
+    pixels = figure_of(scene, scene.start, ("image",), (200, 112)).pixels()
     assert scene.surface is not None
     faces = {tuple(colour) for colour in scene.surface.cell_data["rgb"].tolist()}
     found = {tuple(colour) for colour in pixels.reshape(-1, 3).tolist()}
@@ -207,7 +207,7 @@ def test_a_figure_that_cannot_be_is_refused_in_one_sentence(
 ) -> None:
     scene = load("cube")
     with pytest.raises(Refusal) as caught:
-        render(scene, scene.start, **changes)
+        figure_of(scene, scene.start, **changes).pixels()
     assert str(caught.value).startswith(names)
     assert "must" in str(caught.value) and str(caught.value).endswith(".")
 
@@ -219,9 +219,10 @@ def test_a_long_figure_is_drawn_to_its_last_pixel() -> None:
         scene.start,
         camera=Camera((0.0, 0.5, 0.6), (0.0, 0.5, 0.0)),  # the front face fills the picture
         lens=Perspective(45.0, 0.01, 10.0),
-        image_size=(16384, 40),
     )
-    pixels = render(scene, replace(projection, image_size=(64, 64)), ("image",), (16384, 40))
+    pixels = figure_of(
+        scene, replace(projection, image_size=(64, 64)), ("image",), (16384, 40)
+    ).pixels()
     assert pixels.shape == (40, 16384, 3)
     lit = (pixels != 255).any(axis=-1)
     # Unframed it keeps the picture's aspect, in the middle.
@@ -235,10 +236,10 @@ def test_figures_leave_nothing_behind() -> None:
         gc.collect()
         return sum(isinstance(thing, vtkRenderWindow) for thing in gc.get_objects())
 
-    render(scene, scene.start, PANES, (300, 100))
+    figure_of(scene, scene.start, PANES, (300, 100)).pixels()
     before = count()
     for _ in range(3):
-        render(scene, scene.start, PANES, (300, 100))
+        figure_of(scene, scene.start, PANES, (300, 100)).pixels()
     assert count() == before
     screens = [take_screen(8, 8) for _ in range(9)]
     while screens:
@@ -256,9 +257,9 @@ def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:
     new = []
     for scene, pane in kinds:
         with off_screen(8, 8), off_screen(8, 8), off_screen(8, 8):  # all that had been kept
-            new.append(render(scene, scene.start, (pane,), (160, 120)))
+            new.append(figure_of(scene, scene.start, (pane,), (160, 120)).pixels())
     for scene in scenes:
-        render(scene, scene.start, PANES, (600, 90), transparent=True, style=DARK)
+        figure_of(scene, scene.start, PANES, (600, 90), transparent=True, palette="dark").pixels()
     heard: list[str] = []
     for _ in range(3):
         with off_screen(64, 64) as screen:
@@ -272,7 +273,7 @@ def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:
         assert screen.render_window.GetSwapBuffers()
         assert screen.render_window.GetNumberOfLayers() == 1
     for (scene, pane), expected in zip(kinds, new, strict=True):
-        assert np.array_equal(render(scene, scene.start, (pane,), (160, 120)), expected)
+        assert np.array_equal(figure_of(scene, scene.start, (pane,), (160, 120)).pixels(), expected)
     assert heard == []
 
 
@@ -280,25 +281,22 @@ def test_the_environment_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> N
     monkeypatch.delenv("DISPLAY", raising=False)
     before = dict(os.environ)
     scene = load("cube")
-    render(scene, scene.start, ("image",), (32, 32))
+    figure_of(scene, scene.start, ("image",), (32, 32)).pixels()
     assert dict(os.environ) == before
 
 
 def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
     scene = load("letter-f")
     document = Document("letter-f", replace(scene.start, depth="reversed"))
-    pixels = render(scene, document.projection, ("ndc",), (90, 70), transparent=True)
-    path = tmp_path / "figure.png"
-    write_png(path, pixels, to_json(document))
+    figure = figure_of(scene, document.projection, ("ndc",), (90, 70), transparent=True)
+    pixels, path = figure.pixels(), tmp_path / "figure.png"
+    figure.save(path)
     with Image.open(path) as image:
         assert (np.array(image) == pixels).all()
     assert read(path) == document
     assert json.loads(to_json(read(path)))["depth"] == "reversed"
-    assert png_bytes(pixels, to_json(document)) == path.read_bytes()
     assert parse(to_json(document)) == document
-    plain = tmp_path / "plain.png"
-    write_png(plain, pixels)
-    assert b"frustum-lab" not in plain.read_bytes()
+    assert b"frustum-lab" not in png_bytes(pixels)
 
 
 def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Path) -> None:
@@ -312,7 +310,7 @@ def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Pat
         path = tmp_path / f"ball-{offset:g}.obj"
         path.write_text("\n".join(lines) + "\n")
         scene = load(str(path))
-        pictures.append(render(scene, scene.start, size=(600, 200)))
+        pictures.append(figure_of(scene, scene.start, size=(600, 200)).pixels())
     near, far = pictures
     assert colours_of(near) > 50
     # The eye itself is rounded to 2e-9 there: a pixel on an edge may round the other way.
@@ -337,7 +335,7 @@ def test_all_letters_of_a_figure_have_one_size(
 
     monkeypatch.setattr(one_pane, "pixels_of", noted)
     shown = load(scene)
-    render(shown, shown.start, PANES, (1500, 500), scale, text_pt=8.0)
+    figure_of(shown, shown.start, PANES, (1500, 500), scale=scale, text_pt=8.0).pixels()
     assert len(sizes) > 4
     (found,) = set().union(*sizes.values())
     # Several pixels are drawn for one of the figure's, along each side.

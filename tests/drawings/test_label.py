@@ -10,8 +10,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.drawings.label import HALO_EM, SceneLabel, drawn, laid, pieces_of, rim_px, size_px
+from app.drawings.label import HALO_EM, SceneLabel, drawn, rim_px, size_px
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
+from app.lecture.typesetting import line_of, pieces_of
 from app.model.formula import ARROW
 from app.scenes.scene import BUILT_IN, load
 from tests.support.drawings import MakeScreen, OffScreen, illustrated, off_screen, to_bytes
@@ -44,34 +45,34 @@ def test_letters_are_formulas_and_words_are_words(
     text: str, pieces: list[tuple[str, bool]]
 ) -> None:
     assert pieces_of(text) == pieces
-    left, low, right, high = laid(text).box
-    assert right > left and high > low and math.isfinite(laid(text).pieces[-1][3])
+    left, low, right, high = line_of(text).box
+    assert right > left and high > low and math.isfinite(line_of(text).pieces[-1][3])
 
 
 @given(st.text(max_size=30))
 def test_no_text_is_lost_and_any_can_be_drawn(text: str) -> None:
-    left, low, right, high = laid(text).box
+    left, low, right, high = line_of(text).box
     assert left <= right and low <= high
-    assert laid(text, plain=True).pieces == ((text, False, 1.0, 0.0),)
+    assert line_of(text, plain=True).pieces == ((text, False, 1.0, 0.0),)
     assert all(side >= 0 for side in size_px(text, EM))
 
 
 def test_a_sign_that_no_font_has_is_shown_as_a_missing_one() -> None:
-    left, _, right, _ = laid("\u6f22").box
-    assert right > left and laid("\u6f22").box == laid("\u5b57").box
+    left, _, right, _ = line_of("\u6f22").box
+    assert right > left and line_of("\u6f22").box == line_of("\u5b57").box
 
 
 def test_broken_tex_is_shown_as_it_is_typed() -> None:
     typed = r"$\frac{1$"
-    assert laid(typed) == laid(typed, plain=True)
+    assert line_of(typed) == line_of(typed, plain=True)
 
 
 def test_a_letter_alone_is_larger_than_a_word_and_a_subscript_hangs_lower() -> None:
-    (_, _, alone, _), *_ = laid("x").pieces
-    (_, _, word, _), *_, (_, _, beside, _) = laid("near x").pieces
+    (_, _, alone, _), *_ = line_of("x").pieces
+    (_, _, word, _), *_, (_, _, beside, _) = line_of("near x").pieces
     assert word == 1.0 < beside < alone
-    _, low, _, high = laid("y_p").box
-    _, low_alone, _, high_alone = laid("y").box
+    _, low, _, high = line_of("y_p").box
+    _, low_alone, _, high_alone = line_of("y").box
     assert low < low_alone and high == pytest.approx(high_alone)
 
 

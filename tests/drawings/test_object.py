@@ -9,12 +9,11 @@ import numpy as np
 import pytest
 
 from app.document.view import LAYERS, STAGES, View
-from app.drawings.figures import render
 from app.drawings.image import ImageDrawing
 from app.drawings.style import LIGHT
 from app.model.projection import Camera, ObjectTransform, Perspective, Projection
 from app.scenes.scene import load
-from tests.support.drawings import MakeScreen, off_screen
+from tests.support.drawings import MakeScreen, figure_of, off_screen
 
 __all__ = ["off_screen"]
 
@@ -43,7 +42,7 @@ def differing(a: np.ndarray, b: np.ndarray) -> float:
 @pytest.mark.parametrize("pane", ["image", "ndc"])
 def test_l2_a_moved_object_is_what_a_camera_sees_that_moves_the_other_way(pane: str) -> None:
     pictures = [
-        render(F, projection, panes=(pane,), size=(480, 360), view=BARE)
+        figure_of(F, projection, panes=(pane,), size=(480, 360), view=BARE).pixels()
         for projection in (moved_object(), moved_camera(), F.start)
     ]
     assert differing(pictures[0], pictures[1]) < 2e-3
@@ -53,13 +52,13 @@ def test_l2_a_moved_object_is_what_a_camera_sees_that_moves_the_other_way(pane: 
 def test_l2_the_ground_stays_where_it_is_and_the_object_does_not() -> None:
     without_object = replace(F.start, placement=ObjectTransform((0.0, 500.0, 0.0)))
     pictures = [
-        render(
+        figure_of(
             F,
             projection,
             panes=("image",),
             size=(480, 360),
             view=View(layers=frozenset({"labels"})),
-        )
+        ).pixels()
         for projection in (without_object, F.start)
     ]
     changed = np.abs(pictures[0].astype(int) - pictures[1].astype(int)).max(axis=-1) > 60
@@ -134,5 +133,7 @@ def test_any_object_is_drawn_in_every_pane_and_at_every_stage(placement: ObjectT
     projection = replace(F.start, placement=placement)
     for stage in ("view", "ndc"):
         view = View(stage=float(STAGES.index(stage)))
-        pixels = render(F, projection, panes=("world", "ndc", "image"), size=(480, 160), view=view)
+        pixels = figure_of(
+            F, projection, panes=("world", "ndc", "image"), size=(480, 160), view=view
+        ).pixels()
         assert pixels.std() > 1.0

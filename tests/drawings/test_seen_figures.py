@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import replace
-from pathlib import Path
+from functools import partial
 from typing import Any
 
 import numpy as np
 import pytest
 from PIL import Image
 
+from app.document.document import Document
 from app.document.lengths import DPI
 from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
-from app.drawings.figure_size import USUAL_TEXT, checked_text
-from app.drawings.figures import png_bytes, render, write_png
+from app.drawings.figure import USUAL_TEXT, Figure
+from app.drawings.figure_files import png_bytes
 from app.drawings.style import LIGHT, rgb, tone
 from app.model.projection import Camera
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.scene import load
+from tests.support.drawings import figure_of
 
 SIDE, HIGH = 160, 128  # the image is as wide as the others
 ABOVE = Camera((0.0, 40.0, 0.1), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))
@@ -28,7 +31,7 @@ ON_THE_LETTER = Probe(1, (0.5, 2.5, 0.5))
 def drawn(view: View, **options: Any) -> dict[str, np.ndarray]:
     """The panes of a figure of the letter F."""
     scene = load("letter-f")
-    pixels = render(scene, scene.start, PANES, (3 * SIDE, HIGH), view=view, **options)
+    pixels = figure_of(scene, scene.start, PANES, (3 * SIDE, HIGH), view=view, **options).pixels()
     return {pane: pixels[:, i * SIDE : (i + 1) * SIDE] for i, pane in enumerate(PANES)}
 
 
@@ -92,7 +95,7 @@ def test_what_is_far_beyond_every_scene_breaks_no_figure(pane: str, reach: float
         camera = Camera((reach, 0.5 * reach, 0.1 * reach), target, (0.0, 1e-99, 0.0))
         for stage in (0.0, 2.5, 4.0):
             view = View(stage=stage, probes=probes, panes={pane: camera})
-            render(scene, scene.start, (pane,), (32, 32), view=view)
+            figure_of(scene, scene.start, (pane,), (32, 32), view=view).pixels()
 
 
 def test_a_probe_is_marked_where_the_model_projects_it() -> None:
@@ -100,8 +103,10 @@ def test_a_probe_is_marked_where_the_model_projects_it() -> None:
     point = ON_THE_LETTER.point
     assert point is not None
     x, y = scene.start.trace(point).image.tolist()
-    plain = render(scene, scene.start, ("image",), text_pt=5.0)
-    marked = render(scene, scene.start, ("image",), text_pt=5.0, view=View(probes=(ON_THE_LETTER,)))
+    plain = figure_of(scene, scene.start, ("image",), text_pt=5.0).pixels()
+    marked = figure_of(
+        scene, scene.start, ("image",), text_pt=5.0, view=View(probes=(ON_THE_LETTER,))
+    ).pixels()
     rows, columns = np.nonzero((plain != marked).any(axis=2))
     em = 5.0 * DPI / 72.0
     assert np.hypot(rows - y, columns - x).min() < 1.0
@@ -123,19 +128,21 @@ def test_letters_are_as_high_as_their_points_say() -> None:
     for em_px in (20, 40):
         size = (600, 600)
         text_pt = em_px * 72.0 / DPI
-        figure = render(scene, scene.start, ("ndc",), size, text_pt=text_pt, view=View(stage=2.0))
+        figure = figure_of(
+            scene, scene.start, ("ndc",), size, text_pt=text_pt, view=View(stage=2.0)
+        ).pixels()
         heights[em_px] = letters_height(figure)
     assert heights[40] / heights[20] == pytest.approx(2.0, rel=0.12)
     assert 0.7 < heights[40] / 40.0 < 0.9  # from the line to the top of the highest letter
 
 
 def test_usual_letters_are_a_share_of_the_pane_and_7_points_across_a_page() -> None:
-    image = (1280, 720)
-    assert checked_text(image, PANES, None) == pytest.approx(7.0)
+    figure = partial(Figure, Document(), load("letter-f"))
+    assert figure().em_pt == pytest.approx(7.0)
     assert pytest.approx(162.56) == 3 * 640 / DPI * 25.4  # mm
-    assert checked_text(image, PANES, (900, 300)) == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
-    assert checked_text(image, ("image",), None) == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
-    text_pt = checked_text(image, PANES, (3 * SIDE, HIGH))
+    assert figure(PANES, (900, 300)).em_pt == pytest.approx(USUAL_TEXT * 300 * 72 / DPI)
+    assert figure(("image",)).em_pt == pytest.approx(USUAL_TEXT * 720 * 72 / DPI)
+    text_pt = figure(PANES, (3 * SIDE, HIGH)).em_pt
     once, asked = drawn(View()), drawn(View(), text_pt=text_pt)
     assert all((once[pane] == asked[pane]).all() for pane in PANES)
 
@@ -143,7 +150,7 @@ def test_usual_letters_are_a_share_of_the_pane_and_7_points_across_a_page() -> N
 @pytest.mark.parametrize("text_pt", [0.0, -1.0, 0.2, 1e300, float("nan"), float("inf")])
 def test_letters_that_no_pane_can_have_are_refused(text_pt: float) -> None:
     with pytest.raises(Refusal) as caught:
-        checked_text((1280, 720), PANES, None, text_pt)
+        Figure(Document(), load("letter-f"), text_pt=text_pt)
     assert str(caught.value).startswith("text size = ")
     assert str(caught.value).endswith(": must be from 0.24 to 38.4 points in panes of this size.")
 
@@ -151,14 +158,11 @@ def test_letters_that_no_pane_can_have_are_refused(text_pt: float) -> None:
 @pytest.mark.parametrize("text_pt", [0.24, 38.4])
 def test_the_smallest_and_the_largest_letters_are_drawn(text_pt: float) -> None:
     scene = load("letter-f")
-    assert render(scene, scene.start, PANES, text_pt=text_pt).shape == (640, 1920, 3)
+    assert figure_of(scene, scene.start, PANES, text_pt=text_pt).pixels().shape == (640, 1920, 3)
 
 
-def test_a_file_says_how_many_pixels_are_an_inch(tmp_path: Path) -> None:
+def test_a_file_says_how_many_pixels_are_an_inch() -> None:
     pixels = np.zeros((4, 4, 3), np.uint8)
     for scale in (0.5, 1.0, 2.0):
-        path = tmp_path / "figure.png"
-        write_png(path, pixels, "{}", scale)
-        assert path.read_bytes() == png_bytes(pixels, "{}", scale)
-        with Image.open(path) as image:
+        with Image.open(io.BytesIO(png_bytes(pixels, "{}", scale))) as image:
             assert image.info["dpi"] == pytest.approx((DPI * scale, DPI * scale), rel=1e-3)

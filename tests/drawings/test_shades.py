@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from app.drawings.figures import shapes
 from app.drawings.shades import LEAST_STEP, printed, with_lightness
 from app.drawings.style import CONTRAST, LIGHT, PALETTES, PRINT, contrast, rgb
 from app.drawings.vectors import LineShape, TextShape
 from app.scenes.scene import BUILT_IN, load
+from tests.support.drawings import figure_of
 
 
 def lightness(colour: Any) -> float:
@@ -71,14 +71,14 @@ def test_on_paper_labels_are_black_and_far_is_dashed() -> None:
         assert 97.0 > far > near + LEAST_STEP > 90.0, "apart from each other and from paper"
     for name in ("screen", "print"):
         style = PALETTES[name]
-        _, found = shapes(scene, scene.start, ("ndc",), (250, 250), style=style)
+        _, found = figure_of(scene, scene.start, ("ndc",), (250, 250), palette=name).shapes()
         inks = {shape.written.colour for shape in found if isinstance(shape, TextShape)}
         assert (inks == {"#000000"}) == (name == "print") and len(inks) >= 1
         far = [s for s in found if isinstance(s, LineShape) and s.colour == rgb(style.far)]
         strokes[name] = len(far)
     assert strokes["print"] > 2 * strokes["screen"] > 0
     head = load("field-of-view")
-    _, found = shapes(head, head.start, ("image",), (120, 90), style=PRINT)
+    _, found = figure_of(head, head.start, ("image",), (120, 90), palette="print").shapes()
     near, far = (
         max(s.width for s in found if isinstance(s, LineShape) and s.colour == rgb(colour))
         for colour in (PRINT.near, PRINT.far)

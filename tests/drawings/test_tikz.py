@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app.drawings.figures import write_shapes
-from app.drawings.label import laid, piece_of
 from app.drawings.tikz import tikz
 from app.drawings.vectors import Area, Disc, LabelText, LineShape, PixelShape, Shape, TextShape
+from app.lecture.typesetting import line_of, piece_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from tests.support.drawings import figure_of
 
 BLUE, RED = (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
 SIZE = 1000.0, 500.0  # in pixels, 300 an inch: 240 by 120 units of 1/72 inch
@@ -20,7 +20,7 @@ PALE = np.full((2, 3, 3), 200, dtype=np.uint8)
 
 
 def label(text: str, anchor: int = 0, turn: float = 0.0, *, plain: bool = False) -> TextShape:
-    pieces = laid(text, plain).pieces
+    pieces = line_of(text, plain).pieces
     widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
     place = (100.0, 200.0)
     written = LabelText(
@@ -161,19 +161,18 @@ def test_the_head_says_how_the_figure_is_used() -> None:
 
 
 def test_pixels_lie_beside_the_figure(tmp_path: Path) -> None:
-    scene = load("interpolation")
-    options = {"panes": ["image"], "size": (96, 54)}
-    write_shapes(str(tmp_path / "g.tex"), scene, scene.start, **options)
+    figure = figure_of(load("interpolation"), panes=["image"], size=(96, 54))
+    figure.save(str(tmp_path / "g.tex"))
     text = (tmp_path / "g.tex").read_bytes()
     assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex"]
     assert b"]{g-pixels1.png}" in text and rb"\graphicspath" in text
-    write_shapes(str(tmp_path / "g.tex"), scene, scene.start, **options)
+    figure.save(str(tmp_path / "g.tex"))
     assert (tmp_path / "g.tex").read_bytes() == text
     with pytest.raises(Refusal, match="whose name may have only letters"):
-        write_shapes(str(tmp_path / "a}^^5c.tex"), scene, scene.start, **options)
+        figure.save(str(tmp_path / "a}^^5c.tex"))
     (tmp_path / "h-pixels1.png").symlink_to(tmp_path / "elsewhere")
     with pytest.raises(Refusal, match=r"h-pixels1\.png: is a link"):
-        write_shapes(str(tmp_path / "h.tex"), scene, scene.start, **options)
+        figure.save(str(tmp_path / "h.tex"))
     assert sorted(os.listdir(tmp_path)) == ["g-pixels1.png", "g.tex", "h-pixels1.png"]
 
 
@@ -181,7 +180,7 @@ def test_a_figure_that_the_memory_of_tex_cannot_hold_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     scene = load("cube")
-    monkeypatch.setattr("app.drawings.figures.LARGEST", 1000)
+    monkeypatch.setattr("app.drawings.figure_files.LARGEST", 1000)
     with pytest.raises(Refusal, match=r"would have 0\.\d+ MB; TeX's memory .*: write g\.pdf\."):
-        write_shapes(str(tmp_path / "g.tex"), scene, scene.start, panes=["image"], size=(96, 54))
+        figure_of(scene, scene.start, panes=["image"], size=(96, 54)).save(str(tmp_path / "g.tex"))
     assert not os.listdir(tmp_path)

@@ -21,17 +21,19 @@ from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings import hidden, vectors
 from app.drawings.actors import PropGroup, face_actor, identity_camera, line_actor, put_in_front
-from app.drawings.figures import render, shapes, write_shapes
-from app.drawings.label import laid, pieces_of
+from app.drawings.figure import Figure
+from app.drawings.occlusion import Points, ScreenCell
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
 from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, shapes_of
+from app.lecture.typesetting import line_of, pieces_of
 from app.lessons.course import scene_of
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
+from tests.support.drawings import figure_of
 
 Pixels = NDArray[np.float64]
 OVER = 2
@@ -94,17 +96,13 @@ def lost_lines(one: Pixels, other: Pixels, found: list[vectors.Shape]) -> int:
     return int(lost.sum())
 
 
-def figure(
+def drawn_as(
     document: Document, panes: list[str], size: tuple[int, int]
 ) -> tuple[str, list[vectors.Shape], Pixels]:
     """A document's figure as SVG, as shapes, and in pixels."""
-    scene = scene_of(document)
-    options: dict[str, Any] = {
-        "panes": panes, "size": size, "view": document.view, "settings": document.settings,
-    }  # fmt: skip
-    found = shapes(scene, document.projection, **options)[1]
-    pixels = render(scene, document.projection, **options)
-    return svg(found, size, scene.name).decode(), found, pixels[..., :3].astype(np.float64)
+    figure = Figure(document, scene_of(document), panes, size)
+    found, pixels = figure.shapes()[1], figure.pixels()
+    return svg(found, size, figure.scene.name).decode(), found, pixels[..., :3].astype(np.float64)
 
 
 @pytest.mark.parametrize(
@@ -124,7 +122,7 @@ def test_shapes_are_where_the_pixels_are(
     qapp: Any, scene: str, pane: str, values: tuple[str, ...]
 ) -> None:
     document = set_values(Document(scene, load(scene).start), values)
-    text, found, pixels = figure(document, [pane], (400, 300))
+    text, found, pixels = drawn_as(document, [pane], (400, 300))
     shown = raster(text, (400, 300))
     assert agreeing(shown, pixels) >= 0.998
     assert lost_lines(pixels, shown, found) <= 25, "lines that only the pixels have"
@@ -136,7 +134,7 @@ def test_shapes_are_where_the_pixels_are(
 
 def test_edges_cover_lines_of_the_ground_in_the_same_place() -> None:
     scene, along = load("cube"), np.linspace(-0.4, 0.4, 9)
-    pixels = render(scene, scene.start, ["image"], (1280, 720)).astype(np.float64)
+    pixels = figure_of(scene, scene.start, ["image"], (1280, 720)).pixels().astype(np.float64)
     for x, z in ((along, 0.5), (0.5, along)):
         points = np.stack(np.broadcast_arrays(x, 0.0, z), axis=1)
         dark = around(pixels.mean(axis=2)).min(axis=0)
@@ -146,8 +144,8 @@ def test_edges_cover_lines_of_the_ground_in_the_same_place() -> None:
 
 def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     document = Document("letter-f", load("letter-f").start)
-    text, found, _ = figure(document, ["world", "ndc", "image"], (1920, 640))
-    again = figure(document, ["world", "ndc", "image"], (1920, 640))[0]
+    text, found, _ = drawn_as(document, ["world", "ndc", "image"], (1920, 640))
+    again = drawn_as(document, ["world", "ndc", "image"], (1920, 640))[0]
     assert text == again and len(text) <= 50_000
     assert "l0 0" not in text, "no line is a point"
     tree = ElementTree.fromstring(text)
@@ -160,7 +158,7 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
 
 def test_the_images_frame_is_a_line_over_all_backgrounds() -> None:
     document = Document("letter-f", load("letter-f").start)
-    _, found, _ = figure(document, ["world", "image"], (1280, 640))
+    _, found, _ = drawn_as(document, ["world", "image"], (1280, 640))
     long = [
         at
         for at, shape in enumerate(found)
@@ -196,7 +194,7 @@ def test_areas_of_one_colour_may_overlap_in_any_order_of_their_corners() -> None
 def test_formulas_are_letters_or_at_least_their_outlines(label: str, said: str | None) -> None:
     widths = tuple(1.0 for _ in pieces_of(label))
     written = vectors.LabelText(
-        label, laid(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
+        label, line_of(label).pieces, widths, (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, True
     )
     text = svg([TextShape(written, (10.0, 20.0), 20.0)], (100, 50), "a < b").decode()
     tree = ElementTree.fromstring(text)
@@ -217,7 +215,7 @@ def streams_of(content: bytes) -> list[bytes]:
 
 def test_a_pdf_has_shapes_text_and_its_fonts() -> None:
     document = Document("letter-f", load("letter-f").start)
-    _, found = shapes(scene_of(document), document.projection, ["world", "image"], (1280, 640))
+    _, found = Figure(document, scene_of(document), ["world", "image"], (1280, 640)).shapes()
     content = pdf(found, (1280, 640), "A title", "Its text")
     assert content == pdf(found, (1280, 640), "A title", "Its text") and len(content) <= 50_000
     (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
@@ -238,8 +236,7 @@ def test_a_page_and_its_letters_are_as_large_as_asked_in_every_pane() -> None:
         Document("letter-f", load("letter-f").start), ("view.names=eye,near,pixels",)
     )
     scene, panes = scene_of(document), ["world", "ndc", "image"]
-    options: dict[str, Any] = {"size": Size(12.0, 4.0, "cm"), "text_pt": 7.3}
-    size, found = shapes(scene, document.projection, panes, view=document.view, **options)
+    size, found = Figure(document, scene, panes, Size(12.0, 4.0, "cm"), text_pt=7.3).shapes()
     content = pdf(found, size, "t")
     (box,) = re.findall(rb"/MediaBox \[ 0 0 ([\d.]+) ([\d.]+) \]", content)
     assert [float(side) for side in box] == pytest.approx([12 / 2.54 * 72, 4 / 2.54 * 72])
@@ -261,18 +258,16 @@ def test_a_page_and_its_letters_are_as_large_as_asked_in_every_pane() -> None:
 
 
 def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
-    scene, options = load("cube"), {"panes": ["ndc"], "size": (300, 200), "column": True}
-    pixels = render(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
-    (width, height), found = shapes(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    figure = figure_of(load("cube"), panes=["ndc"], size=(300, 200), column=True, crop=True)
+    pixels, ((width, height), found) = figure.pixels(), figure.shapes()
     assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
     left, top, right, bottom = vectors.box_of(found, LIGHT.background) or (0.0,) * 4
     assert 300 > width > right - left
     assert (left, width - right) == pytest.approx((2.0 / 25.4 * 300,) * 2)
     assert (top, height - bottom) == pytest.approx((2.0 / 25.4 * 300,) * 2, abs=10.0)
-    scene, options = load("similar-triangles"), {"panes": ["world"], "size": (300, 300)}
-    pixels = render(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
+    figure = figure_of(load("similar-triangles"), panes=["world"], size=(300, 300), crop=True)
+    pixels, ((width, height), _) = figure.pixels(), figure.shapes()
     assert pixels.shape[0] < 250, "without what drawings keep outside until they need it"
-    (width, height), _ = shapes(scene, scene.start, crop=True, **options)  # type: ignore[arg-type]
     assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
 
 
@@ -287,7 +282,7 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
 
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
     text = "near P' ="
-    pieces = laid(text).pieces
+    pieces = line_of(text).pieces
     written = vectors.LabelText(
         text, pieces, (1.0,) * len(pieces), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
     )
@@ -443,20 +438,20 @@ def test_everywhere_the_nearest_face_is_seen(
         assert red == pytest.approx(here[0][1] if here else 1.0, abs=0.003), (x, y)
 
 
-def soup(count: int) -> list[hidden.ScreenCell]:
+def soup(count: int) -> list[ScreenCell]:
     """Random triangles on a screen of 200 pixels, most of which cross many others."""
     corners = np.random.default_rng(1).random((count, 3, 3)) * [200.0, 200.0, 1.0]
     return [
-        hidden.ScreenCell(each, (0.0, 0.0, number / count), 1.0, (0, number))
+        ScreenCell(each, (0.0, 0.0, number / count), 1.0, (0, number))
         for number, each in enumerate(corners)
     ]
 
 
 def test_faces_that_cross_many_others_are_not_split(monkeypatch: pytest.MonkeyPatch) -> None:
-    compared = list[tuple[hidden.ScreenCell, hidden.ScreenCell]]()
+    compared = list[tuple[ScreenCell, ScreenCell]]()
     common = hidden.common
 
-    def counted(one: hidden.ScreenCell, other: hidden.ScreenCell) -> hidden.Points:
+    def counted(one: ScreenCell, other: ScreenCell) -> Points:
         compared.append((one, other))
         return common(one, other)
 
@@ -498,7 +493,7 @@ def test_neighbours_in_a_plane_become_one_face() -> None:
 
 
 def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("app.drawings.figures._REPORT_EVERY_S", 0.0)
+    monkeypatch.setattr("app.drawings.figure._REPORT_EVERY_S", 0.0)
     scene, told = load("cube"), list[float]()
 
     def go_on(fraction: float) -> bool:
@@ -506,14 +501,14 @@ def test_shapes_of_a_pane_are_cancelled_on_the_way(monkeypatch: pytest.MonkeyPat
         return len(told) < 5
 
     with pytest.raises(Cancelled):
-        shapes(scene, scene.start, ["image"], (100, 100), progress=go_on)
+        figure_of(scene, scene.start, ["image"], (100, 100)).shapes(go_on)
     assert len(told) == 5 and sorted(told) == told and 0.0 < told[-1] < 1.0
 
 
 def test_a_pdf_is_cancelled_while_matplotlib_draws_it(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    monkeypatch.setattr("app.drawings.figures._REPORT_EVERY_S", 0.0)
+    monkeypatch.setattr("app.drawings.figure._REPORT_EVERY_S", 0.0)
     monkeypatch.setattr("app.drawings.pdf._WATCHED", 2)
     areas = [Area([[(0.0, 0.0), (9.0, 0.0), (9.0, float(k))]], (0, 0, 0), 1.0) for k in range(1, 9)]
     calls: list[int] = []
@@ -528,17 +523,13 @@ def test_a_pdf_is_cancelled_while_matplotlib_draws_it(
         return len(told) < ends_at
 
     scene, ends_at = load("cube"), 10**6
-    write_shapes(
-        str(tmp_path / "a.pdf"), scene, scene.start, panes=["image"], size=(64, 64), progress=go_on
-    )
+    figure = figure_of(scene, scene.start, panes=["image"], size=(64, 64))
+    figure.save(tmp_path / "a.pdf", go_on)
     assert sorted(told) == told and told[0] == 0.0 and 0.5 < told[-1] < 1.0
     ends_at = len(told)
     told.clear()
     with pytest.raises(Cancelled):
-        write_shapes(
-            str(tmp_path / "b.pdf"), scene, scene.start, panes=["image"], size=(64, 64),
-            progress=go_on,
-        )  # fmt: skip
+        figure.save(tmp_path / "b.pdf", go_on)
     assert not (tmp_path / "b.pdf").exists()
 
 
@@ -548,5 +539,5 @@ def test_too_many_faces_are_refused_with_the_file_to_write_instead(
     monkeypatch.setattr(vectors, "MOST_CELLS", 10)
     scene = load("letter-f")
     with pytest.raises(Refusal) as refused:
-        write_shapes("no folder/my.figure.svg", scene, scene.start, panes=["image"])
+        figure_of(scene, scene.start, panes=["image"]).save("no folder/my.figure.svg")
     assert str(refused.value).endswith("without pixels is 10: write my.figure.png.")

@@ -16,12 +16,12 @@ from app.document.codec import parse, to_tree
 from app.document.document import Document
 from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
+from app.model.parameter import Parameter
 from app.model.projection import DEPTH_RANGES, LENSES, Array, Camera
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.settings import Setting
 
 ENDS = (0.0, -0.0, 5e-324, 1e-300, 1e-205, 1e-200, 1e-100, 1e-9, 0.5, 1.0, 90.0, 180.0, 1e9, 1e90,
         1e100, 1e101, 1e308)  # fmt: skip
@@ -163,7 +163,7 @@ def some_points(rng: random.Random, view_from_world: Array | None) -> list[list[
 # --------------------------------------------------------------------------- states
 
 
-def a_setting(rng: random.Random, setting: Setting) -> Any:
+def a_setting(rng: random.Random, setting: Parameter) -> Any:
     """A value that a setting can have."""
     if isinstance(setting.default, bool):
         return rng.random() < 0.5

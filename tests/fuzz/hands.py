@@ -478,7 +478,7 @@ def in_a_window(folder: Path, options: argparse.Namespace) -> int:
     watch.install()
     application.collect_when_idle()
     hands.open()
-    hands.beat()
+    QTimer.singleShot(0, hands.beat)  # in the loop, which `exit` ends
     qt.exec()
     hands.measure()
     if hands.window is not None:

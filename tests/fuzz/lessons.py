@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import Any
 
 from app.commands.options import SETTABLE, parser_of
+from app.lecture.typesetting import outline
 from app.lessons import record as records
 from app.lessons import results
 from app.lessons.blocks import exercise
@@ -31,7 +32,7 @@ from app.lessons.lesson import read
 from app.lessons.practice import find_waiting, to_review, topics
 from app.lessons.quantities import FUNCTIONS
 from app.lessons.strokes import COLOURS, path_beside, read_strokes
-from app.lessons.text import html_of, outline, spoken_text
+from app.lessons.text import html_of, spoken_text
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from tests.fuzz.files import DAMAGE, NUMBERS, WORDS, structure

@@ -12,12 +12,12 @@ from tests.house.test_imports import read, sources
 
 HOME = "app/strangers.py"
 OWN = {
-    "app/api.py": "the SVG text that it has just drawn",
+    "app/drawings/figure.py": "the SVG text that it has just drawn",
     "app/bootstrap.py": "files of the checkout and of its environment",
     "app/document/files.py": "the chunk of a PNG picture, which is UTF-8 by definition",
     "app/drawings/mp4.py": "what ffmpeg says",
+    "app/model/content_file.py": "a file of the program",
     "app/scenes/phenomena/depth_buffer.py": "codes of a depth buffer, which are numbers",
-    "app/scenes/phenomena/words.py": "a file of the program",
     "app/scenes/ply.py": "a header, after its encoding is known",
     "widgets/panels/measuring.py": "what a process of the program says",
     "widgets/window/help.py": "a file of the program",

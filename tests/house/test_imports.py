@@ -52,16 +52,17 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
 }
 #: And late.
 LATE: dict[str, tuple[str, ...]] = {
+    "app.lecture": ("matplotlib",),
     "app.drawings": ("matplotlib",),
     "app.scenes": (*VTK, "mapbox_earcut"),
-    "app.lessons": ("markdown_it", "matplotlib"),
-    "app.measure": ("matplotlib", "PIL", "mpmath"),
+    "app.lessons": ("markdown_it",),
+    "app.measure": ("mpmath",),
     "widgets.panes": VTK,
     "widgets.program": VTK,
     "app.commands": (*VTK, *QT),
 }
-#: What everyone may know: standard library only. The first is known to the others, too.
-GROUND = ("app.modules", "app.bootstrap", "app.strangers")
+#: What everyone may know: standard library only. Each knows only those before it.
+GROUND = ("app.modules", "app.strangers", "app.system_packages", "app.bootstrap")
 #: What only some may know although it stands below them: the window joins store and widgets.
 NOT_FOR = {
     "app.document.store": ("app", "widgets.parts", "widgets.controls", "widgets.panels",
@@ -136,6 +137,9 @@ def faults(path: str, source: str) -> list[str]:
     """Return the imports of a source file that the table forbids, one sentence each."""
     module = module_of(path)
     folder = folder_of(module)
+    ground = GROUND[: GROUND.index(module)] if module in GROUND else GROUND
+    if module in ("app", "widgets"):
+        ground = GROUND[:1]
     if module in ("app", "widgets", *GROUND):
         floor = -1
     elif module == "app.__main__":
@@ -153,9 +157,7 @@ def faults(path: str, source: str) -> list[str]:
         if name.partition(".")[0] in ("app", "widgets"):
             other = folder_of(name)
             fits = (
-                other == folder
-                or is_below(name, GROUND[: len(GROUND) if floor >= 0 else 1])
-                or FLOOR.get(other, len(FLOORS)) < floor
+                other == folder or is_below(name, ground) or FLOOR.get(other, len(FLOORS)) < floor
             )
         else:
             fits = is_below(name, free) or (late and is_below(name, late_free))
@@ -239,7 +241,7 @@ def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
         ("app/drawings/world.py", "from PySide6.QtGui import QColor", "PySide6.QtGui.QColor"),
         ("app/drawings/world.py", "import app.document.store", "app.document.store"),
         ("app/document/store.py", "from PySide6 import QtWidgets", "PySide6.QtWidgets"),
-        ("app/drawings/figures.py", "import importlib\nx = __import__('widgets')", "widgets"),
+        ("app/drawings/figure.py", "import importlib\nx = __import__('widgets')", "widgets"),
         ("app/commands/cli.py", "import pyvista", "pyvista"),
         ("app/commands/cli.py", "class A:\n    import PySide6", "PySide6"),
         ("widgets/panes/pane.py", "import app.document.store", "app.document.store"),

@@ -5,12 +5,14 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
 from PIL import Image
 
 from app.bootstrap import ROOT
 from tests import pictures
 
 
+@pytest.mark.usefixtures("qapp")
 def test_the_pictures_are_what_the_program_draws(tmp_path: Path) -> None:
     """A sample: ``python3 -m tests.pictures`` draws all of them."""
     assert pictures.compare([*pictures.PICTURES][::3], tmp_path) == {}

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from app.lecture.equation import equation_of, latex_cell
-from app.lecture.notation import Letters
+from app.lecture.letters import Letters
 from app.model.projection import Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 

@@ -12,7 +12,6 @@ from app.lecture.kinds import (
     KINDS,
     TOLERANCE,
     kind_of,
-    leaning,
     path,
     scale_factors,
     with_kind,
@@ -137,7 +136,7 @@ def test_l12_an_oblique_drawing_is_known_by_its_receding_scale(
     receding: float, direction_deg: float, kind: str
 ) -> None:
     front = replace(seen(0.0, 0.0), lens=Oblique(-4.0, 4.0, -3.0, 3.0, 1.0, 30.0))
-    found = leaning(front, *oblique_angles(receding, direction_deg))
+    found = front.with_angles(*oblique_angles(receding, direction_deg))
     assert kind_of(found) == kind
     assert (scale_factors(found) or ())[2] == pytest.approx(receding, abs=1e-15, rel=1e-12)
     turned = replace(found, camera=seen(20.0, 10.0).camera)

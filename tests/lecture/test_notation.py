@@ -13,9 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.lecture import notation
-from app.lecture.notation import LETTERS, Letters, WrittenMatrix, matrices
-from app.model.formula import parse
+from app.lecture import copying
+from app.lecture.letters import LETTERS, Letters, written
+from app.lecture.notation import WrittenMatrix, matrices
+from app.model.formula import ARROW, parse
 from app.model.projection import (
     DEPTH_RANGES,
     Camera,
@@ -97,9 +98,9 @@ def test_a_letter_stands_for_one_thing(lens: str, letters: Letters) -> None:
         name for part in parts for row in part.formulas for cell in row
         for name in parse(cell).letters
     }  # fmt: skip
-    written = {name: notation.written(name, letters) for name in names}
-    assert len(set(written.values())) == len(names) > 10
-    assert "w" not in written.values() and {written["W"], written["H"]} == {"W", "H"}
+    texts = {name: written(name, letters) for name in names}
+    assert len(set(texts.values())) == len(names) > 10
+    assert "w" not in texts.values() and {texts["W"], texts["H"]} == {"W", "H"}
 
 
 def expected_count(lens: Lens, letters: Letters) -> int:
@@ -159,9 +160,9 @@ def test_numbers_are_the_commands(lens: str, depth: str) -> None:
         assert list(map(list, matrix.values)) == told[matrix.name]
         for factor in matrix.factors:
             for row in factor.values:
-                assert all(notation.cell_text(value) in text for value in row)
+                assert all(copying.cell_text(value) in text for value in row)
         words = text.split()
-        assert all(notation.cell_text(value) in words for row in matrix.values for value in row)
+        assert all(copying.cell_text(value) in words for row in matrix.values for value in row)
 
 
 def test_running_products_are_shown_on_request() -> None:
@@ -174,7 +175,7 @@ def test_running_products_are_shown_on_request() -> None:
 def test_the_letters_of_each_lecture() -> None:
     def lens_cell(letters: Letters, lens: str, row: int, column: int) -> str:
         matrix = one(matrices(projection_of(lens), letters), "clip_from_view")
-        return notation.written(matrix.formulas[row][column], letters)
+        return written(matrix.formulas[row][column], letters)
 
     thin = "\u2009"
     assert lens_cell("own", "perspective", 0, 0) == "cot(fov/2)/aspect"
@@ -190,12 +191,12 @@ def test_the_letters_of_each_lecture() -> None:
     assert lens_cell("002", "orthographic", 2, 2) == "2/(z_n − z_f)"
     assert lens_cell("002", "orthographic", 2, 3) == "−(z_n + z_f)/(z_n − z_f)"
     view = one(matrices(projection_of("frustum"), "001"), "view_from_world")
-    assert [notation.written(cell, "001") for cell in view.formulas[2]] == [
-        "w_x", "w_y", "w_z", f"−w{notation.ARROW}·P{notation.ARROW}",
+    assert [written(cell, "001") for cell in view.formulas[2]] == [
+        "w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}",
     ]  # fmt: skip
     # Lecture 001's M_persp, first factor.
     m_persp = one(matrices(projection_of("perspective"), "001"), "canonical_perspective_from_view")
-    assert notation.written(m_persp.formulas[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
+    assert written(m_persp.formulas[0][0], "001") == f"1/(f{thin}tan(θ_h/2))"
 
 
 def one(shown: tuple[WrittenMatrix, ...], name: str) -> WrittenMatrix:
@@ -247,12 +248,12 @@ def test_l11_p_obl_is_p_ort_after_h() -> None:
         ("clip_from_view", np.matmul(p_ort, h)),
     ):  # fmt: skip
         assert np.allclose(one(shown, name).values, expected, rtol=1e-14, atol=1e-15)
-    texts = [notation.written(cell, "002") for cell in one(shown, "sheared_from_view").formulas[0]]
+    texts = [written(cell, "002") for cell in one(shown, "sheared_from_view").formulas[0]]
     assert texts == ["1", "0", "cot(\u03b1)", "−z_n\u2009cot(\u03b1)"]
-    assert notation.as_latex(one(shown, "clip_from_view"), "002").startswith(
+    assert copying.as_latex(one(shown, "clip_from_view"), "002").startswith(
         "\\[\n" r"P_{\mathrm{obl}} = P_{\mathrm{ort}} H = \begin{pmatrix}"
     )
-    assert notation.as_text(one(shown, "sheared_from_view"), "002").startswith(
+    assert copying.as_text(one(shown, "sheared_from_view"), "002").startswith(
         "sheared_from_view = H\n"
     )
 
@@ -266,8 +267,8 @@ def test_l6_off_the_axis_is_h_before_a_window_about_it() -> None:
     middle = np.array([(left + right) / 2.0, (bottom + top) / 2.0, -lens.near, 1.0])
     assert np.allclose(h.values @ middle, [0.0, 0.0, -lens.near, 1.0], rtol=0.0, atol=1e-15)
     x, y, _, w = p_persp.formulas
-    assert [notation.written(cell, "002") for cell in x] == ["2z_n/(x_r − x_l)", "0", "0", "0"]
-    assert [notation.written(cell, "002") for cell in y] == ["0", "2z_n/(y_t − y_b)", "0", "0"]
+    assert [written(cell, "002") for cell in x] == ["2z_n/(x_r − x_l)", "0", "0", "0"]
+    assert [written(cell, "002") for cell in y] == ["0", "2z_n/(y_t − y_b)", "0", "0"]
     assert w == ("0", "0", "1", "0")
 
 
@@ -281,7 +282,7 @@ def test_l2_the_three_matrices_of_lecture_003() -> None:
     assert np.allclose(object_.values @ point, [-1.0, 3.0, 2.5, 1.0], rtol=0.0, atol=1e-15)
     clip = np.array(lens.values) @ np.array(view.values) @ object_.values @ point
     assert np.allclose(clip, projection.clip_from_world @ [-1.0, 3.0, 2.5, 1.0], atol=1e-13)
-    latex = notation.as_latex(object_, "003")
+    latex = copying.as_latex(object_, "003")
     assert latex.startswith("\\[\n" r"M_{\mathrm{O\to W}} = ")
 
 
@@ -435,22 +436,22 @@ def test_copies() -> None:
     projection = projection_of("frustum")
     matrix = one(matrices(projection), "clip_from_view")
     numbers: dict[str, Any] = {"np": np}
-    exec(notation.as_numpy(matrix), numbers)
+    exec(copying.as_numpy(matrix), numbers)
     assert np.array_equal(numbers["clip_from_view"], matrix.values)
-    lines = notation.as_text(matrix).splitlines()
+    lines = copying.as_text(matrix).splitlines()
     assert lines[0].startswith("clip_from_view = clip_from_depth_range depth_range_from")
     assert [[float(word) for word in line.split()] for line in lines[1:]] == [
         list(row) for row in matrix.values
     ]
-    shown = notation.as_text(matrix, "own", formulas=True).splitlines()
+    shown = copying.as_text(matrix, "own", formulas=True).splitlines()
     assert shown[0] == lines[0]
     assert re.split("  +", shown[1]) == ["", "2n/(r − l)", "0", "(r + l)/(r − l)", "0"]
-    latex = notation.as_latex(matrix, "own", formulas=True)
+    latex = copying.as_latex(matrix, "own", formulas=True)
     assert r"\frac{2n}{r - l} & 0 & \frac{r + l}{r - l} & 0 \\" in latex
     assert latex.startswith(
         "\\[\n" r"M_{\text{clip}\leftarrow\text{view}} = \begin{pmatrix}"
     ) and latex.endswith("\\end{pmatrix}\n\\]\n")
-    assert r"z_{\mathrm{min}}" in notation.as_latex(matrix, "000", formulas=True)
-    assert notation.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
-    numbers_only = notation.as_latex(matrix, "own")
-    assert notation.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only
+    assert r"z_{\mathrm{min}}" in copying.as_latex(matrix, "000", formulas=True)
+    assert copying.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
+    numbers_only = copying.as_latex(matrix, "own")
+    assert copying.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only

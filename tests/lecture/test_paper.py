@@ -4,7 +4,8 @@ import re
 
 import pytest
 
-from app.lecture.notation import LETTERS, Letters, WrittenMatrix, matrices
+from app.lecture.letters import LETTERS, Letters
+from app.lecture.notation import WrittenMatrix, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.model.object_transform import ObjectTransform
 from app.model.projection import Oblique, Perspective, Projection

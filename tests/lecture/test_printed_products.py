@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 
 from app.lecture.equation import MOST_FACTORS, Equation, equation_of, latex_cell
-from app.lecture.notation import LETTERS, Letters, latex_formula, matrices, steps_of_a_point
+from app.lecture.letters import LETTERS, Letters, latex_formula
+from app.lecture.notation import matrices, steps_of_a_point
 from app.lecture.paper import displayed
 from app.model.object_transform import ObjectTransform
 from app.model.projection import Projection

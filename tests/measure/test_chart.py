@@ -17,14 +17,15 @@ from PIL import Image
 import app.measure.run
 from app.drawings.label_placement import beside
 from app.measure import chart, measuring
-from app.measure.arithmetic import SWEEPS
 from app.measure.meaning import meaning
 from app.measure.measuring import TRADES
 from app.measure.results import COLUMNS, GAP, JUDGED, WORDS, Sweep, Trade, named, table, to_csv
+from app.measure.sweeps import SWEEPS
 from app.model.projection import Projection
 from app.scenes.phenomena.diagram import Diagram, Spot
 from tests.support.commands import refused, run_here
 from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
+from widgets.parts.chart_picture import picture
 
 
 def spots(diagram: Diagram) -> dict[str, Spot]:
@@ -111,12 +112,13 @@ def test_another_machine_is_drawn_thinner_with_its_name_inside_the_chart() -> No
     assert len(over[1].points) == 5, "nothing of it is dropped"
 
 
+@pytest.mark.usefixtures("qapp")
 def test_a_trade_without_numbers_has_words_and_no_chart() -> None:
     absent = replace(TRADE, choices=(choice("", None, None, "no vertex"),))
     assert chart.diagrams(absent) == ()
     assert chart.diagrams(replace(SWEEP, values=(), curves={})) == ()
     assert "(cancelled)" in chart.title(replace(TRADE, complete=False))
-    empty = chart.picture(replace(RESULTS, trades=(absent,), sweeps=()), "a.png")
+    empty = picture(replace(RESULTS, trades=(absent,), sweeps=()), "a.png")
     assert empty.startswith(b"\x89PNG")
 
 
@@ -304,8 +306,9 @@ def test_a_name_stands_right_beside_a_lonely_point() -> None:
 # -- pictures
 
 
+@pytest.mark.usefixtures("qapp")
 def test_a_picture_shows_dots_where_they_belong_and_in_its_own_colours() -> None:
-    png = chart.picture(replace(RESULTS, sweeps=()), "a.PNG", {"rung": "good"})
+    png = picture(replace(RESULTS, sweeps=()), "a.PNG", {"rung": "good"})
     with Image.open(io.BytesIO(png)) as image:
         assert image.format == "PNG" and image.size == (800, 490)
         pixels = np.asarray(image.convert("RGB")).astype(int)
@@ -318,9 +321,10 @@ def test_a_picture_shows_dots_where_they_belong_and_in_its_own_colours() -> None
     assert len(png) < 100_000
 
 
+@pytest.mark.usefixtures("qapp")
 def test_a_pdf_holds_vectors_and_is_the_same_every_time() -> None:
     small = replace(RESULTS, trades=())
-    one, other = (chart.picture(small, "a.pdf", other=small) for _ in range(2))
+    one, other = (picture(small, "a.pdf", other=small) for _ in range(2))
     assert one.startswith(b"%PDF") and one == other
     assert b"/Subtype /Image" not in one
 
@@ -340,6 +344,7 @@ def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
 # -- the command
 
 
+@pytest.mark.usefixtures("qapp")
 def test_the_command_draws_a_chart(tmp_path: Path) -> None:
     out = tmp_path / "depth.pdf"
     done = run_here("measure", "--trade=depth", "--quick", "--chart", out)

@@ -25,16 +25,11 @@ from app.measure.arithmetic import (
     CHEAP,
     IN_SOFTWARE,
     NOT_INSTALLED,
-    SWEEPS,
-    WORLD,
-    in_view,
     looked_at,
     measure,
     peers,
     summed,
-    sweep,
     timed_projections,
-    values_of,
 )
 from app.measure.depth import BEYOND, NOTHING_APART, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
@@ -60,6 +55,7 @@ from app.measure.results import (
 from app.measure.run import Watch, in_turns, part_of, percentile95, steady
 from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
 from app.measure.smoothing import measure as measure_smoothing
+from app.measure.sweeps import SWEEPS, WORLD, in_view, sweep, values_of
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal

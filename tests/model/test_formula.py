@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.lecture.algebra import SYMBOLS, Letters, Ratio, number, ratio
-from app.model import formula
+from app.model import formula, formula_text
 from app.model.formula import Arithmetic, Formula, parse
 from app.model.refusal import Refusal
 
@@ -175,8 +175,8 @@ def test_a_term_may_be_known_as_a_whole() -> None:
 )
 def test_it_is_written_for_readers(text: str, plain: str, latex: str) -> None:
     symbols = {"alpha": "\u03b1"}
-    assert formula.written(parse(text), symbols) == plain
-    assert formula.latex(parse(text), symbols) == latex
+    assert formula_text.written(parse(text), symbols) == plain
+    assert formula_text.latex(parse(text), symbols) == latex
 
 
 @pytest.mark.parametrize(
@@ -194,7 +194,7 @@ def test_it_is_written_for_readers(text: str, plain: str, latex: str) -> None:
     ],
 )
 def test_its_fractions_are_stacked(text: str, stacked: str) -> None:
-    assert formula.stacked(parse(text), {}) == stacked.replace("|", formula.OVER)
+    assert formula_text.stacked(parse(text), {}) == stacked.replace("|", formula_text.OVER)
 
 
 def reduced(text: str, **terms: Ratio) -> str:

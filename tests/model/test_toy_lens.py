@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from pathlib import Path
@@ -25,20 +24,28 @@ from app.document.codec import parse, to_json
 from app.document.document import Document
 from app.document.files import read
 from app.document.view import PANES
-from app.drawings.figures import render
 from app.lecture import typed_matrix
-from app.lecture.notation import LETTERS, letters_in, matrices, written
+from app.lecture.letters import LETTERS, written
+from app.lecture.notation import letters_in, matrices
 from app.model.lenses import LENSES
 from app.model.lenses.answers import Window
 from app.model.lenses.central import Central
-from app.model.lenses.lens import Control, LensTable, plane_letters
-from app.model.lenses.perspective import SCALE, Perspective, fov_y_from_window, pyramid_tables
+from app.model.lenses.lens import LensTable, plane_letters
+from app.model.lenses.perspective import (
+    FOV_Y,
+    SCALE,
+    Perspective,
+    fov_y_from_window,
+    pyramid_tables,
+)
 from app.model.limits import Keep, between, finite, keep_checked
+from app.model.parameter import Parameter
 from app.model.projection import Frustum, Projection
 from app.model.refusal import Refusal
 from app.precision import levels as precision
 from app.scenes.scene import load
 from tests.support.controls import choice, enter, number
+from tests.support.drawings import figure_of
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 
@@ -76,10 +83,13 @@ class Shift(Central):
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
     title: ClassVar[str] = "shift"
     tip: ClassVar[str] = "The film is raised: walls stay upright."
-    controls: ClassVar[Mapping[str, Control]] = {
-        "fov_y_deg": Control("From the bottom to the top.", 1.0, 179.0, 0.5, "°"),
-        "rise": Control("By how much of its half-height the film is raised.", -2.0, 2.0, 0.1, "×"),
-    }
+    parameters: ClassVar[tuple[Parameter, ...]] = (
+        FOV_Y,
+        Parameter(
+            "rise", section="lens", place="more_lens", span=(-2.0, 2.0), step=0.1, unit="×",
+            tip="By how much of its half-height the film is raised.",
+        ),
+    )  # fmt: skip
 
     fov_y_deg: float = 45.0
     rise: float = 0.5
@@ -273,7 +283,7 @@ def test_it_is_drawn() -> None:
     flat = replace(projection, lens=replace(SHIFT, rise=0.0))
     scene = load("letter-f")
     pictures = [
-        render(scene, each, PANES, (480, 160)).astype(int)
+        figure_of(scene, each, PANES, (480, 160)).pixels().astype(int)
         for each in (projection, same(projection), flat)
     ]
     apart = [np.abs(pictures[0] - picture).max(axis=-1) > 8 for picture in pictures[1:]]

@@ -32,7 +32,7 @@ from app.picking.handles import (
     present,
     shown,
 )
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 from tests.support.lenses import LENSES
 
 SIZE = (800, 700)

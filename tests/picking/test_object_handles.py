@@ -19,7 +19,7 @@ from app.picking.handles import (
     present,
     shown,
 )
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 from tests.picking.test_handles import SIZE, looks, planes
 
 REACH = 2.0

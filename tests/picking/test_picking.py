@@ -21,17 +21,8 @@ from app.model.projection import (
     Projection,
 )
 from app.picking import picking
-from app.picking.picking import (
-    Hit,
-    Lines,
-    PickSurface,
-    Probe,
-    Sight,
-    dragged,
-    pick,
-    projector,
-    stops,
-)
+from app.picking.picking import Hit, Lines, PickSurface, Probe, dragged, pick, projector, stops
+from app.picking.sight import Sight
 from app.scenes.scene import Scene, load
 from tests.support.lenses import LENSES, free_matrix
 

@@ -19,7 +19,6 @@ from app.document.codec import parse, to_json
 from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings import labels
-from app.drawings.figures import render
 from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.measure import smoothing
 from app.model.projection import FreeMatrix, Orthographic, Perspective
@@ -27,6 +26,7 @@ from app.model.refusal import Refusal
 from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
+from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, pane
 from widgets.parts.number_dialog import NumberDialog
@@ -342,10 +342,12 @@ def test_the_status_line_shows_the_choice_and_leads_back(window: MainWindow) -> 
 
 def test_figures_use_the_quality_of_the_document(ball: Scene) -> None:
     def picture(**choices: Any) -> np.ndarray:
-        return render(ball, ball.start, ("image",), size=(200, 150), quality=Quality(**choices))
+        return figure_of(
+            ball, ball.start, ("image",), size=(200, 150), quality=Quality(**choices)
+        ).pixels()
 
     whole = picture()
-    fewer = render(reduced(ball, 0.01), ball.start, ("image",), size=(200, 150))
+    fewer = figure_of(reduced(ball, 0.01), ball.start, ("image",), size=(200, 150)).pixels()
     assert (picture(detail=0.01) == fewer).all() and (fewer != whole).any()
     assert (picture(smoothing="none") == whole).all()
     assert (picture(depth_format="fixed8") != whole).any()

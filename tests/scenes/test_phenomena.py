@@ -17,12 +17,13 @@ import pytest
 from app.bootstrap import ROOT
 from app.model.lenses import central, oblique, parallel
 from app.model.limits import PLANES
+from app.model.parameter import Parameter
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase
-from app.scenes.phenomena.settings import Setting, Settings
+from app.scenes.phenomena.settings import Settings
 from tests.oracles.illustrations import assert_sound, projections, subject_of
 from tests.support.lenses import ONE_OF_EACH
 from tests.support.marked import marked
@@ -36,7 +37,7 @@ LEAST_SEEN = {
 """The least share of the subject in the picture, for scenes that leave some of it out."""
 
 
-def values_of(setting: Setting) -> list[Any]:
+def values_of(setting: Parameter) -> list[Any]:
     """Its choices, or its default and its bounds; for a point also tiny coordinates."""
     if isinstance(setting.default, bool):
         return [True, False]
@@ -79,7 +80,7 @@ def test_the_data_are_whole(phenomenon: Phenomenon) -> None:
     assert len(set(names)) == len(names)
     for setting in phenomenon.settings:
         assert re.fullmatch(r"[a-z][a-z0-9_]*", setting.name)
-        assert setting.label and setting.tip
+        assert setting.title and setting.tip
         assert setting.checked(setting.default) == setting.default
     assert phenomenon.checked({}) == {each.name: each.default for each in phenomenon.settings}
     (faces, rgb), (lines, line_rgb) = phenomenon.geometry()
@@ -158,7 +159,7 @@ def test_no_projection_and_no_setting_shows_a_nan_or_a_text_without_translation(
     assert not {text for text in shown - marked_texts if words.search(text)}
 
 
-def bad_values(setting: Setting) -> list[Any]:
+def bad_values(setting: Parameter) -> list[Any]:
     """Values of other kinds, and numbers just beyond the bounds."""
     bad = ["nonsense", math.nan, None, (1.0, 2.0), (0.0, math.inf, 0.0), math.inf]
     if isinstance(setting.default, float):

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.lecture.notation import in_letters
+from app.lecture.letters import in_letters
 from app.model.projection import Camera, Oblique, Orbit, Projection
 from app.scenes.phenomena.oblique_drawing import PHENOMENON, oblique
 from tests.oracles.exact import cotangent_deg, mp

@@ -91,6 +91,9 @@ def test_polygons_with_holes_in_any_plane_keep_their_area_and_place() -> None:
 
 SQUARE = [[0, 0], [4, 0], [4, 4], [0, 4]]
 OUTLINES: dict[str, tuple[list[list[float]], float]] = {
+    "a hole that turns like its outline": (
+        [*SQUARE, [0, 0], [1, 1], [3, 1], [3, 3], [1, 3], [1, 1]], 12.0,
+    ),
     "keyhole": ([*SQUARE, [0, 0], [1, 1], [1, 3], [3, 3], [3, 1], [1, 1]], 12.0),
     "bridge in two pieces": (
         [*SQUARE, [0, 0], [0.5, 0.5], [1, 1], [1, 3], [3, 3], [3, 1], [1, 1]], 12.0,

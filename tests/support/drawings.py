@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
@@ -15,12 +15,17 @@ from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow, vtkUnsignedCharArray
 
+from app.document.document import Document
+from app.document.lengths import Size
+from app.document.view import AS_EVER, PANES, View
 from app.drawings import WORDS
+from app.drawings.figure import Figure
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, SceneLabel
 from app.drawings.off_screen import take_screen
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Projection
+from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene, load
 
@@ -93,6 +98,24 @@ def illustrated(scene: Scene, projection: Projection | None = None) -> Illustrat
         return None
     settings = scene.phenomenon.checked({})
     return scene.phenomenon.illustration(projection or scene.start, settings, scene.subject)
+
+
+def figure_of(
+    scene: Scene,
+    projection: Projection | None = None,
+    panes: Sequence[str] = PANES,
+    size: Size | tuple[int, int] | None = None,
+    *,
+    view: View = AS_EVER,
+    settings: Mapping[str, Any] | None = None,
+    quality: Quality = AUTOMATIC,
+    **options: Any,
+) -> Figure:
+    """A figure of a scene, under its own projection unless another is given."""
+    state = Document(
+        scene.name, projection or scene.start, view=view, settings=settings or {}, quality=quality
+    )
+    return Figure(state, scene, panes, size, **options)
 
 
 def shown(screen: Any, scene: Scene, projection: Projection, *args: Any, **options: Any) -> Pixels:

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from app.model.parameter import Parameter
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -15,7 +16,7 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Text
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
 from app.scenes.phenomena.words import PhenomenonWords
 
@@ -91,12 +92,12 @@ EVERYTHING = Phenomenon(
     SIMILAR_TRIANGLES.geometry,
     _show,
     (
-        Setting("gap", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
-        Setting("turn", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
-        Setting("count", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
-        Setting("kind", "a"),
-        Setting("correct", True),
-        Setting("light", (1.0, 3.6, 3.0)),
+        Parameter("gap", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
+        Parameter("turn", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
+        Parameter("count", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
+        Parameter("kind", "a"),
+        Parameter("correct", True),
+        Parameter("light", (1.0, 3.6, 3.0)),
     ),
     controls=("lens.near", "camera.distance"),
     follow=_follow,

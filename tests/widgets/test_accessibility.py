@@ -120,7 +120,7 @@ def test_no_key_of_a_dialog_means_two_things(window: MainWindow) -> None:
     for dialog in (
         window,
         window.practice.overview,
-        ExportDialog(panes, (640, 360), window),
+        ExportDialog(panes, window.pictures.figure(), window),
         SelfTestDialog({"L1": ("One", 3)}, 1, window),
         TitleDialog("Add a step", "Depth", True, window),
         SpeakerWindow(window.settings, window),

@@ -24,12 +24,12 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.lengths import DPI, Size
 from app.document.view import View
-from app.drawings.figures import render
 from app.drawings.style import Style
 from app.drawings.world import WorldDrawing
 from app.model.projection import Camera
 from app.picking.picking import Probe
 from app.scenes.scene import load
+from tests.support.drawings import figure_of
 from tests.support.window import (
     MakeWindow,
     click,
@@ -40,7 +40,7 @@ from tests.support.window import (
     turn,
 )
 from widgets.parts.combo import Combo
-from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import data_folder
 
@@ -285,7 +285,7 @@ def as_figure(window: MainWindow, pane: str, view: View) -> np.ndarray:
     settle()
     text_pt = styles[-1].font_size * 72.0 / DPI
     size = shape[1], shape[0]
-    return render(scene, document.projection, (pane,), size, view=view, text_pt=text_pt)
+    return figure_of(scene, document.projection, (pane,), size, view=view, text_pt=text_pt).pixels()
 
 
 def test_a_figure_is_the_pane_at_every_stage(window: MainWindow) -> None:
@@ -326,17 +326,18 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     click(window.strip.stops[2])
     settle()
     out = tmp_path / "figure.png"
-    assert window.pictures.export(out, ExportChoice(("world", "ndc"), (400, 200), 1.0, False, 4.0))
+    figure = window.pictures.figure(panes=("world", "ndc"), size=(400, 200), text_pt=4.0)
+    assert window.pictures.export(out, figure)
     document = read(out)
     assert is_as(document.view, replace(PREPARED, stage=2.0))
-    again = render(
+    again = figure_of(
         load("cube"), document.projection, ("world", "ndc"), (400, 200), view=document.view,
         text_pt=4.0,
-    )  # fmt: skip
+    ).pixels()  # fmt: skip
     assert (np.asarray(Image.open(out)) == again).all()
     window.pictures.copy()
     assert QApplication.clipboard().mimeData().hasImage()
-    drawn = ExportChoice(("ndc",), Size(2, 2, "cm"), 1.0, False, hidden="grey", ending="svg")
+    drawn = replace(figure, panes=("ndc",), size=Size(2, 2, "cm"), text_pt=None, hidden="grey")
     assert window.pictures.export(tmp_path / "a.svg", drawn)
     text = (tmp_path / "a.svg").read_text()
     assert 'width="20mm"' in text and "<desc>The eye is at (" in text
@@ -344,30 +345,30 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
 
 def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
+    titles, shown = {n: pane.name for n, pane in window.panes.items()}, window.pictures.figure()
+    dialog = ExportDialog(titles, shown, window)
     names = {field.accessibleName(): field for field in dialog.findChildren(QLineEdit)}
     letters = names["Height of the letters in points"]
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
-    assert letters.text() == "6.6" and dialog.choice().text_pt is None
+    assert letters.text() == "6.6" and dialog.figure().text_pt is None
     names["Height of the picture"].setText("300")
     assert letters.text() == "3.3", "as usual for the size"
     letters.selectAll()
     QTest.keyClicks(letters, "7,5")
-    assert dialog.choice().text_pt == 7.5 and save.isEnabled()
+    assert dialog.figure().text_pt == 7.5 and save.isEnabled()
     names["Height of the picture"].setText("600")
     assert letters.text() == "7,5", "what was typed stays"
     combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
     combos["mm"].setCurrentIndex(1)
-    assert dialog.choice().size == Size(152.4, 50.8, "mm") and save.isEnabled()
+    assert dialog.figure().size == Size(152.4, 50.8, "mm") and save.isEnabled()
     for name in ("SVG", "dashed", "for print", "in a column"):
         combos[name].setCurrentIndex(1)
-    asked = dialog.choice()
-    assert asked[5:] == (True, "print", "dashed", False, "svg") and asked.text_pt == 7.5
-    again = ExportDialog(
-        {n: pane.name for n, pane in window.panes.items()}, (640, 360), window,
-        kept=json.loads(json.dumps(dialog.kept)),
-    )  # fmt: skip
-    assert again.choice() == asked
+    asked = dialog.figure()
+    assert asked == replace(
+        shown, size=asked.size, text_pt=7.5, column=True, palette="print", hidden="dashed"
+    )
+    again = ExportDialog(titles, shown, window, kept=json.loads(json.dumps(dialog.kept)))
+    assert (again.figure(), again.ending) == (asked, "svg")
     for wrong in ("0", "-1", "1e9", "nan", "big", ""):
         letters.selectAll()
         QTest.keyClick(letters, Qt.Key.Key_Delete)

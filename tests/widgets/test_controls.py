@@ -36,8 +36,7 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.fields import IMAGE, lens_fields
 from app.document.settings import set_values
-from app.drawings.figure_size import SCALED_WIDTH
-from app.drawings.figures import render
+from app.drawings.figure import SCALED_WIDTH
 from app.model.limits import DISTINCT
 from app.model.projection import (
     AT_LEAST,
@@ -79,6 +78,7 @@ from tests.support.controls import (
     press,
     release,
 )
+from tests.support.drawings import figure_of
 from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
@@ -269,7 +269,7 @@ CHOICES: dict[str, tuple[str, Any, Projection]] = {
 
 
 def test_the_tables_name_every_row(controls: Column) -> None:
-    own = {key for lens in LENSES.values() for key in lens.controls}
+    own = {each.name for lens in LENSES.values() for each in lens.parameters}
     assert {*NUMBERS, *CHOICES} | own == set(controls.rows)
 
 
@@ -1504,7 +1504,7 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         assert sentence(Refusal.saying(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
         cube = scene.load("cube")
         with pytest.raises(Refusal) as large:
-            render(cube, cube.start, size=(9000, 600), scale=2.0)
+            figure_of(cube, cube.start, size=(9000, 600), scale=2.0).pixels()
         said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
         assert sentence(large.value) == said
     finally:

@@ -18,7 +18,8 @@ from pytestqt.qtbot import QtBot
 from app.drawings.style import DARK, LIGHT
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from tests.support.window import rgb_of
-from widgets.parts.diagram import DiagramView, decade_ticks, round_ticks, segments
+from widgets.parts.diagram import DiagramView
+from widgets.parts.diagram_axis import decade_ticks, round_ticks, segments
 from widgets.parts.messages import figure_text
 
 MAGENTA, GREEN = "#ff00ff", "#00ff00"
@@ -230,6 +231,7 @@ def test_there_are_never_too_many_ticks_and_enough_where_there_is_room(
         (1.0, 1e3, 6, [1.0, 10.0, 100.0, 1000.0]),
         (1e-12, 1e12, 9, [1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e12]),
         (1.0, 8.0, 4, [1.0, 2.0, 5.0]),
+        (1.0, 90.0, 9, [1.0, 2.0, 5.0, 10.0, 20.0, 50.0]),
         (3.0, 3.5, 6, [3.0, 3.1, 3.2, 3.3, 3.4, 3.5]),
     ],
 )

@@ -21,13 +21,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app.lecture.typesetting import outline
 from app.lessons.text import (
     DISPLAYED,
     FORMULA,
     escaped,
     html_of,
     in_line,
-    outline,
     plain_of,
     readable,
 )

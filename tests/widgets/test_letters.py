@@ -7,9 +7,9 @@ import pytest
 
 from app.document.view import View
 from app.drawings import DrawingWords
-from app.drawings.figures import render
-from app.lecture.notation import LETTERS, Letters, axis_letters, frame_letters, in_letters
+from app.lecture.letters import LETTERS, Letters, axis_letters, frame_letters, in_letters
 from app.scenes.scene import load
+from tests.support.drawings import figure_of
 from tests.support.window import pixels, settle, show_scene
 from widgets.panels.probe_table import EXACT
 from widgets.window.main_window import MainWindow
@@ -78,13 +78,13 @@ def test_l1_the_numbers_of_the_frame_have_lecture_004s_names(window: MainWindow)
 def test_a_figure_is_written_in_the_views_letters() -> None:
     scene = load("letter-f")
     figures = {
-        letters: render(
+        letters: figure_of(
             scene,
             scene.start,
             panes=("world",),
             size=(320, 240),
             view=View(letters=letters, names=("n",)),
-        )
+        ).pixels()
         for letters in ("own", "001", "002")
     }
     assert (figures["own"] != figures["001"]).any()
@@ -94,10 +94,10 @@ def test_a_figure_is_written_in_the_views_letters() -> None:
 def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
     scene = load("off-axis-window")
     own, lecture_000, lecture_003 = (
-        render(
+        figure_of(
             scene, scene.start, panes=("world",), size=(480, 360), view=View(letters=letters),
             settings=scene.phenomenon and scene.phenomenon.checked({}),
-        )
+        ).pixels()
         for letters in ("own", "000", "003")
     )  # fmt: skip
     assert (own != lecture_000).any() and np.array_equal(own, lecture_003)
@@ -106,10 +106,10 @@ def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
 def test_the_blackboards_lengths_have_the_views_letters() -> None:
     scene = load("letter-f")
     own, lecture_000, lecture_003 = (
-        render(
+        figure_of(
             scene, scene.start, panes=("world",), size=(480, 360),
             view=View(letters=letters, fixed="side"),
-        )
+        ).pixels()
         for letters in ("own", "000", "003")
     )  # fmt: skip
     assert (own != lecture_000).any() and np.array_equal(own, lecture_003)

@@ -23,11 +23,14 @@ from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolBut
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import LIGHT
-from app.lecture import notation
+from app.lecture import copying, notation
 from app.lecture.conventions import in_convention
-from app.lecture.notation import LETTERS, as_latex
+from app.lecture.copying import as_latex
+from app.lecture.letters import LETTERS
 from app.lecture.typed_matrix import with_cell
-from app.model.formula import ARROW, OVER, stacked_fraction
+from app.lecture.typesetting import pieces_of
+from app.model.formula import ARROW
+from app.model.formula_text import OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
 from app.picking.picking import Probe
 from tests.support import controls as dock
@@ -127,7 +130,7 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
                 value = told[matrix.name][i][j]
                 assert plain(view.texts[i][j]) == f"{value:.4g}"
                 assert f"{view.texts[i][j]}. " in panel.sentence(matrix, i, j)
-                assert notation.cell_text(value) in words
+                assert copying.cell_text(value) in words
 
 
 def lit(view: MatrixView) -> set[tuple[int, int]]:
@@ -207,13 +210,13 @@ def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(
         return QGuiApplication.clipboard().text()
 
     few, width, whole = view.texts, view.width(), copied()
-    number = notation.cell_text(told["view_from_world"][0][0])
+    number = copying.cell_text(told["view_from_world"][0][0])
     assert number in whole and len(number) > 12
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     assert number not in panel.explanation.text() and few[0][0] in panel.explanation.text()
     with all_digits_shown():
         for matrix in panel.shown:
-            exact = [[notation.cell_text(cell) for cell in row] for row in told[matrix.name]]
+            exact = [[copying.cell_text(cell) for cell in row] for row in told[matrix.name]]
             assert panel.views[matrix.name].texts == exact
         assert number in panel.explanation.text() and copied() == whole
         assert view.width() > 1.5 * width
@@ -417,7 +420,7 @@ def test_a_cell_is_typed_and_goes_out_once(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
-    assert field.text() == notation.cell_text(panel.shown[-3].values[0][2])  # with all its digits
+    assert field.text() == copying.cell_text(panel.shown[-3].values[0][2])  # with all its digits
     assert field.text() != panel.views["clip_from_view"].texts[0][2]
     assert field.accessibleName() == "clip ← view, row 1, column 3"
     type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")
@@ -801,12 +804,8 @@ def test_a_vector_is_distinguished_from_the_plane_with_its_letter(panel: MatrixP
             before, _, after = text.partition("·")
             # Lecture 004 has a point for the eye.
             assert before.endswith(ARROW) and (after[1] == ARROW or after.startswith("T_0")), text
-            runs = typeset(text, panel.font()).runs
-            if OVER not in text:
-                drawn = "".join(run for _, _, run, _ in runs)
-                assert drawn == text.replace(ARROW, "").replace("_", "")
-            drawn_bold = [run for _, _, run, font in runs if font.bold()]
-            assert len(drawn_bold) == text.count(ARROW) and {len(run) for run in drawn_bold} == {1}
+            vectors_of = [piece for piece, is_tex in pieces_of(text) if "vec" in piece and is_tex]
+            assert len(vectors_of) == text.count(ARROW)
         (view,) = (matrix for matrix in panel.shown if matrix.name == "view_from_world")
         latex = as_latex(view, letters, formulas=True)
         assert r"\vec{" in latex and ARROW not in latex
@@ -856,7 +855,7 @@ def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None
         for view in panel.views.values():
             for i, j in itertools.product(range(4), range(4)):
                 text, cell = view.texts[i][j], view.cell_rect(i, j)
-                printed = typeset(text, view.font())
+                printed = typeset(text, view.font(), is_formula=True)
                 assert printed.width < cell.width() and printed.height <= cell.height()
                 assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 

@@ -24,8 +24,9 @@ from app.document.files import write
 from app.document.view import MOST_PROBES
 from app.drawings import probes
 from app.drawings.style import LIGHT, rgb
-from app.lecture.notation import matrices, stacked
-from app.model.formula import OVER
+from app.lecture.letters import stacked
+from app.lecture.notation import matrices
+from app.model.formula_text import OVER
 from app.model.projection import (
     Camera,
     FreeMatrix,

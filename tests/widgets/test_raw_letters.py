@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.view import PANELS
-from app.lecture.notation import LETTERS
+from app.lecture.letters import LETTERS
 from app.lessons.course import contained
 from app.lessons.lesson import read
 from app.lessons.text import in_line

@@ -24,19 +24,20 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.document.store import Store
 from app.lessons.course import CONTENT
+from app.model.parameter import Parameter
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Setting, Settings
+from app.scenes.phenomena.settings import Settings
 from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
 from tests.support.window import enter, show_scene
+from widgets.controls.parameter_rows import Player, make_row, scale_of
 from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
-from widgets.controls.setting_rows import Player, make_row, scale_of
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow
 from widgets.parts.messages import TranslatedWords, number_text
@@ -157,7 +158,7 @@ def test_there_is_a_row_for_every_setting_of_its_kind(owner: Owner) -> None:
     rows = owner.card.rows
     kinds = [NumberRow, NumberRow, NumberRow, ChoiceRow, CheckRow, VectorRow]
     assert [type(row) for row in rows.values()] == kinds
-    assert [row.name for row in rows.values()] == [s.label for s in EVERYTHING.settings]
+    assert [row.name for row in rows.values()] == [s.title for s in EVERYTHING.settings]
     assert {name: row.value() for name, row in rows.items()} == dict(EVERYTHING.checked({}))
     assert number_row(owner.card, "gap").unit_label.text() == "mm"
     assert owner.edits == []
@@ -365,7 +366,7 @@ def test_a_mesh_can_be_asked_for_and_taken_away_where_there_is_a_place_for_it(
 
 
 def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> None:
-    row = make_row(Setting("a", 4.0))
+    row = make_row(Parameter("a", 4.0))
     qtbot.addWidget(row)
     assert isinstance(row, NumberRow)
     assert row.value() == 4.0 and row.slider.minimum() < row.slider.value() < row.slider.maximum()
@@ -423,11 +424,11 @@ def test_one_number_plays_at_a_time_and_none_in_a_folded_panel(owner: Owner) -> 
 
 
 def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
-    count = Player(Setting("n", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
+    count = Player(Parameter("n", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
     count.show_value(1.0)
     count.play()
     assert played(count, 0.1, 0.15, 0.25, 0.5) == [2.0, 3.0, 5.0]
-    power = Player(Setting("e", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
+    power = Player(Parameter("e", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
     power.show_value(1.0)
     power.play()
     assert played(power, 1.0, 2.0, 5.0, 1.0) == [10.0, 1000.0, 10000.0, 1000.0]
@@ -494,7 +495,7 @@ NUMBERS = [
 @pytest.mark.parametrize(
     ("name", "setting"), NUMBERS, ids=[f"{name}.{setting.name}" for name, setting in NUMBERS]
 )
-def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: Setting) -> None:
+def test_every_place_of_a_slider_is_a_value_of_its_setting(name: str, setting: Parameter) -> None:
     scale = scale_of(setting)
     assert scale.last >= (min(10.0, setting.high - setting.low) if setting.whole else 10)
     values = [scale.value_at(position) for position in range(scale.last + 1)]

@@ -49,7 +49,8 @@ from app.document.codec import picture_json, to_json
 from app.document.document import Document
 from app.document.files import UNWRITABLE, extract, read, write
 from app.document.lengths import Size
-from app.drawings.figures import png_bytes, render
+from app.drawings.figure import Figure
+from app.drawings.figure_files import png_bytes
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
@@ -94,9 +95,10 @@ from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
 from widgets.parts.messages import number_text, sentence
 from widgets.window.autosave import Autosave
-from widgets.window.export_dialog import ExportChoice, ExportDialog
+from widgets.window.export_dialog import ExportDialog
 from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
+from widgets.window.pictures import preview
 from widgets.window.probing import Probing
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import Settings, data_folder
@@ -577,7 +579,7 @@ def test_a_picture_written_through_a_link_finds_its_mesh(
     assert window.files.open(mesh)
     (tmp_path / "deep").mkdir()
     link.symlink_to(tmp_path / "deep" / "real.png")
-    assert window.pictures.export(link, ExportChoice(("image",), (64, 64), 1.0, False))
+    assert window.pictures.export(link, window.pictures.figure(panes=("image",), size=(64, 64)))
     assert window.files.open(link), window.messages.text
     assert window.store.document.scene == str(mesh)
 
@@ -586,20 +588,18 @@ def test_a_picture_shows_the_panes_as_they_were_turned_and_so_does_its_document(
     window: MainWindow, tmp_path: Path
 ) -> None:
     straight, turned = tmp_path / "straight.png", tmp_path / "turned.png"
-    choice = ExportChoice(("world", "ndc"), (800, 400), 1.0, False)
-    window.pictures.export(straight, choice)
+    figure = partial(window.pictures.figure, panes=("world", "ndc"), size=(800, 400))
+    window.pictures.export(straight, figure())
     for name in ("world", "ndc"):
         turn(window, name)
     assert not window.store.modified, "to look from elsewhere changes no document"
     before = {name: pixels(window, name) for name in ("world", "ndc")}
-    window.pictures.export(turned, choice)
+    window.pictures.export(turned, figure())
     picture = np.asarray(Image.open(turned))
     assert (picture != np.asarray(Image.open(straight))).mean() > 0.02
     document = read(turned)
-    again = render(
-        load("letter-f"), document.projection, choice.panes, choice.size, view=document.view
-    )
-    assert (again == picture).all()
+    again = Figure(document, load("letter-f"), ("world", "ndc"), (800, 400))
+    assert (again.pixels() == picture).all()
 
     window.slots.reset_views()
     settle()
@@ -635,8 +635,7 @@ def test_an_export_can_be_cancelled(
     timer.timeout.connect(cancel)
     timer.start(0)
     path = tmp_path / "figure.png"
-    choice = ExportChoice(("world", "ndc", "image"), (900, 300), 1.0, False)
-    assert not window.pictures.export(path, choice)
+    assert not window.pictures.export(path, window.pictures.figure(size=(900, 300)))
     timer.stop()
     assert shown and not path.exists() and window.messages.text == ""
 
@@ -646,9 +645,8 @@ def test_a_preview_can_be_cancelled(
 ) -> None:
     window, shown = make_window(shown=False), list[str]()
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
-    size = window.store.document.projection.image_size
     titles = {name: pane.name for name, pane in window.panes.items()}
-    dialog = ExportDialog(titles, size, window, window.pictures.preview)
+    dialog = ExportDialog(titles, window.pictures.figure(), window, preview)
     combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
     for name in ("SVG", "dashed"):  # lines behind faces take long
         combos[name].setCurrentIndex(1)
@@ -664,10 +662,10 @@ def test_a_preview_can_be_cancelled(
     timer.start(0)
     dialog.show_preview()
     timer.stop()
-    preview = named(dialog, QLabel, "Preview")
-    assert shown == ["Drawing the preview"] and preview.pixmap().isNull()
+    drawn = named(dialog, QLabel, "Preview")
+    assert shown == ["Drawing the preview"] and drawn.pixmap().isNull()
     dialog.show_preview()
-    assert not preview.pixmap().isNull()
+    assert not drawn.pixmap().isNull()
 
 
 def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
@@ -677,8 +675,8 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     edit(window)
     messages, taken = window.messages, []
     path, nowhere = tmp_path / "lesson.json", tmp_path / "no such folder"
-    choice = ExportChoice(("image",), (64, 64), 1.0, False)
-    assert not window.pictures.export(nowhere / "figure.png", choice)
+    figure = window.pictures.figure(panes=("image",), size=(64, 64))
+    assert not window.pictures.export(nowhere / "figure.png", figure)
     assert "figure.png" in messages.text
     assert window.pictures.copy() and messages.text == ""
     assert not window.files.save_to(nowhere / "lesson.json") and window.store.modified
@@ -697,6 +695,16 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.choices[0].click()
     assert messages.text == "" and taken == ["it"]
     messages.show_message("A refusal.")
+    messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
+    assert messages.text == "A refusal." and not messages.choices
+    named(messages, QToolButton, "Dismiss this message").click()
+    assert messages.text == "An offer." and messages.choices
+    named(messages, QToolButton, "Dismiss this message").click()
+    messages.show_message("A refusal.")
+    messages.show_message("It is done.", ("Undo", partial(taken.append, "it")), warns=False)
+    assert messages.text == "It is done."
+    messages.choices[0].click()
+    messages.show_message("A refusal.")
     messages.done()
     assert messages.text == ""
     messages.show_message("Another offer.", ("Take it", lambda: None))
@@ -707,7 +715,9 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
 
 def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, (640, 360), window)
+    window.store.set_projection(seen(window, image_size=(640, 360)))
+    shown = window.pictures.figure()
+    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, shown, window)
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
     problem = dialog.findChild(WarningLabel)
     (scale,) = (each for each in dialog.findChildren(Combo) if each.itemText(0) == "1 ×")
@@ -718,7 +728,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow)
         box.setChecked(False)
     assert not save.isEnabled() and problem.text()
     panes["Image"].setChecked(True)
-    assert dialog.choice() == ExportChoice(("image",), Size(640, 360), 1.0, False)
+    assert dialog.figure() == replace(shown, panes=("image",), size=Size(640, 360))
     no_number, too_large = "must be whole numbers", "width = 1e400: must be a whole number"
     for text, part in (("1_800", no_number), ("\uff11", no_number), ("1e3", no_number),
                        ("", no_number), ("9" * 5000, no_number), ("9" * 400, too_large),
@@ -731,7 +741,7 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow)
     width.selectAll()
     QTest.keyClicks(width, "777")
     panes["World"].setChecked(True)
-    assert dialog.choice().size == Size(777, 360), "a typed size stays"
+    assert dialog.figure().size == Size(777, 360), "a typed size stays"
 
 
 def test_a_number_of_400_digits_is_refused_in_a_sentence() -> None:
@@ -1035,11 +1045,13 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     lost = data_folder() / "autosave-1-aaaa.json"
     write(Document("posts"), lost)
     window.recovery.offer()
+    named(window.messages, QToolButton, "Dismiss this message").click()  # the offer waited
     on_a_full_disk(window.messages.choices[0].click)
     assert window.store.document.scene == "posts"
     assert lost.exists() and "save it soon" in window.messages.text
     window.store.mark_saved()
     window.recovery.offer()
+    named(window.messages, QToolButton, "Dismiss this message").click()
     window.messages.choices[0].click()
     (copy,) = data_folder().glob("autosave-*.json")
     assert copy != lost and read(copy).scene == "posts"

@@ -11,7 +11,7 @@ scene.
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
@@ -22,42 +22,38 @@ from PySide6.QtWidgets import QWidget
 
 from app.drawings.style import Style
 from app.lecture.highlight import NOTHING, Highlight, made_of
+from app.model.parameter import PARTS, Computed
+from app.model.parameters import (
+    DISTANCE,
+    EYE,
+    FAR,
+    FOV_X,
+    FOV_Y,
+    FX,
+    KIND,
+    NEAR,
+    TARGET,
+    TRANSLATE,
+    parameters,
+)
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
 from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
-from widgets.controls.camera_controls import CameraControls
 from widgets.controls.dock import Dock
-from widgets.controls.finder import ControlTexts, find, known
-from widgets.controls.lens_controls import LensControls
+from widgets.controls.finder import ControlTexts, find
+from widgets.controls.lens_sliders import LensSliders
+from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
 from widgets.controls.scene_card import SceneCard
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.focus import lay_out
-from widgets.parts.messages import seen_from, sentence, translated
+from widgets.parts.messages import parameter_text, seen_from, sentence, translated
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear, Log
-from widgets.parts.section import PARTS, Binding, Rows, Section, TitledRows
+from widgets.parts.section import Rows, Section, TitledRows, quiet
 
-_ABOUT: dict[str, tuple[str, ...]] = {
-    **dict.fromkeys(("azimuth_deg", "elevation_deg", "distance"), ("eye",)),
-    **dict.fromkeys(("roll_deg", "up"), ("up", "u", "v")),
-    **dict.fromkeys(("fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "fx", "fy"), ("fov",)),
-    "window_right": ("left", "right"),
-    "window_top": ("bottom", "top"),
-    **dict.fromkeys(("receding", "receding_deg"), ("alpha_deg", "beta_deg")),
-    **dict.fromkeys(("width", "height", "aspect"), ("image",)),
-    "kind": (),
-    "preset": (),
-}
-"""Highlight names of a row (`app.lecture.highlight`), where they differ from its field's name."""
-_MAKES: dict[str, tuple[str, ...]] = {
-    **dict.fromkeys(("eye", "target", "azimuth_deg", "elevation_deg"), ("u", "v", "n")),
-    **dict.fromkeys(("fov_y_deg", "fy"), ("bottom", "top")),
-    **dict.fromkeys(("fov_x_deg", "fx"), ("left", "right")),
-    **dict.fromkeys(("focal_length_mm", "e"), ("left", "right", "bottom", "top")),
-}
-"""Other things computed from a row's value; pointing at these marks the row too."""
+_ALL = tuple(PARTS.values())
 
 
 class Controls(Dock, RowHolder):
@@ -65,9 +61,8 @@ class Controls(Dock, RowHolder):
 
     Attributes
     ----------
-    card : SceneCard
     rows : dict of str to Row
-        Every row of the projection by its key: ``"near"``, ``"fov_y_deg"``, ``"eye_x"``, ...
+        Every row of the projection by the name of its parameter, or of a component: ``"eye_x"``.
     sections : dict of str to Section
         The folding parts: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"object"``,
         ``"animation"``.
@@ -116,23 +111,26 @@ class Controls(Dock, RowHolder):
             self._layout.addWidget(part)
         self._layout.addStretch(1)
         named = self.sections
-        self._lens = LensControls(self._front[0], named["more_lens"])
-        others = CameraControls(
-            self._front[1], named["more_camera"], named["image"], named["object"]
+        self._fixed = PlainLabel(
+            self.tr(
+                "The objects of this scene are fixed, because its numbers depend on them. You can"
+                " move those of the letter F, the cube, the posts and any mesh."
+            ),
+            wordWrap=True,
         )
-        self._fixed = others.fixed
+        named["object"].add(self._fixed)
+        self._bindings: dict[str, Binding] = {}
+        self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
+        self._lens = LensSliders(self._bindings, self)
         self.animation = AnimationBar()
         self.animation.edited.connect(self._adopt_camera)
         named["animation"].add(self.animation)
-        self._bindings: dict[str, Binding] = {}
-        for rows in self._parts:
-            self._bindings |= rows.bindings
         for section in self.sections.values():
             section.toggled.connect(partial(self._folded, section))
         self.sections["object"].toggled.connect(self._emit_object_unfolded)
         for key, binding in self._bindings.items():
             self._connect(binding)
-            about = _about(binding)
+            about = binding.parameter.highlights
             binding.row.highlighted.connect(partial(self._highlighted, key, about))
         self.rows = {name: each.row for name, each in self._bindings.items()}
         self._make_room()
@@ -142,6 +140,22 @@ class Controls(Dock, RowHolder):
     @property
     def _parts(self) -> tuple[Rows, ...]:
         return (*self._front, *self.sections.values())
+
+    def _make_rows(self, places: Mapping[str, Rows]) -> None:
+        memories: dict[Computed, TypedMemory] = {}
+        ordered = sorted(parameters(), key=lambda each: [*places].index(each.place))
+        for parameter in ordered:  # Tab follows the order in which rows are made
+            rows, computed, memory = places[parameter.place], parameter.computed, None
+            if computed is not None:
+                memory = memories.setdefault(computed, TypedMemory(computed))
+            if parameter is FX:
+                rows.add_title(self.tr("Calibrated camera (OpenCV K)"))
+            for binding in bindings_of(parameter, rows, memory):
+                self._bindings[binding.parameter.name] = binding
+                rows.add(binding.row)
+        quiet(self._bindings[KIND.name].row.name_label)
+        for angle in (FOV_Y, FOV_X):
+            self._number(angle.name).field.below = 180.0
 
     # -- the interface
 
@@ -161,9 +175,9 @@ class Controls(Dock, RowHolder):
 
     def set_style(self, style: Style) -> None:
         """Give the planes' sliders the colours that the planes are drawn in."""
-        for name, colour in (("near", style.near), ("far", style.far)):
-            slider = self._number(name).slider
-            slider.setObjectName(name)  # for the application's style sheet
+        for plane, colour in ((NEAR, style.near), (FAR, style.far)):
+            slider = self._number(plane.name).slider
+            slider.setObjectName(plane.name)  # for the application's style sheet
             palette = slider.palette()
             palette.setColor(QPalette.ColorRole.Highlight, QColor(colour))
             slider.setPalette(palette)
@@ -171,7 +185,7 @@ class Controls(Dock, RowHolder):
     def _show(self, projection: Projection) -> None:
         before, changed = self._projection, set[str]()
         if projection is not before and projection != before:
-            changed = {part for part in PARTS if getattr(projection, part) != getattr(before, part)}
+            changed = {part for part in _ALL if getattr(projection, part) != getattr(before, part)}
         for binding in self._bindings.values():
             row = binding.row
             if row.error and (binding.part in changed or not row.in_hand):
@@ -219,15 +233,15 @@ class Controls(Dock, RowHolder):
         reach = 2.0 * max(size, camera.distance)
         for axis, letter in enumerate("xyz"):
             about_target = Linear.about(camera.target[axis], reach)
-            self._number(f"eye_{letter}").setScale(about_target)
-            self._number(f"target_{letter}").setScale(about_target)
-            self._number(f"translate_{letter}").setScale(Linear.about(0.0, 2.0 * size))
+            self._number(f"{EYE.name}_{letter}").setScale(about_target)
+            self._number(f"{TARGET.name}_{letter}").setScale(about_target)
+            self._number(f"{TRANSLATE.name}_{letter}").setScale(Linear.about(0.0, 2.0 * size))
         near, far = sorted((size, camera.distance))
-        self._number("distance").setScale(Log(float(f"{near / 10.0:.2g}"), 10.0 * far))
+        self._number(DISTANCE.name).setScale(Log(float(f"{near / 10.0:.2g}"), 10.0 * far))
         self._lens.fit(self._projection, size, defaults)
         for binding in self._bindings.values():
-            if binding.part != "lens":
-                binding.row.setDefault(binding.read(defaults))
+            if not binding.lenses:
+                binding.row.setDefault(binding.parameter.value(defaults))
         self.animation.set_scene(size, camera)
         self.animation.show_camera(self._projection.camera)
         self._show_rows()
@@ -236,7 +250,7 @@ class Controls(Dock, RowHolder):
         """Mark the rows of what is highlighted, and the rows that it is computed from."""
         shown = made_of(highlighted)
         for binding in self._bindings.values():
-            names = _about(binding).union(_MAKES.get(binding.field, ()))
+            names = binding.parameter.highlights.union(binding.parameter.makes)
             binding.row.set_marked(bool(names & shown))
         self.card.show_highlight(shown)
 
@@ -279,7 +293,7 @@ class Controls(Dock, RowHolder):
         ]
         of_scene = [path.removeprefix("settings.") for path in paths]
         rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
-        self._show_values(PARTS)
+        self._show_values(_ALL)
         return rows
 
     def take_back(self) -> None:
@@ -315,16 +329,19 @@ class Controls(Dock, RowHolder):
             self._show_matches(None)
             return
         here: dict[QWidget, ControlTexts] = {
-            row: known("", (row.name,), row.tip) for row in self.card.rows.values()
+            row: ControlTexts(row.name, row.tip) for row in self.card.rows.values()
         }
         elsewhere: dict[QWidget, ControlTexts] = {}
         for key, binding in self._bindings.items():
             if key in self._replaced:
                 continue
             places = here if self._in_use(binding) else elsewhere
-            places[binding.row] = known(key, (binding.row.name,), binding.row.tip)
+            also = parameter_text(binding.parameter, binding.parameter.also)
+            texts = ControlTexts(f"{binding.row.name} {key} {also}", binding.row.tip)
+            places[binding.row] = texts
         walk = self.animation
-        here[walk] = known("animation", (row.name for row in walk.rows), "")
+        names = [*(row.name for row in walk.rows), self.tr("animation play walk turn")]
+        here[walk] = ControlTexts(" ".join(names), "")
         matches, others = find(text, here), find(text, elsewhere)
         self._not_here.setText(self._why_not_here(matches, others))
         self._show_matches(matches)
@@ -409,7 +426,7 @@ class Controls(Dock, RowHolder):
         if not self._in_use(binding):  # a hidden row of another lens
             return
         try:
-            projection = binding.write(before, value)
+            projection = binding.parameter.put(before, value)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
             general = seen.bound == FINITE_NUMBER or seen.limits in ((LARGEST,), (-LARGEST,))
@@ -419,8 +436,8 @@ class Controls(Dock, RowHolder):
             # Later, when the layout has made room, and if the error is still there.
             QTimer.singleShot(0, self, partial(self._reveal, binding.row))
         else:
-            if binding.keep is not None:
-                binding.keep(before, value, projection)
+            if binding.memory is not None:
+                binding.memory.keep(binding.parameter, before, value, projection)
             if projection.lens.kind != before.lens.kind:
                 place = binding.row.mapTo(self.viewport(), QPoint())
                 QTimer.singleShot(0, self, partial(self._hold, binding.row, place))
@@ -440,7 +457,7 @@ class Controls(Dock, RowHolder):
             return None
         probe = math.copysign(LARGEST, value)
         try:
-            binding.write(self._projection, probe)
+            binding.parameter.put(self._projection, probe)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, probe, error)
             if seen.field == binding.field and seen.value == probe:
@@ -451,7 +468,7 @@ class Controls(Dock, RowHolder):
         if not self._in_use(binding):
             return False
         try:
-            binding.write(self._projection, value)
+            binding.parameter.put(self._projection, value)
         except Refusal:
             return False
         return True
@@ -495,21 +512,15 @@ class Controls(Dock, RowHolder):
             row.setVisible(self._in_use(binding) and (matches is None or row in matches))
         for rows in self._parts:
             rows.show_titles()
-        self._show_values(PARTS)
+        self._show_values(_ALL)
 
     def _show_values(self, parts: Collection[str]) -> None:
         """Write the visible values of these parts of the projection."""
-        for rows in self._parts:
-            is_open = rows.is_open
-            for key, binding in rows.bindings.items():
-                away = key in self._lifted or key in self._lent
-                seen = (is_open or away) and not binding.row.isHidden()
-                if seen and binding.part in parts:
-                    binding.row.setValue(binding.read(self._projection))
-
-
-def _about(binding: Binding) -> Highlight:
-    return frozenset(_ABOUT.get(binding.field, (binding.field,)))
+        is_open = {rows: rows.is_open for rows in self._parts}
+        for key, binding in self._bindings.items():
+            seen = is_open[binding.rows] or key in self._lifted or key in self._lent
+            if seen and binding.part in parts and not binding.row.isHidden():
+                binding.row.setValue(binding.parameter.value(self._projection))
 
 
 def _as_shown(error: Refusal, value: Any) -> Refusal:

@@ -1,7 +1,7 @@
 """Find a control by its name, its letter, its old names, or the words of its tooltip.
 
 Each typed word must begin a word of the control; a single letter must be a whole word. Names come
-before tooltips: "near" means the near plane, not everything that depends on it.
+before tooltips: a plane's name means the plane, not everything that depends on it.
 """
 
 from __future__ import annotations
@@ -10,53 +10,11 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QLineEdit, QWidget
 
-from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.plain import set_tip
-
-ALSO = {
-    "kind": QT_TRANSLATE_NOOP("Find", "projection lens perspective glFrustum glOrtho orthographic"
-                                      " oblique matrix"),
-    "fov_y_deg": QT_TRANSLATE_NOOP("Find", "vertical fov angle zoom gluPerspective"),
-    "fov_x_deg": QT_TRANSLATE_NOOP("Find", "field of view angle"),
-    "focal_length_mm": QT_TRANSLATE_NOOP("Find", "zoom 35 mm camera f"),
-    "e": QT_TRANSLATE_NOOP("Find", "half-angle"),
-    "window_right": QT_TRANSLATE_NOOP("Find", "window right r glFrustum"),
-    "window_top": QT_TRANSLATE_NOOP("Find", "window top t glFrustum"),
-    **dict.fromkeys(
-        ("left", "right", "bottom", "top"),
-        QT_TRANSLATE_NOOP("Find", "window l r b t glFrustum glOrtho off-axis"),
-    ),
-    "near": QT_TRANSLATE_NOOP("Find", "n plane clipping zNear"),
-    "far": QT_TRANSLATE_NOOP("Find", "f plane clipping zFar infinity"),
-    "keep": QT_TRANSLATE_NOOP("Find", "keep aspect stretch"),
-    "preset": QT_TRANSLATE_NOOP("Find", "preset cavalier cabinet oblique"),
-    **dict.fromkeys(
-        ("receding", "receding_deg", "alpha_deg", "beta_deg"),
-        QT_TRANSLATE_NOOP("Find", "oblique shear"),
-    ),
-    **dict.fromkeys(
-        ("fx", "fy", "cx", "cy"),
-        QT_TRANSLATE_NOOP("Find", "K intrinsics calibrated camera OpenCV principal point"),
-    ),
-    **dict.fromkeys(
-        ("azimuth_deg", "elevation_deg", "distance"), QT_TRANSLATE_NOOP("Find", "orbit angles")
-    ),
-    "roll_deg": QT_TRANSLATE_NOOP("Find", "orbit tilt"),
-    **dict.fromkeys(("eye_x", "eye_y", "eye_z"), QT_TRANSLATE_NOOP("Find", "vectors position")),
-    **dict.fromkeys(
-        ("target_x", "target_y", "target_z"), QT_TRANSLATE_NOOP("Find", "vectors look at")
-    ),
-    **dict.fromkeys(("up_x", "up_y", "up_z"), QT_TRANSLATE_NOOP("Find", "vectors view-up VUP")),
-    **dict.fromkeys(("width", "height"), QT_TRANSLATE_NOOP("Find", "image size resolution pixels")),
-    "aspect": QT_TRANSLATE_NOOP("Find", "image size ratio proportions"),
-    "depth": QT_TRANSLATE_NOOP("Find", "depth range NDC z buffer OpenGL Direct3D reversed"),
-    "animation": QT_TRANSLATE_NOOP("Find", "animation play walk turn"),
-}  # fmt: skip
-"""Other names of each control."""
 
 
 class ControlTexts(NamedTuple):
@@ -64,12 +22,6 @@ class ControlTexts(NamedTuple):
 
     names: str
     tip: str
-
-
-def known(key: str, names: Iterable[str], tip: str) -> ControlTexts:
-    """Return the texts of the control with this key, other names included."""
-    also = QCoreApplication.translate("Find", ALSO[key]) if key in ALSO else ""
-    return ControlTexts(" ".join((*names, key, also)), tip)
 
 
 def find(text: str, parts: Mapping[QWidget, ControlTexts]) -> set[QWidget]:

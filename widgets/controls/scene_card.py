@@ -20,14 +20,15 @@ from PySide6.QtGui import QHelpEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
+from app.model.parameter import Parameter, Value
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, Value
+from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import Comparison
+from widgets.controls.parameter_rows import Player, make_row
 from widgets.controls.readout import Readout, full_sentence
-from widgets.controls.setting_rows import Player, make_row
 from widgets.parts.buttons import tool_button
 from widgets.parts.fields import ChoiceRow, Row, RowHolder
 from widgets.parts.icons import RefusalLabel
@@ -274,7 +275,7 @@ class SceneCard(QWidget, RowHolder):
     def named(self, error: Refusal) -> Refusal:
         """Name a refusal by the label of its setting."""
         assert self._phenomenon is not None
-        labels = {setting.path: setting.label for setting in self._phenomenon.settings}
+        labels = {setting.path: setting.title for setting in self._phenomenon.settings}
         if error.field not in labels:
             return error
         name = of_phenomena(labels[error.field])
@@ -286,7 +287,7 @@ class SceneCard(QWidget, RowHolder):
 
     # -- rows
 
-    def _make_rows(self, settings: Iterable[Setting]) -> None:
+    def _make_rows(self, settings: Iterable[Parameter]) -> None:
         self.players.clear()
         self.take_back()
         for row in self.rows.values():
@@ -294,7 +295,7 @@ class SceneCard(QWidget, RowHolder):
         _remove(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
-            row = make_row(setting, self.tr("none of these"))
+            row = make_row(setting, none=self.tr("none of these"))
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
             self._join(row)
@@ -331,7 +332,7 @@ class SceneCard(QWidget, RowHolder):
                 self.rows[setting.name].set_marked(setting.path in highlighted)
         self.readout.show_highlight(highlighted)
 
-    def _add_player(self, setting: Setting, row: NumberRow) -> None:
+    def _add_player(self, setting: Parameter, row: NumberRow) -> None:
         player = Player(setting, self)
         self.players[setting.name] = player
         player.stepped.connect(partial(self._played, setting.name))
@@ -420,14 +421,14 @@ class SceneCard(QWidget, RowHolder):
             self._without_effect = without_effect
             self.show_some(self._matches)
 
-    def _without_another(self, setting: Setting, values: ImpliedSettings) -> str:
+    def _without_another(self, setting: Parameter, values: ImpliedSettings) -> str:
         """Say which value of another setting this one needs, if it has another value."""
         assert self._phenomenon is not None
         name, wanted = setting.only_with or ("", None)
         if not name or values[name] == wanted:
             return ""
         other = next(other for other in self._phenomenon.settings if other.name == name)
-        label = of_phenomena(other.label)
+        label = of_phenomena(other.title)
         if isinstance(wanted, bool):
             return self.tr("Only with “{0}” switched on.").format(label)
         text = of_phenomena(dict(other.choices)[str(wanted)])

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QObject
 
-from app.lecture.notation import Letters, WrittenMatrix, written
+from app.lecture.letters import Letters, written
+from app.lecture.notation import WrittenMatrix
 from widgets.panels.matrix_view import VIEW, is_a_cameras
 from widgets.parts.messages import field_name, read_text, stage_title
 

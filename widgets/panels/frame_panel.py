@@ -25,8 +25,10 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import frame_letters
-from app.model.formula import ARROW, stacked_fraction
+from app.lecture.letters import frame_letters
+from app.model.formula import ARROW
+from app.model.formula_text import stacked_fraction
+from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.buttons import push_button
@@ -37,7 +39,6 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Log
-from widgets.parts.section import tidy
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
 from widgets.parts.writing import all_digits, lettering
 
@@ -255,7 +256,6 @@ class FramePanel(Panel):
         step = self._steps[self.step]
         place = self.tr("{0} of {1}: {2}")
         self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
-        self.formula.set_formula(self._lettered(step.formula))
         self.sentence.setText(step.sentence)
         self._mark()
         self.back.setEnabled(self.step > 0)
@@ -286,6 +286,8 @@ class FramePanel(Panel):
 
     def _show_numbers(self) -> None:
         if self.isVisible():
+            # Not before: at the start of the program the formulas' fonts would be read for it.
+            self.formula.set_formula(self._lettered(self._steps[self.step].formula))
             step, camera = STEPS[self.step], self._projection.camera
             has_wholes = lettering.now == "004"
             self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text, has_wholes)))

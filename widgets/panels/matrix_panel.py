@@ -21,19 +21,10 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
 from app.drawings.style import LIGHT, Style
+from app.lecture.copying import as_latex, as_numpy, as_text, cell_text
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import (
-    LETTERS,
-    Letters,
-    WrittenMatrix,
-    as_latex,
-    as_numpy,
-    as_text,
-    cell_sign,
-    cell_text,
-    has_own_signs,
-    matrices,
-)
+from app.lecture.letters import LETTERS, Letters
+from app.lecture.notation import WrittenMatrix, cell_sign, has_own_signs, matrices
 from app.lecture.pasting import Pasted, pasted
 from app.lecture.stages import NDC, REACHED_BY
 from app.lecture.typed_matrix import (

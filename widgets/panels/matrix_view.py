@@ -30,14 +30,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
+from app.lecture.copying import cell_text
 from app.lecture.highlight import NOTHING, Highlight, made_of
-from app.lecture.notation import Letters, WrittenMatrix, cell_text, letters_in, stacked, written
+from app.lecture.letters import Letters, stacked, written
+from app.lecture.notation import WrittenMatrix, letters_in
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
-from widgets.parts.typeset import typeset
+from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, typeset
 from widgets.parts.writing import all_digits
 
 VIEW = ("view_from_world", "rotation")
@@ -223,9 +225,12 @@ class MatrixView(QWidget):
         font.setPointSizeF(font.pointSizeF() * 0.75)
         return font
 
+    def _typeset(self, text: str) -> Typeset:
+        return typeset(text, self.font(), is_formula=self._writing.formulas)
+
     def _measure(self, anew: bool) -> None:
         height = QFontMetricsF(self.font()).height()
-        cells = [[typeset(text, self.font()) for text in row] for row in self.texts]
+        cells = [[self._typeset(text) for text in row] for row in self.texts]
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers change quickly, columns only grow, because a jumping row cannot be read.
         self._fitting = widths
@@ -331,14 +336,12 @@ class MatrixView(QWidget):
 
     def _paint_brackets(self, painter: QPainter, ink: QColor) -> None:
         left, top = self._margin
-        bottom, width = top + sum(self._heights), sum(self._columns)
-        painter.setPen(QPen(ink, 1.2))
-        for x, inward in ((left - 2.0, 4.0), (left + width + 2.0, -4.0)):
-            corners = ((x + inward, top), (x, top), (x, bottom), (x + inward, bottom))
-            painter.drawPolyline([QPointF(*corner) for corner in corners])
+        painter.setPen(QPen(ink, RULE_PX))
+        matrix = QRectF(left, top, sum(self._columns), sum(self._heights))
+        paint_brackets(painter, matrix.adjusted(-2.0, 0.0, 2.0, 0.0), FOOT_PX)
 
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
-        metrics, cell = QFontMetricsF(self.font()), typeset(text, self.font())
+        metrics, cell = QFontMetricsF(self.font()), self._typeset(text)
         end = rect.right() - 0.4 * metrics.height()
         base = rect.center().y() + cell.below_middle
         cell.paint(painter, end - cell.width, base)

@@ -2,16 +2,14 @@
 
 ::
 
-    Run --> Measuring (another process) --> Results, one for each trade or sweep
+    Run --> Measuring (another process) --> Measurements, one for each trade or sweep
     a file of results --------------------> drawn thinner over them
     a click on a point or a row --> used({"rung": "float32"})
 """
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -37,21 +35,27 @@ from app.measure import chart
 from app.measure.meaning import bargain, meaning
 from app.measure.results import (
     CANCELLED,
-    DAMAGED,
     MEASURED_ONLY,
+    SWEPT,
     ChartPoint,
     Measurements,
     Sweep,
     Trade,
-    from_json,
     named,
     table,
     to_csv,
     to_json,
 )
+from app.measure.single import (
+    has_numbers,
+    joined_tables,
+    only_part,
+    read_results,
+    rows_of_other,
+    split,
+)
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
-from app.strangers import decode, open_regular
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.buttons import push_button
@@ -69,7 +73,6 @@ ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Endings of the export formats."""
 NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
-SWEPT = ("near", "far", "fov", "distance", "up", "aspect")
 _NAME = Qt.ItemDataRole.UserRole
 
 
@@ -270,7 +273,7 @@ class MeasurePanel(DiagramPanel):
         self._show_running()
 
     def _finished(self, results: Measurements | None, said: str) -> None:
-        measured = {} if results is None else _split(results)
+        measured = {} if results is None else split(results)
         missing = [name for name in self._asked if name not in measured]
         cancelled = results is not None and not results.complete
         for name in self._asked:
@@ -284,7 +287,7 @@ class MeasurePanel(DiagramPanel):
                 self.measured.pop(name, None)
         if missing and not cancelled:
             self._refuse(said)
-        done = not cancelled and any(map(_has_numbers, measured.values()))
+        done = not cancelled and any(map(has_numbers, measured.values()))
         self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._readable.changed()
@@ -328,12 +331,15 @@ class MeasurePanel(DiagramPanel):
         QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
             if ending == ".csv":
-                content = "\n".join(to_csv(_part(each)) for each in (shown, other) if each).encode()
+                parts = [only_part(each) for each in (shown, other) if each]
+                content = "\n".join(map(to_csv, parts)).encode()
             elif ending == ".json":
                 content = to_json(shown).encode()
             else:
                 priced = [each and each.by_cost(self.cost.currentData()) for each in (shown, other)]
-                content = chart.picture(
+                from widgets.parts.chart_picture import picture
+
+                content = picture(
                     priced[0] or shown, path.name, self._current(), priced[1], of_measurements
                 )
             write_bytes_atomically(path, content)
@@ -357,7 +363,7 @@ class MeasurePanel(DiagramPanel):
     def load(self, path: Path) -> bool:
         """Draw the results of a file over the measured ones; return whether that worked."""
         try:
-            results = _read(path)
+            results = read_results(path)
         except OSError as error:
             text = self.tr("{0}: cannot be read: {1}.")
             self._refuse(text.format(path.name, error.strerror or error))
@@ -365,7 +371,7 @@ class MeasurePanel(DiagramPanel):
         except Refusal as error:
             self._refuse(sentence(error))
             return False
-        self.loaded = _split(results)
+        self.loaded = split(results)
         if self.name not in self.loaded and self.loaded:
             self.choose(next(iter(self.loaded)))
         self.succeeded.emit()
@@ -388,7 +394,7 @@ class MeasurePanel(DiagramPanel):
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
             both = (self.measured.get(name), self.loaded.get(name))
-            has = any(each and _has_numbers(each) for each in both)
+            has = any(each and has_numbers(each) for each in both)
             self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None)
@@ -412,10 +418,10 @@ class MeasurePanel(DiagramPanel):
 
     def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""
-        return _part(results.by_cost(self.cost.currentData()))
+        return only_part(results.by_cost(self.cost.currentData()))
 
     def _bargain(self, trade: Trade) -> str:
-        """Say what the choice that was clicked, or else the one in use, buys and pays."""
+        """State what the clicked choice, or else the one in use, gains and costs."""
         picked = next((c for c in trade.choices if c.name == self._picked), None)
         chosen = picked or chart.in_use(trade, self._current())
         return bargain(trade, chosen, of_measurements) if chosen else ""
@@ -433,9 +439,9 @@ class MeasurePanel(DiagramPanel):
         heads: list[str] = []
         rows: list[list[str]] = []
         if shown is not None:
-            heads, *rows = table(_part(shown), all_digits=all_digits.now)
+            heads, *rows = table(only_part(shown), all_digits=all_digits.now)
             if other is not None:
-                heads, rows = _joined(heads, rows, *_other_rows(other))
+                heads, rows = joined_tables(heads, rows, *rows_of_other(other, all_digits.now))
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()
@@ -549,61 +555,3 @@ class MeasurePanel(DiagramPanel):
         self.table.clearSelection()  # a selected row would look as if it were in use
         if choice.name:
             self._refuse(why)
-
-
-def _part(results: Measurements) -> Trade | Sweep:
-    """Return the only trade or sweep of split results."""
-    parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
-    return parts[0]
-
-
-def _has_numbers(results: Measurements) -> bool:
-    """Whether split results contain a number."""
-    part = _part(results)
-    if isinstance(part, Trade):
-        return bool(part.frontier)
-    return any(error is not None for curve in part.curves.values() for error in curve.errors)
-
-
-def _split(results: Measurements) -> dict[str, Measurements]:
-    """Split results by the names of their trades and sweeps."""
-    parts = {
-        trade.name: replace(results, trades=(trade,), sweeps=(), complete=trade.complete)
-        for trade in results.trades
-    }
-    return parts | {
-        sweep.parameter: replace(results, trades=(), sweeps=(sweep,), complete=sweep.complete)
-        for sweep in results.sweeps
-    }
-
-
-def _read(path: Path) -> Measurements:
-    with open_regular(path) as file:
-        text, _ = decode(file.read())
-    results = from_json(text, path.name)
-    for name in _split(results):
-        if name not in chart.TITLES:
-            raise Refusal.saying(
-                DAMAGED, path.name, f"{json.dumps(name)} is nothing that is measured"
-            )
-    return results
-
-
-def _other_rows(other: Measurements) -> tuple[list[str], list[list[str]]]:
-    """The table of a file's results; its last column, the only wide one, names the machine."""
-    heads, *rows = table(_part(other), all_digits=all_digits.now)
-    name = chart.machine(other)
-    return heads, [[*cells, "; ".join(filter(None, (name, note)))] for *cells, note in rows]
-
-
-def _joined(
-    heads: list[str], rows: list[list[str]], other_heads: list[str], other_rows: list[list[str]]
-) -> tuple[list[str], list[list[str]]]:
-    """Join two tables vertically; columns that only the second has come second to last."""
-    middle = list(dict.fromkeys([*heads[1:-1], *other_heads[1:-1]]))
-    joined = []
-    for names, each in ((heads, rows), (other_heads, other_rows)):
-        for row in each:
-            cells = dict(zip(names[1:-1], row[1:-1], strict=True))
-            joined.append([row[0], *(cells.get(name, "-") for name in middle), row[-1]])
-    return [heads[0], *middle, heads[-1]], joined

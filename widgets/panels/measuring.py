@@ -6,7 +6,7 @@
     set_paused           --> "pause", "resume" on its standard input
     cancel               --> "cancel"; the results until then still come
     progressed           <-- a fraction, a line each, on its standard error
-    finished             <-- Results on its standard output, or why there are none
+    finished             <-- Measurements on its standard output, or why there are none
 """
 
 from __future__ import annotations

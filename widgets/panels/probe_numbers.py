@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject
 
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.notation import clip_signs, steps_of_a_point
-from app.model.formula import stacked_fraction
+from app.model.formula_text import stacked_fraction
 from app.model.projection import PLANES, Projection, Trace
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector

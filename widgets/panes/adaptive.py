@@ -67,7 +67,7 @@ class Adaptive(QObject):
             pane.canvas.shown.connect(self._swapped)
 
     def show(self, scene: Scene, quality: Quality) -> None:
-        """Prepare another scene or quality; the caller builds the panes for it."""
+        """Plan the levels for another scene or quality; the caller builds its panes."""
         if scene is not self._scene or quality != self.quality:
             if not is_made(scene, quality.detail):
                 self._make(scene, (quality.detail,), can_be_cancelled=False)

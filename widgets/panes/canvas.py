@@ -335,7 +335,7 @@ class Hand(QObject):
         self.describe("")
 
     def describe(self, about: str) -> None:
-        """Tell a screen reader what the pane shows, before the keys."""
+        """Describe what the pane shows to a screen reader, before the keys."""
         self._canvas.setAccessibleDescription(f"{about} {self._keys}".strip())
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:

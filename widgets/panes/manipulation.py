@@ -31,12 +31,13 @@ from app.picking.handles import (
     dollied,
     dragged,
     dragged_grip,
+    moved_by,
     panned,
     place,
     present,
     slid_grip,
 )
-from app.picking.picking import Sight
+from app.picking.sight import Sight
 from app.scenes.phenomena.marks import Grip
 from app.scenes.phenomena.settings import Settings
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
@@ -44,7 +45,14 @@ from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.gestures import Gestures
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import field_name, of_phenomena, read_text, seen_from, sentence
+from widgets.parts.messages import (
+    field_name,
+    of_phenomena,
+    parameter_text,
+    read_text,
+    seen_from,
+    sentence,
+)
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip, wrapped
@@ -112,7 +120,7 @@ class Manipulation(Gestures, QObject):
             self._grips = {grip.setting: grip for grip in grips}
             phenomenon = shown.scene.phenomenon
             settings = () if phenomenon is None else phenomenon.settings
-            self._labels = {each.name: of_phenomena(each.label) for each in settings}
+            self._labels = {each.name: of_phenomena(each.title) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drop()  # another scene while dragging
         drawing = self._world.drawing
@@ -157,7 +165,7 @@ class Manipulation(Gestures, QObject):
             self._describe_handle(handle)
 
     def _describe_handle(self, handle: Handle) -> None:
-        """Say what a drag of a handle does, and the present value."""
+        """Show what a drag of a handle does, and the present value."""
         self._show_handle_text(f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
@@ -205,23 +213,8 @@ class Manipulation(Gestures, QObject):
             if grip is not None and grip.along is not None:
                 return (), self.tr("Drag the plane")
             return (), self.tr("Drag this point (Shift: up and down)")
-        does: dict[str, tuple[tuple[str, ...], str]] = {
-            "origin": (("translate",), self.tr("Drag the object (Shift: up and down)")),
-            "turn": (("rotate_deg",), self.tr("Drag in a circle to turn the object")),
-            "object": (("scale",), self.tr("Drag along the axis to stretch the object")),
-            "eye": (("eye",), self.tr("Drag the eye (Shift: up and down)")),
-            "target": (("target",), self.tr("Drag the target (Shift: up and down)")),
-            "near": (("near",), self.tr("Drag the near plane")),
-            "far": (("far",), self.tr("Drag the far plane")),
-        }
-        for name in (handle.setting, handle.name):
-            if name in does:
-                return does[name]
-        if self._projection.lens.fov_y_deg is not None:
-            return ("fov_y_deg",), self.tr("Drag to change the field of view")
-        right, up = handle.at
-        sides = "right" if right > 0.0 else "left", "top" if up > 0.0 else "bottom"
-        return sides, self.tr("Drag this corner (Shift: both sides)")
+        moved = moved_by(self._projection, handle)
+        return tuple(each.name for each in moved), parameter_text(moved[0], moved[0].drag)
 
     # -- drags
 

@@ -72,7 +72,7 @@ AS_BUILT: dict[str, Any] = {
     "handles": frozenset(),
     "highlight": NOTHING,
 }
-"""What a drawing can be asked to show, and what a new drawing shows, in the order of the calls."""
+"""The requests that a drawing takes, with their first values, in the order of the calls."""
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
     "layers": lambda drawing, hidden: drawing.show_layers(hidden),

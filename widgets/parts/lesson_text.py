@@ -7,7 +7,6 @@ text.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from functools import lru_cache
 from typing import Any, cast
 
@@ -30,9 +29,7 @@ from PySide6.QtGui import (
     QFont,
     QFontMetrics,
     QFontMetricsF,
-    QGuiApplication,
     QPainter,
-    QPainterPath,
     QPalette,
     QPen,
     QPyTextObject,
@@ -46,12 +43,14 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
 
+from app.lecture.typesetting import Outline, outline
 from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.marking import digits_shown
-from app.lessons.text import DISPLAYED, FORMULA, Outline, html_of, outline, readable, spoken_text
+from app.lessons.text import DISPLAYED, FORMULA, html_of, readable, spoken_text
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument
 from widgets.parts.roles import give_role
+from widgets.parts.typeset import em_px, fill_line
 
 INKS = "inks"
 """The property of a document with the colours of letters, ``"#rrggbb"`` by their names."""
@@ -155,52 +154,7 @@ def _at(document: QTextDocument, place: int) -> str:
 
 
 def _em(document: QTextDocument, character: QTextCharFormat) -> float:
-    """Return the pixels of an em on the screen; documents for paper are laid out in them, too.
-
-    Do not ask the layout's paint device: it is not a QObject, and when it is gone PySide takes
-    whatever lies at its address next for it.
-    """
-    font = character.font().resolve(document.defaultFont())
-    return float(font.pixelSize()) if font.pixelSize() > 0 else font.pointSizeF() * _dpi() / 72.0
-
-
-@lru_cache(maxsize=1)
-def _dpi() -> float:
-    return QGuiApplication.primaryScreen().logicalDotsPerInchY()
-
-
-@lru_cache(maxsize=512)
-def formula_parts(tex: str) -> tuple[tuple[str, QPainterPath], ...]:
-    """Return a formula's outlines in em, y downwards, with the baseline at 0: letters and the rest.
-
-    Each part has the name of its letter, as of `Outline.letters`, or none.
-    """
-    shape, parts, at = outline(tex), list[tuple[str, QPainterPath]](), 0
-    for name, begin, end in (*shape.letters, ("", len(shape.codes), len(shape.codes))):
-        if at < begin:
-            parts.append(("", _path(shape, at, begin)))
-        if name:
-            parts.append((name, _path(shape, begin, end)))
-        at = end
-    return tuple(parts)
-
-
-def _path(shape: Outline, place: int, end: int) -> QPainterPath:
-    path = QPainterPath()
-    path.setFillRule(Qt.FillRule.WindingFill)
-    points = [(float(x), -float(y)) for x, y in shape.vertices]
-    codes = [int(code) for code in shape.codes]
-    draw: dict[int, Callable[..., None]]
-    draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
-    while place < end:
-        code = codes[place]
-        count = {3: 2, 4: 3}.get(code, 1)  # points of a curve
-        if code in draw:
-            draw[code](*(x for point in points[place : place + count] for x in point))
-        else:
-            path.closeSubpath()
-        place += count
-    return path
+    return em_px(character.font().resolve(document.defaultFont()))
 
 
 class _Formulas(QPyTextObject):
@@ -257,10 +211,8 @@ class _Formulas(QPyTextObject):
         letters.setNumColumns(LONGEST_TAIL)
         tail.endLayout()
         tail.draw(painter, QPointF((shape.width + ROOM_EM) * em, -letters.ascent()))
-        painter.scale(em, em)
-        inks = document.property(INKS) or {}
-        for name, path in formula_parts(tex):
-            painter.fillPath(path, QBrush(QColor(inks[name])) if name in inks else brush)
+        inks = {name: QColor(ink) for name, ink in (document.property(INKS) or {}).items()}
+        fill_line(painter, f"${tex}$", em, (0.0, 0.0), brush, inks)
         painter.restore()
 
 

@@ -23,7 +23,8 @@ class MessageBar(QFrame):
     """Shows one sentence at a time without blocking the window; Esc in the bar dismisses it.
 
     An offer is a sentence with choices. Another sentence may replace it for a while; the offer
-    returns until it is accepted or dismissed.
+    returns until it is accepted or dismissed. An offer with a warning sign waits until a warning
+    that is shown is dismissed.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -32,7 +33,7 @@ class MessageBar(QFrame):
         self.setAccessibleName(self.tr("Message"))
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        self._sentence = ""
+        self._sentence, self._warns = "", False
         self._choices: list[QPushButton] = []
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
@@ -54,6 +55,9 @@ class MessageBar(QFrame):
         is_news = sentence != self.text
         if choices:
             self._offer = sentence, choices, warns
+            if is_news and warns and self.text and self._warns and not self._choices:
+                return
+        self._warns = warns
         for button in self._choices:
             button.deleteLater()
         self._choices = []

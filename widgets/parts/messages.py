@@ -13,8 +13,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 
-from app.document.field_names import FIELDS
-from app.lecture.notation import Letters, in_letters
+from app.lecture.letters import Letters, in_letters
 from app.model.limits import (
     AT_LEAST,
     AT_MOST,
@@ -24,6 +23,8 @@ from app.model.limits import (
     OTHER_SIDE,
     THREE_NUMBERS,
 )
+from app.model.parameter import Parameter
+from app.model.parameters import TITLES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from widgets.parts.writing import all_digits, lettering
 
@@ -74,7 +75,7 @@ def file_title(path: str) -> str:
 
 def field_name(field: str) -> str:
     """Return the translated name of a field; any other name is already translated."""
-    return QCoreApplication.translate("Field", FIELDS[field]) if field in FIELDS else field
+    return QCoreApplication.translate("Field", TITLES[field]) if field in TITLES else field
 
 
 def plane_name(plane: str) -> str:
@@ -127,6 +128,11 @@ def read_text(value: float, digits: int = FEW) -> str:
 def of_phenomena(text: str, letters: Letters | None = None) -> str:
     """Translate a text of the phenomena; names of symbols become the chosen letters."""
     return in_letters(QCoreApplication.translate("phenomena", text), letters or lettering.now)
+
+
+def parameter_text(parameter: Parameter, text: str) -> str:
+    """Translate a text of a parameter."""
+    return of_phenomena(text) if parameter.section == "settings" else translated(text, "Field")
 
 
 class TranslatedWords(dict[str, str]):

@@ -7,6 +7,7 @@ from PySide6.QtGui import QColor, QFont, QFontInfo, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.drawings.style import DARK, LIGHT, Style
+from app.model.parameters import FAR, NEAR
 from widgets.parts.highlight import faded
 
 SHARE_OF_SCREEN = 0.0225
@@ -38,8 +39,8 @@ _OF_SHEET = {  # additional colours of the style sheet: light, dark
     "edge_of_bar": ("#d8b860", "#7a6420"),
     "frame": ("#888884", "#74777a"),
     "muted": ("#585858", "#b4b4b4"),
-    "near": (LIGHT.near, DARK.near),
-    "far": (LIGHT.far, DARK.far),
+    NEAR.name: (LIGHT.near, DARK.near),
+    FAR.name: (LIGHT.far, DARK.far),
 }
 
 _STYLE_SHEET = """

@@ -1,4 +1,4 @@
-"""Plain text in widgets: it is shown literally, and nothing in it is loaded.
+"""Widgets for plain text: they show it literally and load nothing from it.
 
 Qt interprets a text that looks like HTML and loads its pictures, but titles, units and names come
 from files of strangers. These are the only labels, tooltips, message boxes and documents of this

@@ -1,134 +1,27 @@
-"""A part of the dock: rows with their bindings, optionally below a title or a folding heading.
-
-A `Binding` connects a row with the model by two functions, `read` and `write`. Rows that show one
-value in several ways (fov and focal length, orbit and vectors) are several bindings.
-"""
+"""A part of the dock: rows, optionally below a title or a folding heading."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass
-from typing import Any, Literal, TypeAlias
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from app.model.projection import Projection
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import in_column
-from widgets.parts.messages import field_name
-from widgets.parts.number_rows import NumberRow
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.scales import Log, Scale
-
-Read: TypeAlias = Callable[[Projection], Any]
-Write: TypeAlias = Callable[[Projection, Any], Projection]
-Keep: TypeAlias = Callable[[Projection, Any, Projection], None]
-Of: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
-PARTS: tuple[Of, ...] = ("lens", "camera", "image_size", "depth", "placement")
-
-
-def tidy(number: float) -> float:
-    """Round a computed number to 13 digits: 60 comes back as 60, not as 60.00000000000001."""
-    return float(f"{number:.13g}")
-
-
-class TypedMemory:
-    """Keeps typed numbers that the model does not keep.
-
-    Computed from the model, they would contain rounding errors, and some would be lost: the
-    azimuth of a camera straight above its target, the direction of depth that recedes by 0.
-
-    Parameters
-    ----------
-    source : callable
-        Returns the part of a projection that the numbers are computed from.
-    compute : callable
-        Returns a named tuple of the numbers of a projection.
-    apply : callable
-        Returns a projection with other numbers.
-    """
-
-    def __init__(
-        self,
-        source: Callable[[Projection], Hashable],
-        compute: Callable[[Projection], Any],
-        apply: Callable[[Projection, Any], Projection],
-    ) -> None:
-        self._source, self._compute, self._apply = source, compute, apply
-        self._kept: tuple[Hashable, Any] = (None, None)
-        self._computed: tuple[Hashable, Any] = (None, None)
-
-    def numbers(self, projection: Projection) -> Any:
-        """Return the numbers; typed ones keep all their digits."""
-        now = self._source(projection)
-        for source, numbers in (self._kept, self._computed):
-            if source == now:
-                return numbers
-        computed = self._compute(projection)
-        self._computed = now, type(computed)(*map(tidy, computed))
-        return self._computed[1]
-
-    def access(self, name: str) -> tuple[Read, Write, Keep]:
-        """Return the functions with which a `Binding` shows one of the numbers."""
-
-        def read(projection: Projection) -> float:
-            return float(getattr(self.numbers(projection), name))
-
-        def changed(projection: Projection, value: float) -> Any:
-            return self.numbers(projection)._replace(**{name: value})
-
-        def write(projection: Projection, value: float) -> Projection:
-            return self._apply(projection, changed(projection, value))
-
-        def keep(before: Projection, value: float, after: Projection) -> None:
-            self._kept = self._source(after), changed(before, value)
-
-        return read, write, keep
-
-
-@dataclass(frozen=True)
-class Binding:
-    """A row and the value of the model that it shows.
-
-    Parameters
-    ----------
-    field : str
-        The model's name of the value.
-    part : str
-        The field of `Projection` that the value belongs to; only a change there can remove an
-        error.
-    read, write : callable
-        Return the value of a projection, and a projection with another value.
-    keep : callable, optional
-        Called after an accepted edit with the projection before, the value, the projection after.
-    lenses : tuple of str
-        The kinds of lens that have this value; empty if every lens has it.
-    """
-
-    row: Row
-    field: str
-    part: Of
-    read: Read
-    write: Write
-    keep: Keep | None = None
-    lenses: tuple[str, ...] = ()
-
 
 GAP_PX = 6
 """Between the rows."""
 
 
 class Rows(QWidget):
-    """Rows, one below the other, with their bindings by key; `body` holds the rows."""
+    """Rows, one below the other; `body` holds them."""
 
     def __init__(self) -> None:
         super().__init__()
-        self.bindings: dict[str, Binding] = {}
         self._order: list[QWidget] = []
         self._titles: list[PlainLabel] = []
         self.body = QWidget()
@@ -145,38 +38,6 @@ class Rows(QWidget):
         self.setVisible(matches is None or any(row in matches for row in here))
 
     # -- rows
-
-    def add_number(
-        self, key: str, part: Of, tip: str, scale: Scale, unit: str, unit_tip: str,
-        read: Read, write: Write, keep: Keep | None = None, *, name: str = "", field: str = "",
-        lenses: tuple[str, ...] = (),
-    ) -> NumberRow:  # fmt: skip
-        """Add a number; without a name its row has the model's name for `key`."""
-        row = NumberRow(name or field_name(key), tip, scale, unit, unit_tip)
-        self._bind(key, Binding(row, field or key, part, read, write, keep, lenses))
-        return row
-
-    def add_length(
-        self, key: str, tip: str, read: Read, write: Write, lenses: tuple[str, ...]
-    ) -> NumberRow:
-        """Add a lens's length in world units; the scene sets the slider's scale later."""
-        return self.add_number(
-            key, "lens", tip, Log(1.0, 10.0), self.tr("units"), self.tr("world units"),
-            read, write, lenses=lenses,
-        )  # fmt: skip
-
-    def add_choice(
-        self, key: str, part: Of, tip: str, choices: Sequence[Option], read: Read, write: Write,
-        *, buttons: bool = False, none: str = "", name: str = "", lenses: tuple[str, ...] = (),
-    ) -> ChoiceRow:  # fmt: skip
-        """Add a choice; see `ChoiceRow`."""
-        row = ChoiceRow(name or field_name(key), tip, choices, buttons=buttons, none=none)
-        self._bind(key, Binding(row, key, part, read, write, None, lenses))
-        return row
-
-    def _bind(self, key: str, binding: Binding) -> None:
-        self.bindings[key] = binding
-        self.add(binding.row)
 
     def add(self, widget: QWidget) -> None:
         self._order.append(widget)

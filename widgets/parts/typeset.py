@@ -1,40 +1,47 @@
-"""Typeset formulas: stacked fractions, matrices in brackets, bold vectors.
+"""Formulas drawn by Qt's painter: stacked fractions, matrices in brackets, and lines of letters.
 
-A formula is a text. Fractions come from `app.model.formula.stacked_fraction`, matrices from
-`matrix`; ``_`` begins a subscript, ``^`` a superscript, and `ARROW` follows the letter or word of a
-vector.
+A formula is a text. Fractions come from `app.model.formula_text.stacked_fraction`, matrices from
+`matrix`; `app.lecture.typesetting` sets the rest, in the letters of the pictures and the lessons.
+A number alone, in a matrix, or behind an equals sign has the font of the text beside it: it is
+drawn while something is dragged, and Qt keeps the pictures of its digits.
 """
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
     QAction,
+    QBrush,
+    QColor,
     QFont,
     QFontMetricsF,
     QGuiApplication,
     QKeyEvent,
     QKeySequence,
     QPainter,
+    QPainterPath,
     QPaintEvent,
     QPen,
+    QTransform,
 )
 
-from app.model.formula import ARROW, CLOSE, OPEN, OVER
+from app.lecture.typesetting import Outline, line_of, piece_of
+from app.model.formula import ARROW
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.highlight import MarkedLabel, paint_highlight
 
-SMALLER = 0.8
+LETTERS_EM = 1.19
+"""Size of a formula's letters, relative to the text's: then small letters are as tall."""
+SMALLER = 0.88
 """Size of the letters of a fraction, relative to its line."""
-SMALL = 0.75
-"""Size of subscripts and superscripts, relative to the line."""
-LOWER, HIGHER = 0.2, -0.35
-"""Shift of subscripts and superscripts below the line, in heights of a line."""
+AXIS_EM = 0.28
+"""Height of a minus sign, and of a fraction's line, above the line."""
 RULE_PX, ROOM_PX = 1.2, 2.0
 """Thickness of a fraction's line and of a bracket, and the gap beside them."""
 FOOT_PX = 4.0
@@ -44,10 +51,13 @@ BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15
 LEAST_EM = 8
 """Least width of a formula that shrinks, in heights of a line."""
 
-_SIGNS = (OPEN, "[", "_", "^", ARROW, "\n")
-_PIECE = re.compile(
-    "_(?P<below>[^\\W_]*(?:\u2192[^\\W_]+)?)|\\^(?P<above>[-−]?[^\\W_]*)"
-    f"|(?<![^\\W\\d_])(?P<vector>[^\\W\\d_]+){ARROW}|(?P<plain>.)"
+_BLOCK = re.compile(
+    rf"{OPEN}(?P<above>[^{OPEN}{OVER}{CLOSE}]*){OVER}(?P<below>[^{OPEN}{OVER}{CLOSE}]*){CLOSE}"
+    r"|\[(?P<matrix>[^\[\]]*)\]"
+)
+_INDEXED = re.compile("([^\\W_]+_[^\\W_]+(?:\u2192[^\\W_]+)?)")
+_IS_FORMULA = re.compile(  # not the powers of ten of a number
+    rf"(?:(?<!\d)|(?!e[-+]?\d))[^\W\d⁰¹²³⁴-⁹]|[{OPEN}\[\n:]"
 )
 
 
@@ -59,8 +69,10 @@ class Typeset:
     ----------
     ascent, descent : float
         Height above and below the line.
+    letters : QPainterPath
+        The outlines of formulas.
     runs : tuple of (float, float, str, QFont)
-        Texts with their left end, their shift below the line, and their font.
+        Numbers with their left end, their shift below the line, and their font.
     cells : tuple of QRectF
         The cells of a matrix, row by row.
     """
@@ -68,6 +80,7 @@ class Typeset:
     width: float
     ascent: float
     descent: float
+    letters: QPainterPath = field(default_factory=QPainterPath, hash=False)
     runs: tuple[tuple[float, float, str, QFont], ...] = ()
     rules: tuple[QLineF, ...] = field(default=(), hash=False)
     cells: tuple[QRectF, ...] = field(default=(), hash=False)
@@ -84,7 +97,7 @@ class Typeset:
     def at(self, x: float, y: float) -> Typeset:
         """Return a copy that is moved to the right and down, with the same width."""
         return Typeset(
-            self.width, self.ascent - y, self.descent + y,
+            self.width, self.ascent - y, self.descent + y, self.letters.translated(x, y),
             tuple((left + x, base + y, text, font) for left, base, text, font in self.runs),
             tuple(rule.translated(x, y) for rule in self.rules),
             tuple(cell.translated(x, y) for cell in self.cells),
@@ -97,44 +110,219 @@ class Typeset:
             painter.setFont(its_font)
             painter.drawText(QPointF(x + left, y + base), text)
         painter.setFont(font)
+        painter.fillPath(self.letters.translated(x, y), pen.brush())
         painter.setPen(QPen(pen.color(), RULE_PX))
         painter.drawLines([rule.translated(x, y) for rule in self.rules])
         painter.setPen(pen)
 
 
-def typeset(text: str, font: QFont) -> Typeset:
-    """Lay out a formula, or several lines of them."""
-    if not any(sign in text for sign in _SIGNS):  # the usual case: a running number
-        return _run(text, font)
+def typeset(text: str, font: QFont, *, is_formula: bool = False) -> Typeset:
+    """Lay out a formula, or several lines of them; a number alone, only if it `is_formula`."""
+    if not is_formula and _IS_FORMULA.search(text) is None:  # the usual case: a running number
+        return words(text, font)
     return _laid_out(text, font.toString())
+
+
+def words(text: str, font: QFont) -> Typeset:
+    """Lay out a number or words in their own font; a letter with a subscript is a formula."""
+    parts, metrics = list[Typeset](), QFontMetricsF(font)
+    for number, part in enumerate(_INDEXED.split(text)):
+        if number % 2:
+            parts.append(_letters(part, em_px(font)))
+        else:
+            width = metrics.horizontalAdvance(part)
+            run = (0.0, 0.0, part, font)
+            parts.append(Typeset(width, metrics.ascent(), metrics.descent(), runs=(run,)))
+    return parts[0] if len(parts) == 1 else _beside(parts)
 
 
 @lru_cache(maxsize=1024)
 def _laid_out(text: str, described: str) -> Typeset:
     font = QFont()
     font.fromString(described)
-    lines = [_TypesetReader(line).line(font) for line in text.split("\n")]
-    room = BETWEEN_ROWS * QFontMetricsF(font).height()
-    placed, y = [], 0.0
-    for number, line in enumerate(lines):
-        y += line.ascent + lines[number - 1].descent + room if number else 0.0
-        placed.append(line.at(0.0, y))
-    return _together(placed, max(line.width for line in lines))
+    return below([_line(line, font) for line in text.split("\n")], font)
+
+
+def _line(text: str, font: QFont) -> Typeset:
+    """Lay out fractions, matrices and what is between them."""
+    metrics, em = QFontMetricsF(font), em_px(font)
+    parts, at = [Typeset(0.0, metrics.ascent(), metrics.descent())], 0
+    for block in _BLOCK.finditer(text):
+        parts.append(_letters(text[at : block.start()], em))
+        if block["matrix"] is None:
+            parts.append(_fraction(block["above"], block["below"], em))
+        else:
+            parts.append(_matrix(block["matrix"], font))
+        at = block.end()
+    head, sign, value = text[at:].rpartition(" = ")
+    is_number = bool(sign) and _IS_FORMULA.search(value) is None
+    parts.append(_letters(head + sign if is_number else text[at:], em))
+    if is_number:
+        parts.append(words(value, font))
+    return _beside(parts)
+
+
+def _beside(parts: Sequence[Typeset]) -> Typeset:
+    placed, x = [], 0.0
+    for part in parts:
+        placed.append(part.at(x, 0.0))
+        x += part.width
+    return _together(placed, x)
 
 
 def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset:
     """Join parts that are already placed."""
+    letters = QPainterPath()
+    letters.setFillRule(Qt.FillRule.WindingFill)
+    for part in parts:
+        letters.addPath(part.letters)
     return Typeset(
         width,
         max(part.ascent for part in parts),
         max(part.descent for part in parts),
+        letters,
         tuple(run for part in parts for run in part.runs),
         (*(rule for part in parts for rule in part.rules), *rules),
         tuple(cell for part in parts for cell in part.cells),
     )
 
 
-def _resized(font: QFont, factor: float) -> QFont:
+def below(lines: Sequence[Typeset], font: QFont) -> Typeset:
+    """Lay out lines below each other."""
+    placed, y, room = [], 0.0, BETWEEN_ROWS * QFontMetricsF(font).height()
+    for number, line in enumerate(lines):
+        y += line.ascent + lines[number - 1].descent + room if number else 0.0
+        placed.append(line.at(0.0, y))
+    return _together(placed, max(line.width for line in lines))
+
+
+@lru_cache(maxsize=512)
+def _letters(text: str, em: float) -> Typeset:
+    """Lay out a line without fractions, as high as its ink."""
+    line, letters = line_of(text, formula=LETTERS_EM), QPainterPath()
+    for piece, is_tex, size, x in line.pieces:
+        scaled = QTransform.fromScale(size * em, size * em) * QTransform.fromTranslate(x * em, 0.0)
+        for _, path in outlines_of(piece, is_tex):
+            letters.addPath(scaled.map(path))
+    _, low, _, high = line.box
+    return Typeset(line.width * em, high * em, -low * em, letters)
+
+
+def _fraction(above: str, below: str, em: float) -> Typeset:
+    over, under = (_letters(part.strip(), SMALLER * em) for part in (above, below))
+    width, axis = max(over.width, under.width) + 2.0 * ROOM_PX, AXIS_EM * em
+    placed = [
+        over.at((width - over.width) / 2.0, -axis - ROOM_PX - over.descent),
+        under.at((width - under.width) / 2.0, -axis + ROOM_PX + under.ascent),
+    ]
+    whole = _together(placed, width, QLineF(RULE_PX, -axis, width - RULE_PX, -axis))
+    return replace(whole, ascent=whole.ascent + 1.0, descent=whole.descent + 1.0)
+
+
+def _matrix(text: str, font: QFont) -> Typeset:
+    rows = [[typeset(cell, font) for cell in row.split("&")] for row in text.split(";")]
+    height = QFontMetricsF(font).height()
+    inside, gap = FOOT_PX + ROOM_PX, BETWEEN_COLUMNS * height
+    columns = [max(cell.width for cell in column) for column in zip(*rows, strict=True)]
+    placed, cells, y = [], [], 0.0
+    for row in rows:
+        above, below = max(cell.ascent for cell in row), max(cell.descent for cell in row)
+        right = inside - gap
+        for cell, width in zip(row, columns, strict=True):
+            right += gap + width
+            placed.append(cell.at(right - cell.width, y + above))
+            cells.append(QRectF(right - width, y, width, above + below))
+        y += above + below + BETWEEN_ROWS * height
+    y -= BETWEEN_ROWS * height
+    width = sum(columns) + gap * (len(columns) - 1) + 2.0 * inside
+    brackets = (
+        QLineF(*ends)
+        for x, foot in ((RULE_PX, FOOT_PX), (width - RULE_PX, -FOOT_PX))
+        for ends in ((x, 0.0, x, y), (x, 0.0, x + foot, 0.0), (x, y, x + foot, y))
+    )
+    room = Typeset(width, RULE_PX, y + RULE_PX)  # for the brackets' own lines
+    whole = replace(_together([*placed, room], width, *brackets), cells=tuple(cells))
+    return whole.at(0.0, -QFontMetricsF(font).strikeOutPos() - y / 2.0)
+
+
+# --------------------------------------------------------------------------- outlines
+
+
+def em_px(font: QFont) -> float:
+    """Return the pixels of an em on the screen; documents for paper are laid out in them, too.
+
+    Do not ask a layout's paint device: it is not a QObject, and when it is gone PySide takes
+    whatever lies at its address next for it.
+    """
+    return float(font.pixelSize()) if font.pixelSize() > 0 else font.pointSizeF() * _dpi() / 72.0
+
+
+@lru_cache(maxsize=1)
+def _dpi() -> float:
+    return QGuiApplication.primaryScreen().logicalDotsPerInchY()
+
+
+@lru_cache(maxsize=1024)
+def outlines_of(piece: str, is_tex: bool) -> tuple[tuple[str, QPainterPath], ...]:
+    """Return outlines in em, y downwards, with the baseline at 0: letters and the rest.
+
+    Each part has the name of its letter, as of `Outline.letters`, or none.
+    """
+    whole, parts, at = piece_of(piece, is_tex), list[tuple[str, QPainterPath]](), 0
+    for name, begin, end in (*whole.letters, ("", len(whole.codes), len(whole.codes))):
+        if at < begin:
+            parts.append(("", _path(whole, at, begin)))
+        if name:
+            parts.append((name, _path(whole, begin, end)))
+        at = end
+    return tuple(parts)
+
+
+def _path(whole: Outline, place: int, end: int) -> QPainterPath:
+    path = QPainterPath()
+    path.setFillRule(Qt.FillRule.WindingFill)
+    points = [(float(x), -float(y)) for x, y in whole.vertices]
+    codes = [int(code) for code in whole.codes]
+    draw: dict[int, Callable[..., None]]
+    draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
+    while place < end:
+        code = codes[place]
+        count = {3: 2, 4: 3}.get(code, 1)  # points of a curve
+        if code in draw:
+            draw[code](*(x for point in points[place : place + count] for x in point))
+        else:
+            path.closeSubpath()
+        place += count
+    return path
+
+
+def paint_brackets(painter: QPainter, box: QRectF, foot: float) -> None:
+    """Draw the brackets of a matrix with the painter's pen."""
+    top, bottom = box.top(), box.bottom()
+    for x, inward in ((box.left(), foot), (box.right(), -foot)):
+        corners = ((x + inward, top), (x, top), (x, bottom), (x + inward, bottom))
+        painter.drawPolyline([QPointF(*corner) for corner in corners])
+
+
+def fill_line(
+    painter: QPainter,
+    text: str,
+    em: float,
+    place: tuple[float, float],
+    brush: QBrush | QColor,
+    inks: Mapping[str, QColor],
+) -> None:
+    """Draw a line of a formula; letters may have colours of their own, by their names."""
+    for piece, is_tex, size, x in line_of(text, formula=1.0).pieces:
+        painter.save()
+        painter.translate(place[0] + x * em, place[1])
+        painter.scale(size * em, size * em)
+        for name, path in outlines_of(piece, is_tex):
+            painter.fillPath(path, inks.get(name, brush))
+        painter.restore()
+
+
+def resized(font: QFont, factor: float) -> QFont:
     other = QFont(font)
     if font.pointSizeF() > 0.0:
         other.setPointSizeF(factor * font.pointSizeF())
@@ -143,144 +331,9 @@ def _resized(font: QFont, factor: float) -> QFont:
     return other
 
 
-def _axis(font: QFont) -> float:
-    """Return the height of a minus sign, and of a fraction's line, above the line."""
-    return QFontMetricsF(font).strikeOutPos()
-
-
-class _TypesetReader:
-    """Reads a formula from left to right and lays it out."""
-
-    def __init__(self, text: str) -> None:
-        self._text, self._at = text, 0
-
-    def line(self, font: QFont, ends: str = "") -> Typeset:
-        """Lay out a part of the formula up to one of the signs that end it."""
-        metrics = QFontMetricsF(font)
-        parts: list[Typeset] = [Typeset(0.0, metrics.ascent(), metrics.descent())]
-        x = 0.0
-        for part in self._beside(font, ends):
-            parts.append(part.at(x, 0.0))
-            x += part.width
-        return _together(parts, x)
-
-    def _beside(self, font: QFont, ends: str) -> Iterable[Typeset]:
-        plain = ""
-        while self._at < len(self._text) and self._text[self._at] not in ends:
-            sign = self._text[self._at]
-            piece = _PIECE.match(self._text, self._at)
-            assert piece is not None
-            if sign not in (OPEN, "[") and piece["plain"] is not None:
-                plain += sign
-                self._at += 1
-                continue
-            if plain:
-                yield _run(plain, font)
-                plain = ""
-            if sign == OPEN:
-                yield self._fraction(font)
-            elif sign == "[":
-                yield self._matrix(font)
-            else:
-                self._at = piece.end()
-                yield _piece(piece, font)
-        if plain:
-            yield _run(plain, font)
-
-    def _taken(self, *signs: str) -> str:
-        """Read the next sign, which must be one of `signs`."""
-        sign = self._text[self._at : self._at + 1]
-        if sign not in signs:
-            raise ValueError(f"{self._text}: {' or '.join(signs)} at {self._at}")
-        self._at += 1
-        return sign
-
-    def _fraction(self, font: QFont) -> Typeset:
-        smaller = _resized(font, SMALLER)
-        self._taken(OPEN)
-        above = _tight(self.line(smaller, OVER))
-        self._taken(OVER)
-        below = _tight(self.line(smaller, CLOSE))
-        self._taken(CLOSE)
-        width, axis = max(above.width, below.width) + 2.0 * ROOM_PX, _axis(font)
-        placed = [
-            above.at((width - above.width) / 2.0, -axis - ROOM_PX - above.descent),
-            below.at((width - below.width) / 2.0, -axis + ROOM_PX + below.ascent),
-        ]
-        rule = QLineF(RULE_PX, -axis, width - RULE_PX, -axis)
-        whole = _together(placed, width, rule)
-        return replace(whole, ascent=whole.ascent + 1.0, descent=whole.descent + 1.0)
-
-    def _matrix(self, font: QFont) -> Typeset:
-        rows: list[list[Typeset]] = []
-        sign = self._taken("[")
-        while sign != "]":
-            if sign != "&":
-                rows.append([])
-            rows[-1].append(self.line(font, "&;]"))
-            sign = self._taken("&", ";", "]")
-        height = QFontMetricsF(font).height()
-        inside, gap = FOOT_PX + ROOM_PX, BETWEEN_COLUMNS * height
-        columns = [max(cell.width for cell in column) for column in zip(*rows, strict=True)]
-        placed, cells, y = [], [], 0.0
-        for row in rows:
-            above = max(cell.ascent for cell in row)
-            below = max(cell.descent for cell in row)
-            right = inside - gap
-            for cell, width in zip(row, columns, strict=True):
-                right += gap + width
-                placed.append(cell.at(right - cell.width, y + above))
-                cells.append(QRectF(right - width, y, width, above + below))
-            y += above + below + BETWEEN_ROWS * height
-        y -= BETWEEN_ROWS * height
-        width = sum(columns) + gap * (len(columns) - 1) + 2.0 * inside
-        brackets = (
-            QLineF(*ends)
-            for x, foot in ((RULE_PX, FOOT_PX), (width - RULE_PX, -FOOT_PX))
-            for ends in ((x, 0.0, x, y), (x, 0.0, x + foot, 0.0), (x, y, x + foot, y))
-        )
-        whole = _together(placed, width, *brackets)
-        room = Typeset(width, RULE_PX, y + RULE_PX)  # for the brackets' own lines
-        whole = replace(_together([whole, room], width), cells=tuple(cells))
-        return whole.at(0.0, -_axis(font) - y / 2.0)
-
-
-def _run(text: str, font: QFont) -> Typeset:
-    metrics = QFontMetricsF(font)
-    width = metrics.horizontalAdvance(text)
-    return Typeset(width, metrics.ascent(), metrics.descent(), ((0.0, 0.0, text, font),))
-
-
-def _piece(piece: re.Match[str], font: QFont) -> Typeset:
-    """Lay out a subscript, a superscript or a vector."""
-    if piece["vector"] is not None:
-        bold = QFont(font)
-        bold.setBold(True)
-        return _run(piece["vector"], bold)
-    is_below = piece["below"] is not None
-    shift = (LOWER if is_below else HIGHER) * QFontMetricsF(font).height()
-    text = piece["below"] if is_below else piece["above"]
-    return _run(text, _resized(font, SMALL)).at(0.0, shift)
-
-
-def _tight(part: Typeset) -> Typeset:
-    """Remove the space that a font leaves above and below its letters."""
-    ascent = descent = 0.0
-    for _, base, text, font in part.runs:
-        metrics = QFontMetricsF(font)
-        rect = metrics.tightBoundingRect(text).translated(0.0, base)
-        ascent = max(ascent, -rect.top(), metrics.capHeight() - base)
-        descent = max(descent, rect.bottom())
-    return Typeset(part.width, ascent, descent, part.runs, part.rules)
-
-
 def matrix(rows: Iterable[Iterable[str]]) -> str:
     """Return a matrix of cells as a formula."""
     return f"[{';'.join('&'.join(row) for row in rows)}]"
-
-
-_FRACTION = re.compile(f"{OPEN}([^{OPEN}{OVER}{CLOSE}]*){OVER}([^{OPEN}{OVER}{CLOSE}]*){CLOSE}")
-_MATRIX = re.compile(r"\[([^\[\]]*)\]")
 
 
 def in_line(text: str) -> str:
@@ -290,13 +343,13 @@ def in_line(text: str) -> str:
         is_one = text.startswith("|") and text.find("|", 1) == len(text) - 1
         return f"({text})" if re.search(signs, text) and not is_one else text
 
-    def fraction(match: re.Match[str]) -> str:
-        above, below = bracketed(match[1], "[−+]"), bracketed(match[2], r"[−+·\s]")
+    def written(block: re.Match[str]) -> str:
+        if block["matrix"] is not None:
+            return block["matrix"].replace("&", "\t").replace(";", "\n")
+        above, below = bracketed(block["above"], "[−+]"), bracketed(block["below"], r"[−+·\s]")
         return f"{above}/{below}"
 
-    text = _FRACTION.sub(fraction, text)
-    text = _MATRIX.sub(lambda match: match[1].replace("&", "\t").replace(";", "\n"), text)
-    return text.replace(ARROW, "")
+    return _BLOCK.sub(written, text).replace(ARROW, "")
 
 
 class TypesetLabel(MarkedLabel):

@@ -10,7 +10,7 @@ from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal
 
-from app.lecture.notation import Letters
+from app.lecture.letters import Letters
 
 _T = TypeVar("_T")
 

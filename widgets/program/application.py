@@ -180,12 +180,10 @@ def run_window(
 
     Parameters
     ----------
-    document : Document
     saved : Document
         The document in its file, without the changes of the command line.
     path : Path or None
         The file that was opened; if it is a document, it is saved there.
-    options : Options
     scene : Scene, optional
         The document's scene, if it is already loaded.
     lesson : Path, optional

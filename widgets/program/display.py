@@ -13,7 +13,7 @@ from functools import partial
 
 from PySide6.QtCore import QLibraryInfo
 
-from app import bootstrap
+from app import bootstrap, system_packages
 from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
 WITHOUT_DISPLAY = (
@@ -68,8 +68,8 @@ def _unreachable(problem: str) -> DisplayError:
 
 def _virtual() -> str:
     """Return the command for a virtual display, and how to install it if it is missing."""
-    missing = [] if shutil.which("xvfb-run") else [bootstrap.System("xvfb-run", "xvfb xauth")]
-    how = f" ({bootstrap.advice(missing)})" if missing else ""
+    missing = [] if shutil.which("xvfb-run") else [system_packages.System("xvfb-run", "xvfb xauth")]
+    how = f" ({system_packages.advice(missing)})" if missing else ""
     return f"xvfb-run -s '+extension GLX'{how}"
 
 

@@ -15,7 +15,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QFont, QImage, QPainter
 
 from app.lessons.course import Course
-from widgets.parts.typeset import Typeset, typeset
+from widgets.parts.typeset import Typeset, below, typeset, words
 from widgets.program import paper
 from widgets.program.handout_content import (
     Content,
@@ -178,7 +178,11 @@ def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[PageBlock]:
     rows: list[list[Typeset]] = []
     right = 0.0
     for formula in formulas:
-        part = typeset(formula, font)
+        lines = (
+            typeset(line, font) if line.startswith("[") else words(line, font)
+            for line in formula.split("\n")
+        )
+        part = below([*lines], font)
         if not rows or (right + part.width) * scale > width:
             rows.append([])
             right = 0.0

@@ -1,4 +1,4 @@
-"""What is handed out of a talk: each step's title, figure, texts, matrices, numbers and questions.
+"""The content of a handout: each step's title, figure, texts, matrices, numbers and questions.
 
 `handout` prints it on A4, `handout_page` writes it for phones.
 """
@@ -47,7 +47,7 @@ class StepFigure(NamedTuple):
     slide: Path | None = None
     """The file of a picture of the slide on which somebody has drawn, instead of the figure."""
     has_question: bool = False
-    """Whether students are still to answer what is asked of it."""
+    """Whether students are to answer a question about it."""
 
 
 class EquationTables(NamedTuple):
@@ -168,11 +168,11 @@ def _matrices(document: Document) -> Iterator[str]:
 
 def _readout(document: Document) -> PanelNumbers:
     """The scene's numbers, except the one counted in the window's own picture."""
-    scene, numbers = scene_of(document), PanelNumbers([], [])
-    if scene.phenomenon is None:
+    shown = scene_of(document).illustration(document.projection, document.settings)
+    numbers = PanelNumbers([], [])
+    if shown is None:
         return numbers
     said = partial(of_phenomena, letters=document.view.letters)
-    shown = scene.phenomenon.illustration(document.projection, document.settings, scene.subject)
     rows, reasons = ["| | |", "|---|---:|"], list[str]()
     for each in shown.readings:
         if each.counted:

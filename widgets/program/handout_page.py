@@ -16,11 +16,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage
 
 from app.drawings.describing import describe
+from app.drawings.figure import Figure
 from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
 from app.drawings.svg import outlined
+from app.lecture.typesetting import outline
 from app.lessons.course import Course, panes_of, scene_of
-from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, outline, readable, spoken_tex
-from app.model.formula import CLOSE, OPEN, OVER
+from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, readable, spoken_tex
+from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
 from widgets.program.handout_content import (
@@ -153,10 +155,8 @@ class _PhonePage:
             self._figures += 1
             # What is true of the state may be the answer.
             said = about.panes[pane] if shown.has_question else about.of_pane(pane)
-            size, shapes, _ = drawn(
-                pane, said, document, scene_of(document), view=document.view, crop=True,
-                settings=document.settings, quality=document.quality,
-            )  # fmt: skip
+            figure = Figure(document, scene_of(document), (pane,), crop=True)
+            size, shapes, _ = drawn(figure, said)
             inner = drawing(shapes, f"s{self._figures}t")
             shape = picture(size, inner, f' aria-label="{escaped(said)}"')
             pictures.append(f"<figure>{shape}</figure>")

@@ -28,7 +28,7 @@ from PySide6.QtGui import (
 from app.document.document import Document
 from app.document.lengths import DPI as DPI_OF_FIGURES
 from app.drawings.drawing import Drawing
-from app.drawings.figures import render
+from app.drawings.figure import Figure
 from app.drawings.style import LIGHT
 from app.lessons.course import panes_of, scene_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -198,7 +198,7 @@ def figure(
 
     Painting it raises a `Refusal` if the place of a mark is not in the picture.
     """
-    scene, panes = scene_of(document), panes or panes_of(document)
+    panes = panes or panes_of(document)
     is_image = [*panes] == ["image"]
     count = len(document.view.compare) if is_image else 0
     aspect = document.projection.aspect if is_image else PANE_ASPECT
@@ -218,22 +218,11 @@ def figure(
             ((x, y),) = drawing.spots_of(np.array([mark.place])).tolist()
             spots.append(QPointF(x, y) / (finer * px_per_pt))
 
-    @cache
-    def drawn() -> QImage:
-        return image_of(
-            render(
-                scene,
-                document.projection,
-                panes=panes,
-                size=(round(wide * px_per_pt), round(high * px_per_pt)),
-                style=LIGHT,
-                view=document.view,
-                settings=document.settings,
-                quality=document.quality,
-                text_pt=FIGURE_TEXT_PT * FIGURE_PX_PER_INCH / DPI_OF_FIGURES,
-                seen=find,
-            )
-        )
+    figure = Figure(
+        document, scene_of(document), panes, (round(wide * px_per_pt), round(high * px_per_pt)),
+        text_pt=FIGURE_TEXT_PT * FIGURE_PX_PER_INCH / DPI_OF_FIGURES,
+    )  # fmt: skip
+    drawn = cache(lambda: image_of(figure.pixels(seen=find)))
 
     def paint(painter: QPainter, _part: QRectF) -> None:
         place = QRectF(0.0, 0.0, wide, high)
@@ -272,7 +261,7 @@ def in_row(blocks: Sequence[PageBlock]) -> PageBlock:
 
 
 class PagePiece(NamedTuple):
-    """What of a block is on a page, and where."""
+    """The part of a block on a page, and its place."""
 
     block: PageBlock
     y: float

@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.view import LAYOUTS
-from app.scenes.built_in import TITLES
+from app.scenes.built_in import WORDS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
@@ -72,7 +72,7 @@ class Actions(QObject):
         self.scene_titles = {
             name: of_phenomena(title)
             for name, title in (
-                *TITLES.items(),
+                *((name, words.title) for name, words in WORDS.items()),
                 *((each.name, each.title) for each in PHENOMENA.values()),
             )
         }

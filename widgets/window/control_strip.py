@@ -12,6 +12,7 @@ from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
+from app.model.parameters import FOV_Y, NEAR
 from widgets.controls.controls import Controls
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.fields import Row
@@ -23,7 +24,7 @@ LETTERS_SHARE = 0.021
 GAP_PX = 48
 ROW_SHARE = 0.42
 """Width of a row, in widths of the strip."""
-USUAL = ("lens.fov_y_deg", "lens.near")
+USUAL = (FOV_Y.path, NEAR.path)
 """The controls of a scene that has none of its own."""
 
 
@@ -49,7 +50,7 @@ class ControlStrip(QFrame):
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Offer the first controls of another scene."""
         phenomenon = shown.scene.phenomenon
-        own = [f"settings.{each.name}" for each in phenomenon.settings] if phenomenon else []
+        own = [each.path for each in phenomenon.settings] if phenomenon else []
         if phenomenon is not None:
             own += phenomenon.controls
         self._of_scene = (own or list(USUAL))[:MOST_ON_SLIDE]

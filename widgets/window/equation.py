@@ -7,23 +7,25 @@ are framed.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QPainter, QPainterPath, QPaintEvent, QPen
+from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
+from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
-from app.lecture.notation import as_text, letters_in
-from app.lessons.text import outline
+from app.lecture.highlight import ENDS
+from app.lecture.notation import letters_in
+from app.lecture.typesetting import line_of, piece_of
+from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
-from widgets.parts.lesson_text import formula_parts
 from widgets.parts.messages import sentence
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.readable import Readable
+from widgets.parts.typeset import fill_line, paint_brackets
 
 LARGEST_EM, LEAST_EM = 0.058, 0.034
 """Sizes of the letters, in heights of the screen. A picture beside the equation gives way before
@@ -40,57 +42,30 @@ _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
 _WORD = 0.55
 """Size of a word below a part of a matrix."""
 _APART_EM = 1.5
-_FIELDS = {
-    "lens.fov_x_deg": ("fov_y_deg",),
-    "lens.focal_length_mm": ("fov_y_deg",),
-    **dict.fromkeys(("camera.azimuth_deg", "camera.elevation_deg"), ("eye",)),
-    "camera.distance": ("eye",),
-    "camera.roll_deg": ("up",),
-}
-"""Fields of the document that a control changes, where they are not its own."""
 
 
-def _own(path: str) -> str:
-    """Return the field of a control in the matrices' terms."""
-    return path if path.startswith("settings.") else path.rpartition(".")[2]
+def _changed_by(path: str) -> tuple[str, ...]:
+    """Return the fields that a control changes, in the matrices' terms."""
+    if path.startswith("settings."):
+        return (path,)
+    name = path.rpartition(".")[2]
+    return PARAMETERS[name].fields if name in PARAMETERS else (name,)
 
 
-class _Glyphs(NamedTuple):
-    """Outlines in em, and their extent; each part with its place and the name of its letter."""
-
-    width: float
-    ascent: float
-    descent: float
-    parts: tuple[tuple[float, str, QPainterPath], ...]
+def _width(text: str) -> float:
+    return line_of(text, formula=1.0).width
 
 
-@lru_cache(maxsize=512)
-def _of_tex(tex: str) -> _Glyphs:
-    shape = outline(tex)
-    parts = tuple((0.0, *part) for part in formula_parts(tex))
-    return _Glyphs(shape.width, shape.ascent, shape.descent, parts)
-
-
-@lru_cache(maxsize=512)
-def _of_number(text: str) -> _Glyphs:
-    """Lay out a running number, sign by sign: typesetting each anew would take too long."""
-    mantissa, e, exponent = text.partition("e")
-    if e:
-        return _of_tex(rf"{mantissa} \cdot 10^{{{int(exponent)}}}")
-    x, parts = 0.0, list[tuple[float, str, QPainterPath]]()
-    for sign in text:
-        one = _of_tex("{.}" if sign == "." else sign)
-        parts += [(x, name, path) for _, name, path in one.parts]
-        x += one.width
-    tall = _of_tex("0")
-    return _Glyphs(x, tall.ascent, tall.descent, tuple(parts))
+def _number(value: float, digits: int) -> str:
+    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
+    return f"{mantissa}·10^{exponent.lstrip('+')}" if exponent else mantissa
 
 
 class _MatrixLayout(NamedTuple):
-    """A matrix of the equation: its cells, and the least widths and heights in em."""
+    """A matrix of the equation: its cells' texts, and the least widths and heights in em."""
 
     term: Term
-    cells: tuple[tuple[_Glyphs, ...], ...]
+    cells: tuple[tuple[str, ...], ...]
     widths: tuple[float, ...]
     heights: tuple[float, ...]
 
@@ -100,14 +75,14 @@ def _laid(term: Term, digits: int) -> _MatrixLayout:
     matrix = term.matrix
     cells = tuple(
         tuple(
-            _of_number(f"{value:.{digits}g}") if digits else _of_tex(latex_cell(text, term.letters))
+            _number(value, digits) if digits else f"${latex_cell(text, term.letters)}$"
             for value, text in zip(*row, strict=True)
         )
         for row in zip(matrix.values, matrix.formulas, strict=True)
     )
-    columns = zip(*cells, strict=True)
-    widths = tuple(max(cell.width for cell in column) + 2.0 * _PAD_EM for column in columns)
-    heights = tuple(max(cell.ascent + cell.descent for cell in row) + 0.4 for row in cells)
+    widths = tuple(max(map(_width, column)) + 2.0 * _PAD_EM for column in zip(*cells, strict=True))
+    boxes = [[line_of(cell, formula=1.0).box for cell in row] for row in cells]
+    heights = tuple(max(high - low for _, low, _, high in row) + 0.4 for row in boxes)
     return _MatrixLayout(term, cells, widths, heights)
 
 
@@ -146,9 +121,7 @@ class EquationSlide(QWidget):
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
-        self._controls = frozenset(
-            field for path in view.controls for field in _FIELDS.get(path, (_own(path),))
-        )
+        self._controls = frozenset(field for path in view.controls for field in _changed_by(path))
         self._readable.changed()
 
     def set_style(self, style: Style) -> None:
@@ -220,10 +193,10 @@ class EquationSlide(QWidget):
 
     @property
     def _beside(self) -> float:
-        """The width in em of all that is no matrix."""
+        """The width in em of everything but the matrices."""
         if not self._is_product:
-            return self._lead.width + 2.0 * _BETWEEN_EM
-        equals = _of_tex("=").width + 2.0 * _BETWEEN_EM if self._has_result else 0.0
+            return _width(self._lead) + 2.0 * _BETWEEN_EM
+        equals = _width("=") + 2.0 * _BETWEEN_EM if self._has_result else 0.0
         return self._gap_em * len(self._laid) + equals
 
     @property
@@ -232,8 +205,8 @@ class EquationSlide(QWidget):
         return _BETWEEN_EM if self._has_result or not self._is_product else _APART_EM
 
     @property
-    def _lead(self) -> _Glyphs:
-        return _of_tex(f"{self._laid[0].term.name} =")
+    def _lead(self) -> str:
+        return f"${self._laid[0].term.name} =$"
 
     # -- painting
 
@@ -273,7 +246,7 @@ class EquationSlide(QWidget):
         for place, each in enumerate(self._laid):
             if self._has_result and place == len(self._laid) - 1:
                 x += _BETWEEN_EM * em
-                x = self._draw(painter, _of_tex("="), em, x, middle, ink) + _BETWEEN_EM * em
+                x = self._draw(painter, "=", em, x, middle, ink) + _BETWEEN_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
             if stretch:  # alike where there is room
                 alike = sum(widths) / 4.0
@@ -282,8 +255,8 @@ class EquationSlide(QWidget):
             left = x
             x = self._paint_matrix(painter, each, em, QPointF(x, top), widths, heights)
             if self._is_product and each.term.name:
-                name = _of_tex(each.term.name)
-                at = (left + x - _CAPTION * em * name.width) / 2.0
+                name = f"${each.term.name}$"
+                at = (left + x - _CAPTION * em * _width(name)) / 2.0
                 y = top + sum(heights) + 0.55 * caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
             x += self._gap_em * em
@@ -315,23 +288,22 @@ class EquationSlide(QWidget):
         bracket, foot = _BRACKET_EM * em, 0.22 * em
         right, bottom = place.x() + sum(widths) + 2.0 * bracket, place.y() + sum(heights)
         painter.setPen(QPen(QColor(self._style.ink), max(1.5, 0.045 * em)))
-        for x, inward in ((place.x() + 0.05 * em, foot), (right - 0.05 * em, -foot)):
-            corners = ((x + inward, place.y()), (x, place.y()), (x, bottom), (x + inward, bottom))
-            painter.drawPolyline([QPointF(*corner) for corner in corners])
+        whole = QRectF(place, QPointF(right, bottom))
+        paint_brackets(painter, whole.adjusted(0.05 * em, 0.0, -0.05 * em, 0.0), foot)
         y = place.y()
         for row, height in enumerate(heights):
             x = place.x() + bracket
             for column, width in enumerate(widths):
                 cell = QRectF(x, y, width, height)
-                glyphs = laid.cells[row][column]
-                letters = [name for _, name, _ in glyphs.parts]
-                digit = QRectF(0.0, 0.0, em * glyphs.width, em)
+                line = line_of(laid.cells[row][column], formula=1.0)
+                letters = [name for each in line.pieces for name, *_ in piece_of(*each[:2]).letters]
+                digit = QRectF(0.0, 0.0, em * line.width, em)
                 digit.moveCenter(cell.center())
                 self.cells.append(cell if laid.term.matrix.values[row][column] else digit)
                 colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
-                left = cell.center().x() - em * glyphs.width / 2.0
-                base = cell.center().y() + em * (glyphs.ascent - glyphs.descent) / 2.0
-                self._draw_at(painter, glyphs, em, left, base, colour)
+                left = cell.center().x() - em * line.width / 2.0
+                base = cell.center().y() + em * (line.box[1] + line.box[3]) / 2.0
+                fill_line(painter, laid.cells[row][column], em, (left, base), colour, self._inks)
                 x += width
             y += height
         return right
@@ -351,7 +323,7 @@ class EquationSlide(QWidget):
         text = matrix.formulas[row][column]
         changed = self._controls.intersection(matrix.fields[row][column])
         if changed:
-            shades = [getattr(style, name) for name in ("near", "far") if name in changed]
+            shades = [getattr(style, name) for name in ENDS if name in changed]
             shades += [self._hues[name] for name in letters if name in self._hues]
             shade = next(iter(shades), style.accent)
             edge = 0.08 * em
@@ -364,7 +336,7 @@ class EquationSlide(QWidget):
             return QColor(style.muted)
         names = letters_in(matrix, row, column)
         axes = [name for name in ("u", "v", "n") if name in names]
-        planes = [name for name in ("near", "far") if name in names]
+        planes = [name for name in ENDS if name in names]
         if len(axes) == 1:
             shade = getattr(style, axes[0])
             if len(text) == 3:  # a component of the axis
@@ -381,20 +353,15 @@ class EquationSlide(QWidget):
     def _is_in_numbers(self) -> bool:
         return self._equation is not None and self._equation.is_in_numbers
 
+    @property
+    def _inks(self) -> dict[str, QColor]:
+        """The colours of letters."""
+        ground = self._style.background
+        return {name: QColor(tone(hue, ground)) for name, hue in self._hues.items() if hue}
+
     def _draw(
-        self, painter: QPainter, glyphs: _Glyphs, em: float, x: float, middle: float, ink: QColor
+        self, painter: QPainter, text: str, em: float, x: float, middle: float, ink: QColor
     ) -> float:
         """Draw on the axis of a line of formula at a height; return the right end."""
-        self._draw_at(painter, glyphs, em, x, middle + 0.25 * em, ink)
-        return x + em * glyphs.width
-
-    def _draw_at(
-        self, painter: QPainter, glyphs: _Glyphs, em: float, x: float, base: float, ink: QColor
-    ) -> None:
-        for shift, name, path in glyphs.parts:
-            painter.save()
-            painter.translate(x + em * shift, base)
-            painter.scale(em, em)
-            hue = self._hues.get(name)
-            painter.fillPath(path, QColor(tone(hue, self._style.background)) if hue else ink)
-            painter.restore()
+        fill_line(painter, text, em, (x, middle + 0.25 * em), ink, self._inks)
+        return x + em * _width(text)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from dataclasses import replace
+from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
 from PySide6.QtGui import QPixmap, QShowEvent
@@ -12,7 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
-from app.drawings.figure_size import checked_size, checked_text
+from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Cancelled, Refusal
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
@@ -22,38 +23,21 @@ from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.progress import ReportProgress, progress
 
-ENDINGS = ("png", "svg", "pdf", "tex")
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
 
 
-class ExportChoice(NamedTuple):
-    """The user's choice; the picture has ``size * scale`` pixels, if its format has any."""
-
-    panes: tuple[str, ...]
-    size: Size | tuple[int, int]
-    scale: float
-    transparent: bool
-    text_pt: float | None = None
-    """None for letters of the usual size."""
-    column: bool = False
-    palette: str = "screen"
-    hidden: str = "none"
-    crop: bool = False
-    ending: str = "png"
-
-
 class ExportDialog(QDialog):
-    """Asks for an `ExportChoice`.
+    """Asks how a figure is drawn, and for the ending of its file.
 
     Parameters
     ----------
     titles : dict
         Translated pane titles by name.
-    image_size : (int, int)
-        Size of the model's image, the default size of a picture of the image pane alone.
+    shown : Figure
+        What the window shows.
     draw : callable, optional
-        Returns the preview of a choice, at most as large as a size in pixels, and tells its
+        Returns the preview of a figure, at most as large as a size in pixels, and tells its
         progress; a `Refusal` if there is none.
     kept : mapping, optional
         The last choice, as `kept` returned it.
@@ -62,69 +46,74 @@ class ExportDialog(QDialog):
     def __init__(
         self,
         titles: dict[str, str],
-        image_size: tuple[int, int],
+        shown: Figure,
         parent: QWidget | None = None,
-        draw: Callable[[ExportChoice, QSize, ReportProgress], QPixmap] | None = None,
+        draw: Callable[[Figure, QSize, ReportProgress], QPixmap] | None = None,
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Export a picture"))
-        self._image_size, self._draw, self._unit = image_size, draw, "px"
+        self._shown, self._draw, self._unit = shown, draw, "px"
         self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
-        self._ending = self._combo(
-            self.tr(
-                "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving"
-                " pictures and many at once: the command “export”"
+        self._fields = {
+            "width": self._field("1800", self.tr("Width of the picture")),
+            "height": self._field("600", self.tr("Height of the picture")),
+            "text": self._field(
+                "",
+                self.tr("Height of the letters in points"),
+                self.tr(
+                    "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0}"
+                    " pixels"
+                ).format(DPI),
             ),
-            {ending.upper(): ending for ending in ENDINGS},
-        )
-        self._column = self._combo(
-            self.tr("Whether the panes stand beside or below each other"),
-            {self.tr("in a row"): False, self.tr("in a column"): True},
-        )
-        self._column.currentIndexChanged.connect(self._panes_changed)
-        self._width = self._field("1800", self.tr("Width of the picture"))
-        self._height = self._field("600", self.tr("Height of the picture"))
-        self._units = self._combo(
-            self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI),
-            {unit: unit for unit in ("px", "mm", "cm", "in")},
-        )
-        self._units.currentIndexChanged.connect(self._unit_changed)
-        self._text = self._field(
-            "",
-            self.tr("Height of the letters in points"),
-            self.tr(
-                "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
-            ).format(DPI),
-        )
-        self._palette = self._combo(
-            self.tr("In print, faces and lines that differ in colour differ in grey, too"),
-            {
-                self.tr("as on the screen"): "screen",
-                self.tr("for print"): "print",
-                self.tr("dark"): "dark",
-                self.tr("most contrast"): "contrast",
-            },
-        )
-        self._hidden = self._combo(
-            self.tr("What becomes of lines behind faces, in SVG, PDF and TEX"),
-            {
-                self.tr("left out"): "none",
-                self.tr("dashed"): "dashed",
-                self.tr("grey"): "grey",
-            },
-        )
-        self._scale = self._combo(
-            self.tr("Draws the same PNG with more pixels; text and lines scale with it"),
-            {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)},
-        )
-        self._background = self._combo(
-            self.tr("What is behind the picture"),
-            {self.tr("filled"): False, self.tr("transparent"): True},
-        )
+        }
+        self._combos = {
+            "ending": self._combo(
+                self.tr(
+                    "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
+                    " Moving pictures and many at once: the command “export”"
+                ),
+                {ending[1:].upper(): ending[1:] for ending in ENDINGS},
+            ),
+            "column": self._combo(
+                self.tr("Whether the panes stand beside or below each other"),
+                {self.tr("in a row"): False, self.tr("in a column"): True},
+            ),
+            "unit": self._combo(
+                self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI),
+                {unit: unit for unit in ("px", "mm", "cm", "in")},
+            ),
+            "palette": self._combo(
+                self.tr("In print, faces and lines that differ in colour differ in grey, too"),
+                {
+                    self.tr("as on the screen"): "screen",
+                    self.tr("for print"): "print",
+                    self.tr("dark"): "dark",
+                    self.tr("most contrast"): "contrast",
+                },
+            ),
+            "hidden": self._combo(
+                self.tr("What becomes of lines behind faces, in SVG, PDF and TEX"),
+                {
+                    self.tr("left out"): "none",
+                    self.tr("dashed"): "dashed",
+                    self.tr("grey"): "grey",
+                },
+            ),
+            "scale": self._combo(
+                self.tr("Draws the same PNG with more pixels; text and lines scale with it"),
+                {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)},
+            ),
+            "transparent": self._combo(
+                self.tr("What is behind the picture"),
+                {self.tr("filled"): False, self.tr("transparent"): True},
+            ),
+        }
+        self._combos["column"].currentIndexChanged.connect(self._panes_changed)
+        self._combos["unit"].currentIndexChanged.connect(self._unit_changed)
         self._crop = QCheckBox(self.tr("C&rop to the content"))
         set_tip(self._crop, self.tr("Leaves a margin of 2 mm around what is drawn"))
         self._crop.toggled.connect(self._check)
@@ -143,16 +132,17 @@ class ExportDialog(QDialog):
         self._buttons.accepted.connect(self.accept)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout()
-        form.addRow(self.tr("&Format"), self._ending)
+        form.addRow(self.tr("&Format"), self._combos["ending"])
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
-        form.addRow(self.tr("&Arranged"), self._column)
-        size = in_row(self._width, PlainLabel("×"), self._height, self._units)
+        form.addRow(self.tr("&Arranged"), self._combos["column"])
+        width, height = self._sides
+        size = in_row(width, PlainLabel("×"), height, self._combos["unit"])
         form.addRow(self.tr("Size"), size)
-        form.addRow(self.tr("&Letters (pt)"), self._text)
-        form.addRow(self.tr("C&olours"), self._palette)
-        form.addRow(self.tr("&Hidden lines"), self._hidden)
-        form.addRow(self.tr("Scal&e"), self._scale)
-        form.addRow(self.tr("&Background"), self._background)
+        form.addRow(self.tr("&Letters (pt)"), self._fields["text"])
+        form.addRow(self.tr("C&olours"), self._combos["palette"])
+        form.addRow(self.tr("&Hidden lines"), self._combos["hidden"])
+        form.addRow(self.tr("Scal&e"), self._combos["scale"])
+        form.addRow(self.tr("&Background"), self._combos["transparent"])
         form.addRow("", self._crop)
         in_column(in_row(form, (self._preview, 1)), self._problem, self._buttons, on=self)
         self._take(kept or {})
@@ -180,26 +170,23 @@ class ExportDialog(QDialog):
         return tuple(name for name, box in self._boxes.items() if box.isChecked())
 
     @property
-    def _combos(self) -> dict[str, Combo]:
-        return {
-            "ending": self._ending, "column": self._column, "unit": self._units,
-            "palette": self._palette, "hidden": self._hidden, "scale": self._scale,
-            "transparent": self._background,
-        }  # fmt: skip
+    def _sides(self) -> tuple[QLineEdit, QLineEdit]:
+        return self._fields["width"], self._fields["height"]
+
+    @property
+    def _chosen(self) -> dict[str, Any]:
+        chosen = {name: combo.currentData() for name, combo in self._combos.items()}
+        return chosen | {"panes": self._panes, "crop": self._crop.isChecked()}
 
     @property
     def kept(self) -> dict[str, Any]:
-        """What the next dialog begins with."""
-        typed = {
-            name: field.text() if field.isModified() else ""
-            for name, field in (("width", self._width), ("height", self._height))
+        """The choice with which the next dialog begins."""
+        return self._chosen | {
+            name: field.text() if field.isModified() else "" for name, field in self._fields.items()
         }
-        text = self._text.text() if self._text.isModified() else ""
-        chosen = {name: combo.currentData() for name, combo in self._combos.items()}
-        return chosen | typed | {"panes": self._panes, "crop": self._crop.isChecked(), "text": text}
 
     def _take(self, kept: Mapping[str, Any]) -> None:
-        """Show a choice that was kept; nothing of it needs to be possible."""
+        """Show a kept choice, of which any part may be impossible now."""
         for name, combo in self._combos.items():
             known = [combo.itemData(place) for place in range(combo.count())]
             combo.setCurrentIndex(known.index(kept[name]) if kept.get(name) in known else 0)
@@ -208,50 +195,47 @@ class ExportDialog(QDialog):
             for name, box in self._boxes.items():
                 box.setChecked(name in panes)
         self._crop.setChecked(kept.get("crop") is True)
-        for name, field in (
-            ("width", self._width), ("height", self._height), ("text", self._text)
-        ):  # fmt: skip
+        for name, field in self._fields.items():
             text = kept.get(name)
             if isinstance(text, str) and 0 < len(text) < 20:
                 with QSignalBlocker(field):
                     field.setText(text)
                 field.setModified(True)
 
-    def choice(self) -> ExportChoice:
-        """Return the current choice; it is valid once the dialog is accepted."""
-        text, ending = self._text, self._ending.currentData()
+    @property
+    def ending(self) -> str:
+        """The ending of the chosen format, without its dot."""
+        return str(self._combos["ending"].currentData())
+
+    def figure(self) -> Figure:
+        """Return the figure as it is chosen; a `Refusal` if it is impossible."""
+        chosen, text = self._chosen, self._fields["text"]
+        del chosen["unit"]
+        chosen |= {"hidden": "none"} if chosen.pop("ending") == "png" else {"scale": 1.0}
         number = _whole if self._unit == "px" else self._length
-        return ExportChoice(
-            self._panes,
-            Size(number(self._width.text()), number(self._height.text()), self._unit),
-            float(self._scale.currentData()) if ending == "png" else 1.0,
-            bool(self._background.currentData()),
-            parse_number(self.tr("Letters"), text.text()) if text.isModified() else None,
-            bool(self._column.currentData()),
-            str(self._palette.currentData()),
-            "none" if ending == "png" else str(self._hidden.currentData()),
-            self._crop.isChecked(),
-            str(ending),
-        )
+        width, height = (number(field.text()) for field in self._sides)
+        text_pt = parse_number(self.tr("Letters"), text.text()) if text.isModified() else None
+        size = Size(width, height, self._unit)
+        return replace(self._shown, **chosen, size=size, text_pt=text_pt)
 
     def _length(self, text: str) -> float:
         return parse_number(self.tr("Size"), text)
 
     def _panes_changed(self) -> None:
         width, height = 600 * max(1, len(self._panes)), 600
-        if self._column.currentData():
+        if self._combos["column"].currentData():
             width, height = height, width
         if self._panes == ("image",):
-            width, height = self._image_size
-        if not (self._width.isModified() or self._height.isModified()):  # a typed size stays
+            width, height = self._shown.document.projection.image_size
+        if not any(field.isModified() for field in self._sides):  # a typed size stays
             self._show_size(float(width), float(height))
         self._check()
 
     def _unit_changed(self) -> None:
         """Write the same size in another unit."""
-        former, self._unit = self._unit, str(self._units.currentData())
+        former, self._unit = self._unit, str(self._combos["unit"].currentData())
         try:
-            sides = [float(each.text().replace(",", ".")) for each in (self._width, self._height)]
+            sides = [float(each.text().replace(",", ".")) for each in self._sides]
         except ValueError:
             sides = []
         if sides:
@@ -259,7 +243,7 @@ class ExportDialog(QDialog):
         self._check()
 
     def _show_size(self, width_px: float, height_px: float) -> None:
-        for field, side in ((self._width, width_px), (self._height, height_px)):
+        for field, side in zip(self._sides, (width_px, height_px), strict=True):
             was_modified = field.isModified()
             with QSignalBlocker(field):
                 field.setText(
@@ -268,9 +252,9 @@ class ExportDialog(QDialog):
             field.setModified(was_modified)
 
     def _check(self) -> None:
-        has_pixels = self._ending.currentData() == "png"
-        self._scale.setEnabled(has_pixels)
-        self._hidden.setEnabled(not has_pixels)
+        has_pixels = self.ending == "png"
+        self._combos["scale"].setEnabled(has_pixels)
+        self._combos["hidden"].setEnabled(not has_pixels)
         problem = self._find_problem()
         self._problem.setText(problem)
         self._buttons.button(QDialogButtonBox.StandardButton.Save).setEnabled(not problem)
@@ -282,17 +266,15 @@ class ExportDialog(QDialog):
         if not self._panes:
             return self.tr("Choose at least one pane.")
         try:
-            choice = self.choice()
-            figure = self._image_size, choice.panes, choice.size
-            checked_size(*figure, choice.scale, choice.column)
-            text_pt = checked_text(*figure, choice.text_pt, choice.column)
+            figure = self.figure()
         except Refusal as error:
             return sentence(error)
         except ValueError:
             return self.tr("Width and height must be whole numbers.")
-        if choice.text_pt is None:
-            with QSignalBlocker(self._text):
-                self._text.setText(f"{text_pt:.2g}")
+        if figure.text_pt is None:
+            text = self._fields["text"]
+            with QSignalBlocker(text):
+                text.setText(f"{figure.em_pt:.2g}")
         return ""
 
     # -- preview
@@ -307,7 +289,7 @@ class ExportDialog(QDialog):
         room = self._preview.size() * self.devicePixelRatioF()
         try:
             with progress(self, self.tr("Drawing the preview")) as tell:
-                picture = self._draw(self.choice(), room, tell)
+                picture = self._draw(self.figure(), room, tell)
         except Cancelled:
             return
         except Refusal as error:

@@ -271,7 +271,7 @@ class LessonCard(QFrame):
         self.look_again()
 
     def _call_handles(self) -> None:
-        """Show for a moment what an open task of the step may be solved with."""
+        """Show for a moment the handles that solve an open task of the step."""
         tasks = [view.task for view in self.blocks if isinstance(view, TaskView) and view.is_open]
         self.handles_called.emit(frozenset().union(*(task.handles for task in tasks)))
         self._calling.start()

@@ -106,7 +106,7 @@ class LessonMenu(QMenu):
         self._show(card)
 
     def _show_practice(self, practice: Practice) -> None:
-        """Say what has come back, and whether a test waits."""
+        """Name the exercises that have come back, and a test that waits."""
         self.review.setText(review_text(practice.waiting))
         self.test_again.setVisible(bool(practice.begun))
 

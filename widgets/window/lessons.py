@@ -454,7 +454,7 @@ class Lessons(QObject):
         self._emit_mistakes()
 
     def _emit_mistakes(self) -> None:
-        """Say what is wrong in a lesson; a speaker learns it when the class would see it."""
+        """Emit the mistakes of a lesson; those of a talk are shown when a step needs them."""
         is_talk = self.lesson is not None and self.lesson.is_talk
         mistakes = "" if is_talk else self.mistakes()
         if mistakes is not None:

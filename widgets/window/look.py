@@ -9,17 +9,18 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app.document.field_names import FIELDS
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
-from app.lecture.notation import Letters, axis_letters
+from app.lecture.highlight import ENDS
+from app.lecture.letters import Letters, axis_letters
+from app.model.parameters import TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.pane import SCALES, Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import TranslatedWords, field_name
+from widgets.parts.messages import TranslatedWords, field_name, plane_name
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
@@ -60,9 +61,8 @@ class Look(QObject):
         self.words = TranslatedWords(
             {
                 **WORDS,
-                **{english: field_name(name) for name, english in FIELDS.items()},
-                "near": self.tr("near"),
-                "far": self.tr("far"),
+                **{english: field_name(name) for name, english in TITLES.items()},
+                **{plane: plane_name(plane) for plane in ENDS},
                 "eye": self.tr("eye"),
                 "target": self.tr("target"),
                 "look": self.tr("look"),
@@ -152,7 +152,7 @@ class Look(QObject):
             self._build(cameras(self._panes))
 
     def forget_ahead(self) -> None:
-        """Discard the drawings that `ahead` has made."""
+        """Discard the drawings that `draw_ahead` has made."""
         for pane in self._panes.values():
             pane.ahead.keep()
 

@@ -2,7 +2,7 @@
 
 ::
 
-    controls, animation --edited--> Store --changed(document)--> Shown, and what changed in it
+    controls, animation --edited--> Store --changed(document)--> ShownData, and what changed in it
     menus, tool bar ----------------^                            |
                       panes, controls, the open panel, status line: take(shown, changed)
 """
@@ -45,6 +45,7 @@ from widgets.panels.scene_panel import ScenePanel
 from widgets.panes.canvas import CANVASES
 from widgets.panes.counting import Counting
 from widgets.panes.cursor import Cursor
+from widgets.panes.drawings import DRAWINGS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import SMOOTHINGS, Pane
 from widgets.panes.stage_strip import StageStrip
@@ -90,28 +91,6 @@ from widgets.window.wiring import wire
 from widgets.window.world_look import WorldLook
 
 log = logging.getLogger(__name__)
-
-
-def _world(*args: Any) -> Any:
-    from app.drawings.world import WorldDrawing
-
-    return WorldDrawing(*args, live=True)
-
-
-def _stage(*args: Any) -> Any:
-    from app.drawings.stage import StageDrawing
-
-    return StageDrawing(*args)
-
-
-def _image(*args: Any) -> Any:
-    from app.drawings.image import ImageDrawing
-
-    return ImageDrawing(*args)
-
-
-DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
-"""The maker of each pane's drawing, which imports VTK."""
 AT_FIRST_PX = (1366, 768)
 BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
 RECORD = "record.jsonl"
@@ -128,7 +107,6 @@ class MainWindow(QMainWindow):
 
     Parameters
     ----------
-    document : Document
     saved : Document, optional
         The content of the document's file, if it differs.
     settings : Settings
@@ -470,8 +448,7 @@ class MainWindow(QMainWindow):
     def show_start_card(self) -> None:
         if self.start_card is not None:
             return
-        settings = self.settings
-        waiting = self.practice.waiting
+        settings, waiting = self.settings, self.practice.waiting
         self.start_card = card = StartCard(
             self, self.menus.scene_titles, self.files.recent, settings.progress,
             review=review_text(waiting) if waiting.due else "", next_review=next_review(waiting),

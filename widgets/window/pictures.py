@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QByteArray, QMimeData, QObject, QSize, QSizeF, Qt, Signal
@@ -13,6 +15,8 @@ from PySide6.QtWidgets import QMainWindow
 
 from app.document.codec import picture_json
 from app.document.document import Document
+from app.document.files import write_bytes_atomically
+from app.drawings.figure import Figure
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.parts.message_bar import MessageBar
@@ -23,8 +27,8 @@ from widgets.window.settings import Settings
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import Pixels
-    from widgets.window.export_dialog import ExportChoice
 
+_Drawn = TypeVar("_Drawn")
 
 MOST_IN_PREVIEW = 200_000
 """Triangles and points of a scene that is drawn anew for each change of the dialog."""
@@ -76,22 +80,26 @@ class Pictures(QObject):
         self._seen, self._scene = seen, scene
         self._titles, self._words = titles, words
 
+    def figure(self, **choices: Any) -> Figure:
+        """Return a figure of what the window shows, in its language."""
+        document = self._seen()
+        scene = self._scene(document.scene, document.mesh)
+        return Figure(document, scene, words=self._words, translate=translated, **choices)
+
     def export_dialog(self) -> None:
         """Ask what to export and where, and export it."""
         from widgets.window.export_dialog import ExportDialog
 
-        size = self._seen().projection.image_size
         kept = self._settings.export
-        dialog = ExportDialog(self._titles, size, self._window, self.preview, kept)
+        dialog = ExportDialog(self._titles, self.figure(), self._window, preview, kept)
         accepted = dialog.exec()
         dialog.deleteLater()
         if not accepted:
             return
         self._settings.export = dialog.kept
-        choice = dialog.choice()
-        path = self._where(self.tr("Export a picture"), choice.ending)
+        path = self._where(self.tr("Export a picture"), dialog.ending)
         if path is not None:
-            self.export(path, choice)
+            self.export(path, dialog.figure())
 
     def _where(self, title: str, ending: str = "png") -> Path | None:
         """Ask for a file; None if the user cancels."""
@@ -99,107 +107,47 @@ class Pictures(QObject):
         path = ask_where(self._window, title, f"frustum-lab.{ending}", kinds, f".{ending}")
         return Path(path) if path else None
 
-    def export(self, path: Path, choice: ExportChoice) -> bool:
-        """Write a picture; return False if that fails or the user cancels it."""
-        if choice.ending == "png":
-            return self._write(
-                path, lambda document: self._draw(document, choice), choice.scale, choice.panes
-            )
-        from app.drawings.describing import describe
-        from app.drawings.figures import write_shapes
+    def export(self, path: Path, figure: Figure) -> bool:
+        """Write a figure; return False if that fails or the user cancels it."""
+        return self._try(
+            lambda: self._draw(partial(figure.save, path)), self.tr("Exported {0}").format(path)
+        )
 
-        document = self._seen()
-
-        def write() -> None:
-            options = self._options(document, choice)
-            scene = self._scene(document.scene, document.mesh)
-            about = describe(document, scene, choice.panes, translated)
-            with progress(self._window, self.tr("Drawing the picture")) as tell:
-                write_shapes(
-                    str(path), scene, document.projection, about, hidden=choice.hidden,
-                    progress=tell, **options,
-                )  # fmt: skip
-
-        return self._try(write, self.tr("Exported {0}").format(path))
-
-    def preview(self, choice: ExportChoice, room: QSize, tell: ReportProgress) -> QPixmap:
-        """Draw a choice with as few pixels as a preview has."""
-        from PySide6.QtSvg import QSvgRenderer
-
-        from app.document.lengths import Size
-        from app.drawings.figures import render, shapes
-        from app.drawings.svg import svg
-
-        document = self._seen()
-        scene = self._scene(document.scene, document.mesh)
-        drawn = scene.triangles + scene.dot_count
-        if drawn > MOST_IN_PREVIEW:
-            raise Refusal.saying(NO_PREVIEW, drawn)
-        options = self._options(document, choice) | {"transparent": False, "progress": tell}
-        if choice.hidden != "none":
-            size, outlines = shapes(scene, document.projection, hidden=choice.hidden, **options)
-            picture = QImage(room, QImage.Format.Format_RGB32)
-            picture = picture.scaled(
-                QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
-            )
-            picture.fill(Qt.GlobalColor.white)
-            painter = QPainter(picture)
-            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-            QSvgRenderer(QByteArray(svg(outlines, size, scene.title))).render(painter)
-            painter.end()
-            return QPixmap.fromImage(picture)
-        width, height = Size(*choice.size).px
-        scale = min(1.0, room.width() / width, room.height() / height)
-        pixels = render(scene, document.projection, scale=scale, **options)
-        return QPixmap.fromImage(image_of(pixels))
-
-    def _write(
-        self,
-        path: Path,
-        draw: Callable[[Document], Pixels],
-        scale: float = 1.0,
-        panes: Sequence[str] = (),
-    ) -> bool:
-        from app.drawings.describing import describe
-        from app.drawings.figures import write_png
-
-        document = self._seen()
-
-        def write() -> None:
-            pixels, about = draw(document), None
-            if panes:
-                scene = self._scene(document.scene, document.mesh)
-                about = describe(document, scene, panes, translated)
-            write_png(path, pixels, picture_json(document), scale, about)
-
-        return self._try(write, self.tr("Exported {0}").format(path))
+    def _draw(self, draw: Callable[[ReportProgress], _Drawn]) -> _Drawn:
+        release_context()
+        with progress(self._window, self.tr("Drawing the picture")) as tell:
+            return draw(tell)
 
     def export_diagram(self, image: QImage) -> None:
         """Ask where to write the picture of a diagram, and write it."""
         path = self._where(self.tr("Export a diagram"))
         if path is not None:
-            self._write(path, lambda _document: _pixels(image))
+            done = self.tr("Exported {0}").format(path)
+            self._try(lambda: write_bytes_atomically(path, self._png(_pixels(image))), done)
 
     def copy_diagram(self, image: QImage) -> None:
         """Copy the picture of a diagram to the clipboard."""
-        from app.drawings.figures import png_bytes
-
-        png = png_bytes(_pixels(image), picture_json(self._seen()))
-        self._try(lambda: _to_clipboard(png), self.tr("Copied the diagram"))
+        self._try(lambda: self._copy(_pixels(image)), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:
         """Copy the three panes to the clipboard; False if that fails or the user cancels it."""
-        from app.document.view import PANES
-        from app.drawings.figures import png_bytes
-        from widgets.window.export_dialog import ExportChoice
+        figure = self.figure(size=(1800, 600))
+        return self._try(
+            lambda: self._copy(self._draw(figure.pixels)), self.tr("Copied the picture")
+        )
 
-        document = self._seen()
+    def _png(self, pixels: Pixels) -> bytes:
+        """Return the file of a picture, with the document."""
+        from app.drawings.figure_files import png_bytes
 
-        def put() -> None:
-            pixels = self._draw(document, ExportChoice(PANES, (1800, 600), 1.0, False))
-            _to_clipboard(png_bytes(pixels, picture_json(document)))
+        return png_bytes(pixels, picture_json(self._seen()))
 
-        return self._try(put, self.tr("Copied the picture"))
+    def _copy(self, pixels: Pixels) -> None:
+        png = self._png(pixels)
+        data = QMimeData()
+        data.setImageData(QImage.fromData(png))
+        data.setData("image/png", QByteArray(png))
+        QGuiApplication.clipboard().setMimeData(data)
 
     def _try(self, act: Callable[[], object], done: str) -> bool:
         """Call `act`, and report success or, in one sentence, why it failed."""
@@ -214,37 +162,41 @@ class Pictures(QObject):
         self.exported.emit(done)
         return True
 
-    def _draw(self, document: Document, choice: ExportChoice) -> Pixels:
-        from app.drawings.figures import render
 
-        options = self._options(document, choice)
-        scene = self._scene(document.scene, document.mesh)
-        with progress(self._window, self.tr("Drawing the picture")) as tell:
-            return render(scene, document.projection, scale=choice.scale, progress=tell, **options)
+def release_context() -> None:
+    """Release Qt's OpenGL context before a figure is drawn, or VTK may use it as its own."""
+    current = QOpenGLContext.currentContext()
+    if current is not None:
+        current.doneCurrent()
 
-    def _options(self, document: Document, choice: ExportChoice) -> dict[str, Any]:
-        """What all formats are drawn with; call it just before drawing."""
-        from app.drawings.style import PALETTES
 
-        current = QOpenGLContext.currentContext()
-        if current is not None:  # otherwise VTK may use Qt's context as its own
-            current.doneCurrent()
-        return {
-            "view": document.view, "settings": document.settings, "quality": document.quality,
-            "panes": choice.panes, "size": choice.size, "transparent": choice.transparent,
-            "text_pt": choice.text_pt, "column": choice.column, "crop": choice.crop,
-            "style": PALETTES[choice.palette], "words": self._words,
-        }  # fmt: skip
+def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:
+    """Draw a figure with as few pixels as a preview has."""
+    from PySide6.QtSvg import QSvgRenderer
+
+    from app.drawings.svg import svg
+
+    drawn = figure.scene.triangles + figure.scene.dot_count
+    if drawn > MOST_IN_PREVIEW:
+        raise Refusal.saying(NO_PREVIEW, drawn)
+    figure = replace(figure, transparent=False)
+    release_context()
+    if figure.hidden != "none":
+        size, shapes = figure.shapes(tell)
+        fitting = QSizeF(*size).scaled(room, Qt.AspectRatioMode.KeepAspectRatio).toSize()
+        picture = QImage(fitting, QImage.Format.Format_RGB32)
+        picture.fill(Qt.GlobalColor.white)
+        painter = QPainter(picture)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        QSvgRenderer(QByteArray(svg(shapes, size, figure.scene.title))).render(painter)
+        painter.end()
+        return QPixmap.fromImage(picture)
+    width, height = figure.full_size.px
+    scale = min(1.0, room.width() / width, room.height() / height)
+    return QPixmap.fromImage(image_of(replace(figure, scale=scale).pixels(tell)))
 
 
 def _pixels(image: QImage) -> Pixels:
     image = image.convertToFormat(QImage.Format.Format_RGBA8888)
     size = image.height(), image.width(), 4
     return np.frombuffer(image.constBits(), np.uint8).reshape(size).copy()
-
-
-def _to_clipboard(png: bytes) -> None:
-    data = QMimeData()
-    data.setImageData(QImage.fromData(png))
-    data.setData("image/png", QByteArray(png))
-    QGuiApplication.clipboard().setMimeData(data)

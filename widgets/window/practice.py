@@ -1,4 +1,4 @@
-"""What a student practises besides one lesson: tests, and exercises that have come back."""
+"""Tests, and reviews of the exercises that have come back, on the lesson's card."""
 
 from __future__ import annotations
 

@@ -9,8 +9,8 @@ from pathlib import Path
 from PySide6.QtCore import QObject
 
 from app.document.store import Store
+from app.model.parameter import Value
 from app.model.refusal import Refusal
-from app.scenes.phenomena.settings import Value
 from app.scenes.scene import RASTERISED
 from widgets.controls.controls import Controls
 from widgets.panels.scene_panel import ScenePanel

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QFont, QImage, QOpenGLContext, QPixmap, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
     QFrame,
     QGridLayout,
@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.document import Document
+from app.drawings.figure import Figure
 from app.lessons.blocks.block import ReadBlock
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
@@ -30,7 +31,7 @@ from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip
-from widgets.window.pictures import image_of
+from widgets.window.pictures import image_of, release_context
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.slots import panes_of_slide
 
@@ -324,23 +325,8 @@ class SpeakerWindow(QWidget):
 
 
 def _drawn(document: Document, theme: str) -> QImage:
-    from app.drawings.figures import render
-
-    current = QOpenGLContext.currentContext()
-    if current is not None:  # or VTK may use Qt's context as its own
-        current.doneCurrent()
+    release_context()
     scene = scene_of(document)
-    style = palette.drawing_style(
-        dark=palette.is_dark(theme), screen_px=0.0, device_pixel_ratio=1.0
-    )
-    pixels = render(
-        scene,
-        document.projection,
-        panes=panes_of_slide(document.view.slide, document.view.large or scene.leading),
-        size=PICTURE_PX,
-        style=style,
-        view=document.view,
-        settings=document.settings,
-        quality=document.quality,
-    )
-    return image_of(pixels)
+    panes = panes_of_slide(document.view.slide, document.view.large or scene.leading)
+    dark = "dark" if palette.is_dark(theme) else "screen"
+    return image_of(Figure(document, scene, panes, PICTURE_PX, palette=dark).pixels())

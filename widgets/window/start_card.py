@@ -23,11 +23,12 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from app.document.document import Document
 from app.document.view import View
+from app.drawings.figure import Figure
 from app.lessons.lesson import head_of, is_lesson
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, load
-from widgets.parts import palette
 from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
@@ -210,17 +211,15 @@ class StartCard(QWidget):
 
     def _thumbnail(self, name: str) -> QPixmap:
         """Draw a scene as it opens, in its leading pane."""
-        from app.drawings.figures import render
-
         ratio = self.devicePixelRatioF()
         scene = load(name)
-        width, height = (round(side * ratio * DRAWN_FINER) for side in THUMBNAIL_PX)
-        style = palette.drawing_style(dark=self._dark, screen_px=0.0, device_pixel_ratio=ratio)
-        pixels = render(
-            scene, scene.start, [scene.leading], (width, height), style=style, view=BARE
-        )
-        pixmap = QPixmap.fromImage(image_of(pixels).scaled(
-            round(width / DRAWN_FINER), round(height / DRAWN_FINER),
+        width, height = (round(side * DRAWN_FINER) for side in THUMBNAIL_PX)
+        figure = Figure(
+            Document(name, scene.start, view=BARE), scene, (scene.leading,), (width, height),
+            scale=ratio, palette="dark" if self._dark else "screen",
+        )  # fmt: skip
+        pixmap = QPixmap.fromImage(image_of(figure.pixels()).scaled(
+            QSize(*THUMBNAIL_PX) * ratio,
             Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation,
         ))  # fmt: skip
         pixmap.setDevicePixelRatio(ratio)

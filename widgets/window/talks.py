@@ -52,7 +52,6 @@ class Talks(QObject):
         While it is open.
     revealed : int
         Progress through the step: its picture alone, then each question asked, and answered.
-    writer : TalkWriter
     """
 
     def __init__(
@@ -278,7 +277,7 @@ class Talks(QObject):
 
     @property
     def _state(self) -> State | None:
-        """What the last of the given answers shows; None for what the step does."""
+        """The state that the last of the given answers shows; None for that of the step."""
         answered = self._questions[: self.revealed // 2]
         return next((each.show for each in reversed(answered) if each.show is not None), None)
 

@@ -11,16 +11,19 @@ from app.document.settings import set_values
 from app.lessons.blocks.block import Here
 from app.lessons.quantities import NotThere
 from app.model.formula import Letter
+from app.model.parameters import FOCAL_E, FOV_X, FOV_Y, PARAMETERS
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 YOURS = QT_TRANSLATE_NOOP("phenomena", "your idea")
 MODEL = QT_TRANSLATE_NOOP("phenomena", "the model")
 
 _PATHS = {
-    "fov": "lens.fov_y_deg", "alpha": "lens.alpha_deg", "beta": "lens.beta_deg",
-    **{name: f"lens.{name}" for name in ("near", "far", "left", "right", "bottom", "top")},
-}  # fmt: skip
-_OF_WIDTH = ("fov_x", "focal_e")
+    each.formula: each.path
+    for each in PARAMETERS.values()
+    if each.section == "lens" and not each.changes
+}
+"""Of the numbers of a lens that are fields of a document."""
+_OF_WIDTH = (FOV_X.formula, FOCAL_E.formula)
 """Numbers of the horizontal angle, which the lens has from the vertical one."""
 
 
@@ -48,10 +51,11 @@ def is_set(own: Document, name: str) -> bool:
 def _change(own: Document, name: str, value: float) -> str:
     """Return the assignment that gives a number a value; empty if there is none."""
     if name in _OF_WIDTH:
-        if not 0.0 < value < (180.0 if name == "fov_x" else math.inf):
+        is_angle = name == FOV_X.formula
+        if not 0.0 < value < (180.0 if is_angle else math.inf):
             return ""
-        across = math.tan(math.radians(value / 2.0)) if name == "fov_x" else 1.0 / value
-        name, value = "fov", 2.0 * math.degrees(math.atan(across / own.projection.aspect))
+        across = math.tan(math.radians(value / 2.0)) if is_angle else 1.0 / value
+        name, value = FOV_Y.formula, 2.0 * math.degrees(math.atan(across / own.projection.aspect))
     if name.startswith("settings_"):
         return f"settings.{name.removeprefix('settings_')}={value!r}"
     return f"{_PATHS[name]}={value!r}" if name in _PATHS else ""

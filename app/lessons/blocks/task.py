@@ -14,6 +14,7 @@ from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
 from app.model.limits import ONE_OF
+from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right state")
@@ -21,9 +22,8 @@ NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 _PANES = "view.panes="
 _MOVED_BY = {
-    "near": "near", "far": "far", "eye": "eye", "distance": "eye", "target": "target",
-    "left": "corner", "right": "corner", "bottom": "corner", "top": "corner",
-}  # fmt: skip
+    each.formula: each.handle for each in (NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES)
+}
 """The handle of the world that changes the quantity of a name."""
 
 

@@ -19,8 +19,8 @@ from app.model.formula import (
     Pair,
     Product,
     Quotient,
-    latex,
 )
+from app.model.formula_text import latex
 
 _OF_ANGLES = ("sin", "cos", "tan", "cot")
 _TO_ANGLES = ("asin", "acos", "atan")

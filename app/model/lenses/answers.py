@@ -48,7 +48,6 @@ class ExactLens(NamedTuple):
         ``x_clip = scale x + shift w``, where x is measured on the near plane, times w.
     shear : (Fraction, Fraction)
         ``cot(alpha), cot(beta)`` of an oblique lens.
-    near : Fraction
     far : Fraction or None
         None for infinity.
     """

@@ -12,10 +12,11 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.rationals import Rationals
+from app.model.content_file import stated
 from app.model.lenses.answers import Angles, Axes, Intrinsics, Window
 from app.model.lenses.geometry import Geometry
 from app.model.limits import (
@@ -30,6 +31,7 @@ from app.model.limits import (
     finite,
     real,
 )
+from app.model.parameter import Parameter
 from app.model.refusal import Refusal, format_value
 from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
@@ -62,17 +64,9 @@ class LensTable:
     written: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
 
 
-class Control(NamedTuple):
-    """The control of a lens's field: its tooltip, marked for translation, and its slider.
-
-    The unit is ``"°"`` or ``"×"``. Numbers beyond the slider can be typed.
-    """
-
-    tip: str
-    low: float
-    high: float
-    step: float
-    unit: str
+_plane = partial(stated, section="lens", place="lens", unit="units", logarithmic=True)
+NEAR = _plane("near", letter="n", formula="near", handle="near")
+FAR = _plane("far", letter="f", formula="far", handle="far")
 
 
 class Seen(NamedTuple):
@@ -89,7 +83,6 @@ class Lens(Geometry):
 
     Attributes
     ----------
-    far_may_be_infinite : bool
     window_stays : bool
         Whether the window is given in numbers that do not change when near moves.
     symmetric : bool
@@ -99,8 +92,8 @@ class Lens(Geometry):
         translation.
     tables : tuple of LensTable
         The table for a finite far plane and, if it may be infinite, that for an infinite one.
-    controls : mapping from str to Control
-        The controls of its fields, except near, far and the sides of a window.
+    parameters : tuple of Parameter
+        Those that only this lens has: its fields except near, far and the sides of a window.
     roundings : (float, float, float, float)
         Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
         them.
@@ -118,7 +111,7 @@ class Lens(Geometry):
     tip: ClassVar[str] = ""
     shape: ClassVar[str] = ""
     tables: ClassVar[tuple[LensTable, ...]]
-    controls: ClassVar[Mapping[str, Control]] = {}
+    parameters: ClassVar[tuple[Parameter, ...]] = ()
     roundings: ClassVar[tuple[float, float, float, float]]
 
     # -- its table, its letters and its planes
@@ -171,21 +164,21 @@ class Lens(Geometry):
     @classmethod
     def checked_planes(cls, near: Any, far: Any) -> tuple[float, float]:
         """Near and far as floats, or a `Refusal` if this kind of lens cannot have them."""
-        near = real("near", near)
+        near = real(NEAR.name, near)
         if near != math.inf or far == math.inf:  # a drag past the horizon asks for ∞ beyond far
-            near = finite("near", near)
+            near = finite(NEAR.name, near)
         if not cls.parallel:
             if near <= 0.0:
-                raise Refusal("near", near, ABOVE, 0)
+                raise Refusal(NEAR.name, near, ABOVE, 0)
             if near < SMALLEST:
-                raise Refusal("near", near, AT_LEAST, SMALLEST)
-        far = real("far", far)
+                raise Refusal(NEAR.name, near, AT_LEAST, SMALLEST)
+        far = real(FAR.name, far)
         if cls.parallel or far != math.inf:
-            far = finite("far", far)
+            far = finite(FAR.name, far)
         if near >= far:
-            raise Refusal("near", near, NEAR_BEFORE_FAR, format_value(far))
+            raise Refusal(NEAR.name, near, NEAR_BEFORE_FAR, format_value(far))
         if cls.parallel and far - near < SMALLEST:  # where only their ratio counts, it may be less
-            raise Refusal("near", near, DISTINCT, format_value(far))
+            raise Refusal(NEAR.name, near, DISTINCT, format_value(far))
         return near, far
 
     # -- the image
@@ -263,7 +256,6 @@ class Lens(Geometry):
             The last row is that of the kind's table.
         near, far : float
             The planes that the third row corresponds to.
-        in_hand : Lens
         """
         yield from ()
 

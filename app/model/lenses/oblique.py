@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from functools import partial
 from itertools import chain
 from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
+from app.model.content_file import stated
 from app.model.lenses.answers import Window
-from app.model.lenses.lens import Control, Lens, LensTable
+from app.model.lenses.lens import Lens, LensTable
 from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
 from app.model.lenses.parallel import Parallel
 from app.model.lenses.solving import same, shortest
@@ -26,6 +28,7 @@ from app.model.limits import (
     keep_checked,
     within,
 )
+from app.model.parameter import Parameter
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 COTS = ("cot(alpha)", "cot(beta)")
@@ -52,6 +55,10 @@ VIEW_FROM_CLIP = """
     0          0          0              1
 """
 
+_slant = partial(stated, section="lens", place="more_lens", unit="°", span=(1.0, 179.0), step=0.5)
+ALPHA = _slant("alpha_deg", letter="alpha", formula="alpha")
+BETA = _slant("beta_deg", letter="beta", formula="beta")
+
 TABLE = box_table(
     {"scale": SCALE, "translation": TRANSLATION, "shear": SHEAR}, CLIP_FROM_VIEW, VIEW_FROM_CLIP
 )
@@ -75,24 +82,7 @@ class Oblique(Parallel, Windowed):
         "Rays are parallel and meet the picture at a slant: a slanted box, as in cavalier and"
         " cabinet drawings (lecture 002: H, then orthographic).",
     )
-    controls: ClassVar[Mapping[str, Control]] = {
-        "alpha_deg": Control(
-            QT_TRANSLATE_NOOP(
-                "Lens",
-                "Angle of the projectors with the x axis: H of lecture 002 adds (z + near)"
-                " cot(alpha) to x. Points on the near plane do not move.",
-            ),
-            *(1.0, 179.0, 0.5, "°"),
-        ),
-        "beta_deg": Control(
-            QT_TRANSLATE_NOOP(
-                "Lens",
-                "Angle of the projectors with the y axis: H of lecture 002 adds (z + near)"
-                " cot(beta) to y. Points on the near plane do not move.",
-            ),
-            *(1.0, 179.0, 0.5, "°"),
-        ),
-    }
+    parameters: ClassVar[tuple[Parameter, ...]] = (ALPHA, BETA)
     shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 
     left: float = -4.0

@@ -14,11 +14,13 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
+from app.model.content_file import stated
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
-from app.model.lenses.lens import Control, LensTable, plane_letters
+from app.model.lenses.lens import NEAR, LensTable, plane_letters
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
+from app.model.parameter import Parameter
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
 
@@ -133,6 +135,11 @@ TABLE, TABLE_AT_INFINITY = pyramid_tables({"scale": SCALE}, CLIP_FROM_VIEW, VIEW
 
 # --------------------------------------------------------------------------- the lens
 
+FOV_Y = stated(
+    "fov_y_deg", section="lens", place="lens", unit="°", span=(1.0, 179.0), step=0.5,
+    letter="fov", formula="fov", shows=("fov",), makes=("bottom", "top"), handle="corner",
+)  # fmt: skip
+
 
 @dataclass(frozen=True)
 class Perspective(Central):
@@ -151,14 +158,7 @@ class Perspective(Central):
         "Rays meet in the eye: farther objects look smaller. The view volume is a pyramid cut off"
         " by near and far, symmetric about the view direction (gluPerspective).",
     )
-    controls: ClassVar[Mapping[str, Control]] = {
-        "fov_y_deg": Control(
-            QT_TRANSLATE_NOOP(
-                "Lens", "Angle between the bottom and the top of the frustum, as seen from the eye."
-            ),
-            *(1.0, 179.0, 0.5, "°"),
-        )
-    }
+    parameters: ClassVar[tuple[Parameter, ...]] = (FOV_Y,)
 
     fov_y_deg: float = 45.0
     near: float = 1.0
@@ -270,7 +270,7 @@ def fov_y_from_window(top: float, near: float) -> float:
 
     Raises a `Refusal` if a number is not finite or not above 0.
     """
-    top, near = positive("top", top), positive("near", near)
+    top, near = positive("top", top), positive(NEAR.name, near)
     return math.degrees(2.0 * math.atan2(top, near))
 
 

@@ -15,12 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
-from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.settings import Settings, point
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
@@ -246,7 +247,7 @@ PHENOMENON = Phenomenon(
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
-    adjustable=(Setting("start", (3.0, 2.9, 4.0)), Setting("end", (-9.0, 3.5, -2.5))),
+    adjustable=(Parameter("start", (3.0, 2.9, 4.0)), Parameter("end", (-9.0, 3.5, -2.5))),
     controls=("lens.near", "lens.far"),
     leading="ndc",
     own_mesh=True,

@@ -12,13 +12,14 @@ from functools import partial
 
 import numpy as np
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
@@ -156,7 +157,7 @@ PHENOMENON = Phenomenon(
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
-    adjustable=(Setting("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),
+    adjustable=(Parameter("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),
     controls=("camera.distance", "lens.fov_y_deg"),
     replaces=("near",),
     numbers=4,

@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
@@ -29,7 +30,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined, letter_f
 
@@ -317,14 +318,14 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("preset", "console"),
-        Setting(
+        Parameter("preset", "console"),
+        Parameter(
             "origin", 1e6, 1.0, 1e15, span=(1.0, 1e9), logarithmic=True, only_with=("preset", "far")
         ),
-        Setting("vertices", "bits12", only_with=("preset", "own")),
-        Setting("numbers", "float32", only_with=("preset", "own")),
-        Setting("snap", "none", only_with=("preset", "own")),
-        Setting("reciprocal", "exact", only_with=("preset", "own")),
+        Parameter("vertices", "bits12", only_with=("preset", "own")),
+        Parameter("numbers", "float32", only_with=("preset", "own")),
+        Parameter("snap", "none", only_with=("preset", "own")),
+        Parameter("reciprocal", "exact", only_with=("preset", "own")),
     ),
     controls=("camera.azimuth_deg", "camera.distance"),
     leading="image",

@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
+from app.model.parameter import Parameter
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
@@ -26,7 +27,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -172,7 +173,7 @@ def _to_ndc(points_clip: Array) -> Array:
 
 
 def _colour(step: int) -> str:
-    return ("near", "far")[step - 1] if step < 3 else "v"
+    return PLANES[step - 1] if step < 3 else "v"
 
 
 def _pieces(parts: Sequence[Array], step: int) -> Marks:
@@ -349,7 +350,7 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(Setting("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
+    adjustable=(Parameter("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
     controls=("lens.near", "lens.far", "camera.distance"),
     numbers=7,
     leading="ndc",

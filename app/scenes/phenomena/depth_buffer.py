@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
@@ -27,7 +28,7 @@ from app.scenes.phenomena.marks import Copy, Marks, Polyline, Rendering, Text, o
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
-from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -247,9 +248,9 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("gap", 0.25, 1e-9, 1e6, span=(1e-6, 1.0), logarithmic=True),
-        Setting("format", "fixed16"),
-        Setting("range", "standard"),
+        Parameter("gap", 0.25, 1e-9, 1e6, span=(1e-6, 1.0), logarithmic=True),
+        Parameter("format", "fixed16"),
+        Parameter("range", "standard"),
     ),
     controls=("lens.near",),
     leading="image",

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
@@ -38,7 +39,7 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Setting, Settings, point
+from app.scenes.phenomena.settings import Settings, point
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
@@ -465,9 +466,9 @@ PHENOMENON = Phenomenon(
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
     adjustable=(
-        Setting("start", (-2.5, 1.5, 0.0)),
-        Setting("end", (2.5, 1.8, 2.5)),
-        Setting("drawn", "faces"),
+        Parameter("start", (-2.5, 1.5, 0.0)),
+        Parameter("end", (2.5, 1.8, 2.5)),
+        Parameter("drawn", "faces"),
     ),
     controls=("camera.distance",),
     leading="world",

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.parameter import CLOSE, Parameter
 from app.model.projection import (
     Array,
     Camera,
@@ -30,7 +31,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -279,11 +280,11 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("preset", "wide"),
-        Setting(
+        Parameter("preset", "wide"),
+        Parameter(
             "distance", 1.0, 0.05, 20.0, span=(0.4, 8.0), unit="×", logarithmic=True, per_second=0.5
         ),
-        Setting("enlarged", True, only_with=("preset", "tele")),
+        Parameter("enlarged", True, only_with=("preset", "tele")),
     ),
     controls=("lens.fov_y_deg",),
     leading="image",

@@ -25,13 +25,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
@@ -312,9 +313,9 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("focus", 5.0, 1e-6, 1e6, span=(0.3, 30.0), unit="m", logarithmic=True),
-        Setting("aperture", 1.0, 0.5, 1e6, span=(0.5, 64.0), logarithmic=True),
-        Setting("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
+        Parameter("focus", 5.0, 1e-6, 1e6, span=(0.3, 30.0), unit="m", logarithmic=True),
+        Parameter("aperture", 1.0, 0.5, 1e6, span=(0.5, 64.0), logarithmic=True),
+        Parameter("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
     ),
     controls=("lens.fov_y_deg",),
     own_mesh=True,

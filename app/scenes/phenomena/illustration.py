@@ -21,12 +21,13 @@ from typing import Any
 
 import numpy as np
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import Comparison, PhenomenonWords
 from app.scenes.shapes import Coloured
 
@@ -147,7 +148,7 @@ class Phenomenon:
         ``geometry() -> (faces, lines)`` makes the scene.
     show : callable
         ``show(projection, settings, subject) -> Illustration``.
-    adjustable : tuple of Setting
+    adjustable : tuple of Parameter
         Its settings, without their words.
     controls : tuple of str
         The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
@@ -198,7 +199,7 @@ class Phenomenon:
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
     show: Callable[[Projection, Settings, Subject], Illustration]
-    adjustable: tuple[Setting, ...] = ()
+    adjustable: tuple[Parameter, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     numbers: int = 3
@@ -239,7 +240,7 @@ class Phenomenon:
         return self.words.comparisons
 
     @cached_property
-    def settings(self) -> tuple[Setting, ...]:
+    def settings(self) -> tuple[Parameter, ...]:
         return tuple(map(self.words.worded, self.adjustable))
 
     def illustration(

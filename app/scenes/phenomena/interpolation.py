@@ -24,13 +24,14 @@ from functools import cache
 
 import numpy as np
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import Setting, Settings, number
+from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, flat, ground_grid
 
@@ -221,9 +222,9 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("interpolation", "affine"),
-        Setting("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
-        Setting("pattern", "checks"),
+        Parameter("interpolation", "affine"),
+        Parameter("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
+        Parameter("pattern", "checks"),
     ),
     controls=("camera.azimuth_deg",),
     leading="image",

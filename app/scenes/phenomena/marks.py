@@ -6,7 +6,7 @@ the rasteriser's work (`Rendering`); marks are few.
 A mark with a `name` belongs to the thing of that name: where the picture does not name it, the
 mark is drawn more quietly. A line, face or dot without a name is always drawn as it is.
 
-Colours are names of `app.drawings.style.Style`, such as ``"near"``, or ``"#rrggbb"``. Points are
+Colours are names of `app.drawings.style.Style`, such as ``"accent"``, or ``"#rrggbb"``. Points are
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
 

@@ -13,6 +13,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from app.model.parameter import CLOSE, Parameter
+from app.model.parameters import ALPHA, BETA
 from app.model.projection import (
     Array,
     Camera,
@@ -26,7 +28,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
-from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     SIDE_RGB,
@@ -125,7 +127,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 
 def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     lens = projection.lens
-    if not isinstance(lens, Oblique):
+    if ALPHA not in lens.parameters:
         return dict.fromkeys(settings)
     wanted, direction = _wanted(settings)
     turned = math.radians(direction)
@@ -214,12 +216,12 @@ def _readings(
         Reading(WORDS["scale"], drawn and drawn.scale, "×", note),
         Reading(WORDS["angle"], drawn_deg, "°", note if drawn is None else end_on or note),
     ]
-    if isinstance(lens, Oblique):
+    if ALPHA in lens.parameters:
         before = WORDS.phrase("before") if drawn is not None and note is not None else None
         readings += [
             Reading("√(cot²α + cot²β)", scale, "×", before),  # noqa: RUF001
             Reading("atan2(−cot β, −cot α)", None if end_on else angle_deg, "°", end_on),  # noqa: RUF001
-            Reading("α, β", (lens.alpha_deg, lens.beta_deg), "°"),  # noqa: RUF001
+            Reading("α, β", (ALPHA.value(projection), BETA.value(projection)), "°"),  # noqa: RUF001
         ]
     return tuple(readings)
 
@@ -252,12 +254,12 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("drawing", "cavalier"),
-        Setting(
+        Parameter("drawing", "cavalier"),
+        Parameter(
             "receding", 0.7, 0.0, 100.0, span=(0.0, 2.0), unit="×", only_with=("drawing", "free")
         ),
-        Setting("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
-        Setting("morph", 1.0, 0.0, 1.0, per_second=0.5),
+        Parameter("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
+        Parameter("morph", 1.0, 0.0, 1.0, per_second=0.5),
     ),
     leading="image",
     follow=_follow,

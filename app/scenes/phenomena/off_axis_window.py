@@ -13,13 +13,15 @@ from fractions import Fraction
 
 import numpy as np
 
+from app.model.parameter import Parameter
+from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
@@ -155,10 +157,10 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
     """
     left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
     marks: list[Mark] = [
-        segment(left_bottom, left_top, "near", 1.5, ("left",)),
-        segment(right_bottom, right_top, "near", 1.5, ("right",)),
-        segment(left_bottom, right_bottom, "near", 1.5, ("bottom",)),
-        segment(left_top, right_top, "near", 1.5, ("top",)),
+        segment(left_bottom, left_top, NEAR.name, 1.5, (LEFT.name,)),
+        segment(right_bottom, right_top, NEAR.name, 1.5, (RIGHT.name,)),
+        segment(left_bottom, right_bottom, NEAR.name, 1.5, (BOTTOM.name,)),
+        segment(left_top, right_top, NEAR.name, 1.5, (TOP.name,)),
     ]
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         corners = section(screen, screen.camera.distance)
@@ -247,8 +249,8 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
-        Setting("screens", "2"),
+        Parameter("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
+        Parameter("screens", "2"),
     ),
     controls=("lens.left", "lens.right"),
     follow=_follow,

@@ -23,6 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.limits import NOT_ZERO
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -39,7 +40,7 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
-from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
 
@@ -264,10 +265,10 @@ PHENOMENON = Phenomenon(
     geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
     show=_show,
     adjustable=(
-        Setting("kind", "point"),
-        Setting("light", (-4.0, 9.0, 3.0)),
-        Setting("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
-        Setting("clip", True),
+        Parameter("kind", "point"),
+        Parameter("light", (-4.0, 9.0, 3.0)),
+        Parameter("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
+        Parameter("clip", True),
     ),
     numbers=3,
     check=_check,

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.limits import ABOVE
+from app.model.parameter import Parameter
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
@@ -27,7 +28,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
@@ -292,11 +293,11 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("position", 0.0, 0.0, 300.0, per_second=SPEED),
-        Setting("fog", "none"),
-        Setting("fog_start", 15.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("fog", "linear")),
-        Setting("fog_end", 66.0, 1e-3, 1e6, span=(1.0, 400.0), only_with=("fog", "linear")),
-        Setting(
+        Parameter("position", 0.0, 0.0, 300.0, per_second=SPEED),
+        Parameter("fog", "none"),
+        Parameter("fog_start", 15.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("fog", "linear")),
+        Parameter("fog_end", 66.0, 1e-3, 1e6, span=(1.0, 400.0), only_with=("fog", "linear")),
+        Parameter(
             "fog_density",
             0.05,
             1e-6,
@@ -306,9 +307,9 @@ PHENOMENON = Phenomenon(
             logarithmic=True,
             only_with=("fog", "exponential"),
         ),
-        Setting("detail", False),
-        Setting("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
-        Setting("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
+        Parameter("detail", False),
+        Parameter("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
+        Parameter("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
     ),
     controls=("lens.far",),
     leading="image",

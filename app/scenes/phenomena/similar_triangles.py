@@ -13,6 +13,7 @@ from functools import partial
 
 import numpy as np
 
+from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -33,7 +34,7 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import section, seen, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import Setting, Settings, number, point
+from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
 
@@ -197,8 +198,8 @@ PHENOMENON = Phenomenon(
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
     adjustable=(
-        Setting("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
-        Setting("point", (1.5, 5.0, 0.5)),
+        Parameter("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
+        Parameter("point", (1.5, 5.0, 0.5)),
     ),
     controls=("lens.fov_y_deg", "camera.distance"),
     numbers=6,

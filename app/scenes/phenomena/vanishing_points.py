@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.parameter import CLOSE, Parameter
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -27,7 +28,7 @@ from app.scenes.phenomena.picture import (
     rectangle,
 )
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import CLOSE, ImpliedSettings, Setting, Settings, number
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
@@ -420,9 +421,9 @@ PHENOMENON = Phenomenon(
     geometry=_geometry,
     show=_show,
     adjustable=(
-        Setting("points", "2"),
-        Setting("edge", "z"),
-        Setting("t", 0.6, 0.0, 2.0, per_second=0.15),
+        Parameter("points", "2"),
+        Parameter("edge", "z"),
+        Parameter("t", 0.6, 0.0, 2.0, per_second=0.15),
     ),
     controls=("camera.azimuth_deg",),
     numbers=4,

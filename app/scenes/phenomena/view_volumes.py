@@ -14,12 +14,14 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
+from app.model.parameter import Parameter
+from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Reading
-from app.scenes.phenomena.settings import ImpliedSettings, Setting, Settings
+from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -118,7 +120,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
         section[:, 2] = -w
     near_circle, far_circle = world = world_from_view(projection, sections)
     spokes, edges = range(0, _SIDES, _SIDES // 8), range(0, _SIDES, 2)
-    marks: list[Mark] = [Polyline(near_circle, "near", 1.5), Polyline(far_circle, "far", 1.5)]
+    marks: list[Mark] = [Polyline(near_circle, NEAR.name, 1.5), Polyline(far_circle, FAR.name, 1.5)]
     marks += [Polyline(world[:, i], "accent", 1.0) for i in spokes]
     marks += [
         Face(np.array([world[0, i], world[0, i + 2], world[1, i + 2], world[1, i]]), "accent", 0.18)
@@ -128,7 +130,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
     ellipse = radius / np.array([(right - left) / 2.0, (top - bottom) / 2.0]) * _CIRCLE
     near, far = (np.column_stack([ellipse, [z] * len(ellipse)]) for z in projection.depth_range)
-    in_ndc = [Polyline(near, "near", 1.5), Polyline(far, "far", 1.5)]
+    in_ndc = [Polyline(near, NEAR.name, 1.5), Polyline(far, FAR.name, 1.5)]
     in_ndc += [segment(near[i], far[i], "accent", 1.0) for i in spokes]
     in_image = Polyline(image_from_ndc(projection, ellipse), "accent", 1.5)
     return Marks.of(*marks), Marks.of(*in_ndc), Marks.of(in_image)
@@ -176,7 +178,7 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     lens = projection.lens
     if lens.central:
         return {"volume": "cone" if settings["volume"] == "cone" else "pyramid"}
-    return {"volume": "oblique" if lens.kind == _LENS["oblique"] else "box"}
+    return {"volume": "oblique" if ALPHA in lens.parameters else "box"}
 
 
 PHENOMENON = Phenomenon(
@@ -187,7 +189,7 @@ PHENOMENON = Phenomenon(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(Setting("volume", "pyramid"),),
+    adjustable=(Parameter("volume", "pyramid"),),
     controls=("lens.near", "lens.far"),
     numbers=4,
     follow=_follow,

@@ -25,14 +25,14 @@ The window translates these texts in the context "phenomena". lupdate reads no M
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import NamedTuple
 
+from app.model.content_file import ContentSection, read_sections, sections_of, worded
+from app.model.parameter import Parameter
 from app.model.projection import Projection
 from app.scenes.phenomena.readout import Phrase
-from app.scenes.phenomena.settings import Setting
 
 CONTENT = Path(__file__).with_name("content")
 _COMPARE = "Compare: "
@@ -56,17 +56,6 @@ class Comparison:
     pictures: tuple[tuple[str, tuple[str, ...]], ...]
 
 
-class _WordsSection(NamedTuple):
-    """What stands below one heading: lines of text, and the items of a list."""
-
-    text: list[str]
-    items: list[str]
-
-    @property
-    def named(self) -> dict[str, str]:
-        return dict(item.split(": ", 1) for item in self.items)
-
-
 class PhenomenonWords:
     """The words of one phenomenon.
 
@@ -82,17 +71,10 @@ class PhenomenonWords:
         self.name, self._given = name, text
 
     @cached_property
-    def _sections(self) -> dict[str, _WordsSection]:
-        text = self._given or (CONTENT / f"{self.name}.md").read_text(encoding="utf-8")
-        sections: dict[str, _WordsSection] = {}
-        for line in filter(None, text.splitlines()):
-            if line.startswith("#"):
-                section = sections.setdefault(line.lstrip("# "), _WordsSection([], []))
-            elif line.startswith("- "):
-                section.items.append(line[2:])
-            else:
-                section.text.append(line)
-        return sections
+    def _sections(self) -> dict[str, ContentSection]:
+        if self._given is not None:
+            return sections_of(self._given)
+        return read_sections(CONTENT / f"{self.name}.md")
 
     @cached_property
     def _named(self) -> dict[str, str]:
@@ -124,17 +106,9 @@ class PhenomenonWords:
     def tries(self) -> tuple[str, ...]:
         return tuple(self._sections["Try"].items)
 
-    def worded(self, setting: Setting) -> Setting:
-        """The setting with its label, its tooltip and its choices."""
-        ending = f" {{#{setting.name}}}"
-        heading = next(each for each in self._sections if each.endswith(ending))
-        section = self._sections[heading]
-        return replace(
-            setting,
-            label=heading.removesuffix(ending),
-            tip=section.text[0],
-            choices=tuple(section.named.items()),
-        )
+    def worded(self, setting: Parameter) -> Parameter:
+        """The setting with its title, its tooltip and its choices."""
+        return worded(setting, self._sections)
 
     @property
     def comparisons(self) -> tuple[Comparison, ...]:

@@ -22,7 +22,7 @@ DONE = "done"
 """Stored as the answer of a finished task."""
 
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
-"""By which a condition names a field of the view, where its name is another one."""
+"""The names that conditions have for fields of the view with other names."""
 
 
 class TaskView(BlockView):

@@ -141,7 +141,7 @@ class BlockView(QFrame):
 
     @property
     def response(self) -> list[QWidget]:
-        """Return the widgets of the newest response, from the top; none if nothing was said."""
+        """Return the widgets of the newest response, from the top."""
         return self._responses if self._hint is None else [self._hint]
 
     @property

@@ -1,0 +1,396 @@
+"""A figure, for papers and slides: drawn off the screen, without a window or a display.
+
+The panes' own drawings draw it in a window of its own, which makes it independent of a screen's
+size and scale. VTK is imported when a figure is drawn.
+"""
+
+from __future__ import annotations
+
+import math
+import os
+import sys
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from app.document.codec import picture_json
+from app.document.document import Document
+from app.document.files import write_bytes_atomically
+from app.document.lengths import DPI, PX_PER, Size, whole_pixels
+from app.document.view import PANES
+from app.drawings import DrawingWords
+from app.drawings.describing import Description, Translate, describe, in_english
+from app.drawings.shades import printed
+from app.drawings.side_by_side import panes_in
+from app.drawings.style import PALETTES, rgb
+from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
+from app.scenes.fewer_triangles import reduced
+from app.scenes.scene import Scene
+
+if TYPE_CHECKING:
+    from app.drawings.compared_figures import Compared
+    from app.drawings.drawing import Drawing
+    from app.drawings.off_screen import Pixels
+    from app.drawings.one_pane import PanePicture
+    from app.drawings.vectors import Shape
+
+ENDINGS = (".png", ".svg", ".pdf", ".tex")
+HIDDEN = ("none", "dashed", "grey")
+"""What becomes of lines that faces hide."""
+LARGEST_PX = LARGEST_IMAGE_PX
+"""Largest side of a figure."""
+PANE_PX = 640
+"""Default side of a pane."""
+SMALLEST_PANE_PX = 32
+"""Smallest side of a pane with labels."""
+USUAL_TEXT = 7.0 * DPI / 72.0 / PANE_PX
+"""Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
+of `PANE_PX`, across a page, that is 7 points, which can be read there and on a slide (13 pixels, as
+in the window, would be 3); other figures look alike."""
+CROP_PX = 2.0 * PX_PER["mm"]
+"""Margin of a figure that is cropped."""
+
+_LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
+_REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
+
+NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
+UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
+SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
+WIDTH = QT_TRANSLATE_NOOP(
+    "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
+)
+HEIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "height = {0}: must be a whole number of pixels from {1} to {2}."
+)
+SCALED_WIDTH = QT_TRANSLATE_NOOP(
+    "Refusal", "width = {0} times scale {3}: must be from {1} to {2} pixels."
+)
+SCALED_HEIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
+)
+LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to {2} {3}.")
+LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
+TEXT = QT_TRANSLATE_NOOP(
+    "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
+)
+TOO_MANY_FOR = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
+    "write {2}",
+)
+AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
+_SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
+
+
+@dataclass(frozen=True, repr=False)
+class Figure:
+    """What is drawn once: a document, and how. A figure that exists can be drawn.
+
+    Parameters
+    ----------
+    scene : Scene
+        The document's.
+    panes : sequence of {"world", "ndc", "image"}
+        From left to right, as wide as `panes_in` says. The image alone is drawn without its frame.
+    size : Size or (int, int), optional
+        By default `PANE_PX` squares, or the image's own size for the image alone.
+    scale : float
+        Multiplies the size with all lines and letters: the same pixels, finer.
+    column : bool
+        Draw the panes below each other.
+    text_pt : float, optional
+        Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
+    palette : str
+        One of `PALETTES`.
+    hidden : str
+        One of `HIDDEN`, for shapes.
+    crop : bool
+        Leave out what is empty around the content, but for a margin of `CROP_PX`.
+    transparent : bool
+        Leave the background transparent.
+    words : mapping, optional
+        The words in the drawings; by default English with the view's letters.
+    translate : callable
+        Puts the texts of the description into another language.
+
+    Raises
+    ------
+    Refusal
+        For an unknown pane, palette or kind of hidden lines, and for a size, a scale or letters
+        that are not possible.
+    """
+
+    document: Document
+    scene: Scene
+    panes: Sequence[str] = PANES
+    size: Size | tuple[int, int] | None = None
+    scale: float = 1.0
+    column: bool = False
+    text_pt: float | None = None
+    palette: str = "screen"
+    hidden: str = "none"
+    crop: bool = False
+    transparent: bool = False
+    words: Mapping[str, str] | None = field(default=None, hash=False)
+    translate: Translate = in_english
+
+    def __post_init__(self) -> None:
+        for name, known in (("palette", PALETTES), ("hidden", HIDDEN)):
+            value = getattr(self, name)
+            if not isinstance(value, str) or value not in known:
+                raise Refusal(name, value, ONE_OF, ", ".join(known))
+        if isinstance(self.panes, str) or not self.panes:
+            raise Refusal.saying(NO_PANES, repr(self.panes), ", ".join(PANES))
+        for pane in self.panes:
+            if pane not in PANES:
+                raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
+        object.__setattr__(self, "panes", tuple(self.panes))
+        self._check_size()
+        least, most = (side * 72.0 / DPI for side in (_LEAST_TEXT_PX, _LARGEST_TEXT * self._side))
+        if self.text_pt is not None and not least <= self.text_pt <= most:  # NaN fails too
+            raise Refusal.saying(TEXT, format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}")
+
+    def _check_size(self) -> None:
+        if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
+            raise Refusal.saying(SCALE, f"{self.scale:g}", LARGEST_PX)
+        per_px = PX_PER[self.full_size.unit]
+        divided = not self.column, self.column
+        for templates, side, is_divided in zip(_SIDES, self.full_size[:2], divided, strict=True):
+            smallest = SMALLEST_PANE_PX * (len(self.panes) if is_divided else 1)
+            if self.panes == ("image",):
+                smallest = 1
+            # Also for NaN; and an integer of 400 digits cannot be multiplied by the scale.
+            if side <= sys.float_info.max and smallest <= side * per_px * self.scale <= LARGEST_PX:
+                continue
+            limits: tuple[object, object, object] = smallest, LARGEST_PX, f"{self.scale:g}"
+            template = templates[0 if self.scale == 1.0 else 1]
+            if self.full_size.unit != "px":
+                template = templates[2]
+                least, most = (bound / per_px / self.scale for bound in (smallest, LARGEST_PX))
+                limits = f"{least:.3g}", f"{most:.4g}", self.full_size.unit
+            raise Refusal.saying(template, format_value(side), *limits)
+
+    @cached_property
+    def full_size(self) -> Size:
+        """Width and height at scale 1, before it is cropped."""
+        if self.size is not None:
+            return Size(*self.size)
+        if self.panes == ("image",):
+            return Size(*self.document.projection.image_size)
+        sides = PANE_PX * len(self.panes), PANE_PX
+        return Size(*sides[::-1] if self.column else sides)
+
+    @property
+    def _side(self) -> float:
+        """The shorter side of a pane in pixels at scale 1, if all are equally wide."""
+        (width, height), count = self.full_size.px, len(self.panes)
+        return min(width, height / count) if self.column else min(width / count, height)
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        """Width and height in pixels, before it is cropped."""
+        return self._scaled(self.scale)
+
+    def _scaled(self, scale: float) -> tuple[int, int]:
+        width, height = self.full_size.px
+        return whole_pixels((width * scale, height * scale))
+
+    @property
+    def em_pt(self) -> float:
+        """Height of an em in points."""
+        if self.text_pt is not None:
+            return self.text_pt
+        return max(_LEAST_TEXT_PX, USUAL_TEXT * self._side) * 72.0 / DPI
+
+    @cached_property
+    def description(self) -> Description:
+        """What it shows, for those who do not see it."""
+        return describe(self.document, self.scene, self.panes, self.translate)
+
+    # -- drawing
+
+    def pixels(
+        self,
+        progress: Callable[[float], bool] | None = None,
+        seen: Callable[[Drawing, int], object] | None = None,
+    ) -> Pixels:
+        """Draw it, and return (height, width, 3 or 4) uint8 pixels.
+
+        The first row is the top one; colours are not multiplied by alpha.
+
+        Parameters
+        ----------
+        progress : callable, optional
+            Called now and then with the fraction done; drawing stops when it returns False.
+        seen : callable, optional
+            Called with the drawing of each pane and how many of its pixels are one of the figure's.
+
+        Raises
+        ------
+        Cancelled
+            When `progress` returned False.
+
+        Notes
+        -----
+        Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise
+        VTK may use Qt's context for its own.
+        """
+        watch = _Watch(progress, len(self.panes))
+        parts = [part.pixels(seen) for part, _ in self._parts(self.scale, watch)]
+        whole = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=int(not self.column))
+        return self._cropped(whole) if self.crop else whole
+
+    def _cropped(self, whole: Pixels) -> Pixels:
+        """The part of a picture that is not empty, and a margin of it."""
+        empty = np.round(255.0 * np.array(rgb(PALETTES[self.palette].background)))
+        ink = whole[..., 3] > 0 if self.transparent else (whole != empty).any(axis=2)
+        margin, sides = round(CROP_PX * self.scale), []
+        for axis in (1, 0):
+            places = np.flatnonzero(ink.any(axis=axis))
+            if not len(places):
+                return whole
+            sides.append(slice(max(0, int(places[0]) - margin), int(places[-1]) + 1 + margin))
+        return np.ascontiguousarray(whole[sides[0], sides[1]])
+
+    def shapes(
+        self, progress: Callable[[float], bool] | None = None
+    ) -> tuple[tuple[float, float], list[Shape]]:
+        """Return its size in pixels at scale 1 and its shapes, from the back to the front.
+
+        The size is exactly the one asked for; what lies beyond is for the writer to cut off. A
+        `Refusal` for too many shapes, else as for `pixels`.
+        """
+        from app.drawings.vectors import Area, box_of, moved
+
+        watch = _Watch(progress, len(self.panes))
+        shapes = [
+            moved(shape, *place)
+            for part, place in self._parts(1.0, watch)
+            for shape in part.shapes(self.hidden, watch)
+        ]
+        (width, height), background = self.full_size.px, PALETTES[self.palette].background
+        box = box_of(shapes, background) if self.crop else None
+        if box is not None:
+            x, y = (max(0.0, side - CROP_PX) for side in box[:2])
+            width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
+            shapes = [moved(shape, -x, -y) for shape in shapes]
+        if not self.transparent:  # or a seam would show between panes on a page of another colour
+            page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+            shapes.insert(0, Area([page], rgb(background), 1.0))
+        return (width, height), shapes
+
+    def _parts(
+        self, scale: float, watch: _Watch
+    ) -> Iterator[tuple[PanePicture | Compared, tuple[int, int]]]:
+        """Yield what each pane shows, with its left and top."""
+        from app.drawings.compared_figures import compared_in
+        from app.drawings.one_pane import PanePicture
+
+        document, view = self.document, self.document.view
+        # Beside an image several worlds that are compared would be small.
+        aspect = None if view.compare else document.projection.aspect
+        images = [aspect if pane == "image" else None for pane in self.panes]
+        style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
+        style = replace(style, margin=style.background, font_size=em_px).enlarged(scale)
+        words = DrawingWords(view.letters) if self.words is None else self.words
+        illustration = self.scene.illustration(document.projection, document.settings)
+        scene = printed(reduced(self.scene, document.quality.detail), style)
+        places = panes_in(self._scaled(scale), images, self.column)
+        for number, (pane, (left, top, *sides)) in enumerate(zip(self.panes, places, strict=True)):
+            watch.begin(number)
+            picture = PanePicture(
+                pane, document, scene, illustration, (sides[0], sides[1]), style, words,
+                framed=len(self.panes) > 1, transparent=self.transparent,
+            )  # fmt: skip
+            is_compared = pane == view.compares_in and view.compare
+            yield compared_in(picture, self.scene) if is_compared else picture, (left, top)
+
+    # -- files
+
+    @cached_property
+    def svg(self) -> str:
+        """The figure as SVG, without reference to another file.
+
+        Raises
+        ------
+        Refusal
+            For more faces and lines than a file of shapes should have.
+        RuntimeError
+            If this machine has no OpenGL to draw with; the text says what to install.
+        """
+        from app.drawings.off_screen import check_off_screen
+        from app.drawings.svg import svg
+
+        check_off_screen()
+        size, shapes = self.shapes()
+        return svg(shapes, size, self.description.title, self.description.text).decode()
+
+    def _repr_svg_(self) -> str:
+        """What a notebook shows."""
+        return self.svg
+
+    def save(
+        self, path: str | os.PathLike[str], progress: Callable[[float], bool] | None = None
+    ) -> None:
+        """Write a .svg, .pdf, .tex (TikZ) or .png file, whole or not at all.
+
+        The PNG contains the document: dropped on the window, it brings its state back. TikZ reads
+        PNG files beside it, if any.
+
+        Raises
+        ------
+        Refusal
+            For another ending, and for a file that cannot be written.
+        RuntimeError, Cancelled
+            As for `svg` and `pixels`.
+        """
+        from app.drawings.figure_files import png_bytes, write_shapes
+        from app.drawings.off_screen import check_off_screen
+        from app.drawings.vectors import TOO_MANY
+
+        name = os.fspath(path)
+        if not name.lower().endswith(ENDINGS):
+            raise Refusal.saying(AN_ENDING, name)
+        check_off_screen()
+        if name.lower().endswith(".png"):
+            json, pixels = picture_json(self.document), self.pixels(progress)
+            content = png_bytes(pixels, json, self.scale, self.description)
+            write_bytes_atomically(name, content)
+            return
+        tell = progress or (lambda _part: True)
+        try:
+            size, shapes = self.shapes(lambda part: tell(part / 2.0))
+        except Refusal as error:
+            if error.bound != TOO_MANY:
+                raise
+            png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
+            limits = (*error.limits, png)
+            raise Refusal.in_document(TOO_MANY_FOR, *limits, field=error.field) from error
+        watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
+        watch.begin(0)
+        write_shapes(name, shapes, size, self.description, watch)
+
+
+class _Watch:
+    """Reports the progress in a pane, whose duration is unknown, every twentieth of a second."""
+
+    def __init__(self, progress: Callable[[float], bool] | None, panes: int) -> None:
+        self._progress, self._panes = progress, panes
+
+    def begin(self, number: int) -> None:
+        self._number, self._begin = number, time.monotonic()
+        self._report(0.0)
+
+    def __call__(self) -> None:
+        if time.monotonic() - self._reported_at > _REPORT_EVERY_S:
+            self._report(1.0 - math.exp((self._begin - time.monotonic()) / _SLOWING_S))
+
+    def _report(self, part: float) -> None:
+        self._reported_at = time.monotonic()
+        if self._progress is not None and not self._progress((self._number + part) / self._panes):
+            raise Cancelled

@@ -1,0 +1,242 @@
+"""A value of a document, as every place that reads, shows, finds or changes it knows it.
+
+`app.model.parameters` lists those of camera, lens, image and object. A scene lists its settings in
+its phenomenon.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from typing import Any, Literal, NamedTuple, TypeAlias
+
+from app.model.limits import ONE_OF, Vector, finite, finite_vector, within
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+Value: TypeAlias = float | bool | str | Vector
+Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
+Read: TypeAlias = Callable[[Any], Any]
+"""Returns a value of a `Projection`."""
+Write: TypeAlias = Callable[[Any, Any], Any]
+"""Returns the `Projection` with another value."""
+
+CLOSE = 1e-7
+"""Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
+WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
+YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
+PARTS: dict[str, Part] = {
+    "lens": "lens", "camera": "camera", "image": "image_size", "": "depth", "object": "placement",
+}  # fmt: skip
+"""The field of `Projection` that a section of the document is in."""
+
+
+class Computed(NamedTuple):
+    """Numbers that the model computes together from a part of a projection and does not keep.
+
+    Attributes
+    ----------
+    source : callable
+        Returns the part of a projection that the numbers are computed from.
+    compute : callable
+        Returns a named tuple of the numbers of a projection.
+    apply : callable
+        Returns a projection with other numbers.
+    """
+
+    source: Read
+    compute: Read
+    apply: Write
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One value of a document. All texts are marked for translation.
+
+    The type of a setting's default says what it is: a bool is a switch, a str one of `choices`, a
+    tuple a point or a direction of the world, a float a number with a slider.
+
+    Attributes
+    ----------
+    name, section : str
+        Its path in the document is ``SECTION.NAME``.
+    default : float, bool, str or tuple of 3 floats
+        None if the scene's camera and lens have it.
+    low, high : float
+        Bounds of a number, included. Camera and lens check their own.
+    span : (float, float), optional
+        The range of the slider within the bounds; all of it if not given.
+    step : float
+        Of the slider's arrow keys; 0 for about a 500th of its range.
+    logarithmic, whole : bool
+        Of a number: its slider is logarithmic; it is an integer.
+    per_second : float
+        How fast a number moves while it is played; 0 if it cannot be played.
+    only_with : (str, value), optional
+        The name of another setting, and the only value of it with which this one has an effect.
+    unit : str
+    title, row, tip : str
+        Its name, that of its row if it is another one, and its tooltip. They come from a content
+        file, like `choices`, `tips`, `also` and `drag` (`app.model.content_file`).
+    choices : tuple of (str, str)
+        The values of a choice and their texts.
+    tips : tuple of str
+        The explanation of each choice, if there are any.
+    said, other : str
+        Its unit in words, if they are its own. What a choice shows when it is none of its choices.
+    buttons : bool
+        Whether the choices stand side by side.
+    also : str
+        Other names, by which the finder finds it.
+    letter : str
+        In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture.
+    formula : str
+        In the formulas of lessons; a vector's components have ``_x``, ``_y`` and ``_z`` behind it.
+    place : str
+        The part of the dock with its row; empty if it has none.
+    needs : str
+        The property or field of the lenses that have it; by default the field of its own name.
+    changes : tuple of str
+        The fields of the document that it changes, if it is none itself.
+    shows : tuple of str, optional
+        What it highlights (`app.lecture.highlight`), if that has another name.
+    makes : tuple of str
+        Other things computed from it; highlighting these marks its row too.
+    handle, drag : str
+        The handle of the world pane that changes it, and what a drag of it does.
+    vector : bool
+        Whether it has three components.
+    computed : Computed, optional
+        The numbers of which it is one.
+    read, write : callable, optional
+        Read and change it in a `Projection`, if it is no field there.
+    """
+
+    name: str
+    default: Value | None = None
+    low: float = -math.inf
+    high: float = math.inf
+    span: tuple[float, float] | None = None
+    unit: str = ""
+    logarithmic: bool = False
+    whole: bool = False
+    per_second: float = 0.0
+    only_with: tuple[str, Value] | None = None
+    title: str = ""
+    tip: str = ""
+    choices: tuple[tuple[str, str], ...] = ()
+    section: str = "settings"
+    step: float = 0.0
+    tips: tuple[str, ...] = ()
+    row: str = ""
+    said: str = ""
+    other: str = ""
+    buttons: bool = False
+    also: str = ""
+    letter: str = ""
+    formula: str = ""
+    place: str = ""
+    needs: str = ""
+    changes: tuple[str, ...] = ()
+    shows: tuple[str, ...] | None = None
+    makes: tuple[str, ...] = ()
+    handle: str = ""
+    drag: str = ""
+    vector: bool = False
+    computed: Computed | None = None
+    read: Read | None = None
+    write: Write | None = None
+
+    @property
+    def path(self) -> str:
+        """Its path in the document."""
+        return f"{self.section}.{self.name}" if self.section else self.name
+
+    @property
+    def part(self) -> Part:
+        """The field of `Projection` that it belongs to."""
+        return PARTS[self.section]
+
+    @property
+    def fields(self) -> tuple[str, ...]:
+        """The fields of the document that it changes."""
+        return self.changes or (self.name,)
+
+    @property
+    def highlights(self) -> frozenset[str]:
+        return frozenset((self.name,) if self.shows is None else self.shows)
+
+    # -- in a projection
+
+    def value(self, projection: Any) -> Any:
+        """Return its value in a projection whose lens has it."""
+        if self.read is not None:
+            return self.read(projection)
+        if self.computed is not None:
+            return getattr(self.computed.compute(projection), self.name)
+        return getattr(getattr(projection, self.part), self.name)
+
+    def put(self, projection: Any, value: Any) -> Any:
+        """Return the projection with another value, or raise a `Refusal`."""
+        if self.write is not None:
+            return self.write(projection, value)
+        if self.computed is not None:
+            numbers = self.computed.compute(projection)._replace(**{self.name: value})
+            return self.computed.apply(projection, numbers)
+        whole: Any = getattr(projection, self.part)
+        return replace(projection, **{self.part: replace(whole, **{self.name: value})})
+
+    def component(self, axis: int) -> Parameter:
+        """Return one component of a vector as a number: ``eye_x``."""
+
+        def write(projection: Any, value: Any) -> Any:
+            components = list(self.value(projection))
+            components[axis] = value
+            return self.put(projection, tuple(components))
+
+        return replace(
+            self,
+            name=f"{self.name}_{'xyz'[axis]}",
+            vector=False,
+            changes=self.fields,
+            shows=tuple(self.highlights),
+            read=lambda projection: float(self.value(projection)[axis]),
+            write=write,
+        )
+
+    # -- of a setting
+
+    def checked(self, value: Any) -> Value:
+        """The value in the setting's type; a `Refusal` for another kind, or out of bounds."""
+        if isinstance(self.default, bool):
+            if not isinstance(value, bool):
+                raise Refusal(self.path, value, YES_OR_NO)
+            return value
+        if isinstance(self.default, str):
+            known = [name for name, _ in self.choices]
+            if value not in known:
+                raise Refusal(self.path, value, ONE_OF, ", ".join(known))
+            return str(value)
+        if isinstance(self.default, tuple):
+            return finite_vector(self.path, value)
+        number = within(self.path, finite(self.path, value), self.low, self.high)
+        if self.whole and not number.is_integer():
+            raise Refusal(self.path, number, WHOLE)
+        return number
+
+    def can_be(self, value: Value | None) -> bool:
+        try:
+            self.checked(value)
+        except Refusal:
+            return False
+        return True
+
+    def rounded(self, value: float, chosen: float) -> float | None:
+        """An implied number, or the chosen one if they differ by rounding errors alone."""
+        if not math.isfinite(value):
+            return None
+        low, high = self.span or (self.low, self.high)
+        slack = CLOSE * (high - low) if math.isfinite(high - low) else 0.0
+        if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
+            return chosen
+        return float(f"{value:.12g}")

@@ -1,0 +1,136 @@
+"""How a pane looks at the world, and where the ray of a pixel meets planes and lines there.
+
+Whatever a pane does to the scene, a world point becomes a pixel by one projective 4x4 and a divide.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from app.model.projection import Array, Projection, Vector
+
+
+class Sight(NamedTuple):
+    """How a pane looks at the world.
+
+    Attributes
+    ----------
+    eye : (3,) array
+        World point that is subtracted first, so that no digits are lost far from the origin.
+    rows : (4, 4) array
+        Applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top left, order
+        times w, and w. The order is smaller in front.
+    limits : (k, 4) array
+        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound the drawing.
+    """
+
+    eye: Array
+    rows: Array
+    limits: Array
+
+    @classmethod
+    def of(cls, projection: Projection) -> Sight:
+        """The sight of the image itself, between near and far."""
+        clip, axes = projection.passage.stated_in
+        rows = projection.image_from_ndc @ clip
+        rows[2], limits = projection.passage.order
+        return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
+
+    def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
+        """The sight in other pixels, by an affine (3, 3) matrix of x, y, 1."""
+        rows = self.rows.copy()
+        rows[[0, 1, 3]] = np.asarray(pixels_from_pixels) @ self.rows[[0, 1, 3]]
+        return self._replace(rows=rows)
+
+    def of_object(self, projection: Projection, origin: Vector) -> Sight:
+        """The same sight, for points of the object: ``rows (p - origin, 1)``."""
+        if projection.placement.is_identity:
+            return self
+        local = projection.placement.local_from(origin, tuple(self.eye.tolist()))
+        return Sight(np.array(origin), self.rows @ local, self.limits @ local)
+
+    def seen(self, points_world: ArrayLike) -> Array:
+        """Pixels (n, 2) of points; NaN at or behind the eye plane."""
+        offsets = np.asarray(points_world, dtype=np.float64) - self.eye
+        x, y, _, w = self.rows[:, :3] @ offsets.T + self.rows[:, 3:]
+        w = np.where(w > 0.0, w, np.nan)
+        return np.stack([x / w, y / w], axis=1)
+
+    def seen_at_infinity(self, direction: Vector) -> Array:
+        """Pixel (2,) of a point at infinity; NaN if it has no image."""
+        x, y, _, w = self.rows[:, :3] @ direction
+        return np.array([x / w, y / w]) if w > 0.0 else np.full(2, np.nan)
+
+    # -- the ray of a pixel
+
+    def meets(self, pixel: tuple[float, float], normal: Array, point: Array) -> Array:
+        """Point (3,) where the ray of a pixel meets a plane; NaN if it does not."""
+        x, y, _, w = self.rows
+        across, down = x - pixel[0] * w, y - pixel[1] * w
+        system = np.stack([across[:3], down[:3], normal])
+        known = np.array([-across[3], -down[3], normal @ (point - self.eye)])
+        try:
+            offset = np.linalg.solve(system, known)
+        except np.linalg.LinAlgError:  # the pane sees the plane edge-on
+            return np.full(3, np.nan)
+        met: Array = self.eye + offset
+        return met if w[:3] @ offset + w[3] > 0.0 else np.full(3, np.nan)
+
+    def per_px(self, point: Array, along: Array) -> float:
+        """Distance along a direction that moves a point by one pixel; infinite if it stays."""
+        line = self._line(point, along)
+        length = math.hypot(*line.way)
+        return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
+
+    def slide(self, start: Array, along: Array, pixel: tuple[float, float]) -> tuple[float, float]:
+        """The point ``start + t along`` whose image is nearest to a pixel.
+
+        Returns
+        -------
+        t : float
+            Infinite if the pixel is at the line's vanishing point or beyond it. NaN for a line that
+            is seen end-on.
+        per_px : float
+            Change of t from one pixel to the next; infinite where t is not finite.
+        """
+        line = self._line(start, along)
+        length = math.hypot(*line.way)
+        if not length > 0.0:
+            return math.nan, math.inf
+        (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
+        right, down = line.way[0] / length, line.way[1] / length
+        # Intersect the line with its perpendicular through the pixel.
+        offset = right * pixel[0] + down * pixel[1]
+        slope = right * x1 + down * y1 - offset * w1
+        t = -(right * x0 + down * y0 - offset * w0) / slope if slope else math.inf
+        w = w0 + t * w1
+        if not w > 0.0 or math.isinf(t):
+            return math.copysign(math.inf, w1), math.inf
+        return t, w * w / length
+
+    def _line(self, start: Array, along: Array) -> _LineImage:
+        rows = self.rows[[0, 1, 3]]
+        one, two = rows[:, :3] @ (start - self.eye) + rows[:, 3], rows[:, :3] @ along
+        return _LineImage(
+            one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])
+        )
+
+
+class _LineImage(NamedTuple):
+    """The image of a line ``start + t along``.
+
+    Attributes
+    ----------
+    start, along : (3,) array
+        Homogeneous pixels: x w, y w and w.
+    way : (float, float)
+        Derivative of the pixel with respect to t, times w squared.
+    """
+
+    start: Array
+    along: Array
+    way: tuple[float, float]

@@ -1,0 +1,168 @@
+"""The libraries and programs of the operating system: what is missing, and what installs it.
+
+This module imports the standard library only; `app.bootstrap` installs what is missing.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import importlib.util
+import os
+import shlex
+import shutil
+import sys
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+#: What a command needs of the machine: no graphics, pictures without a window, a window, or a
+#: window on a virtual display.
+Need = Literal["numbers", "picture", "window", "tests"]
+_PICTURE: tuple[Need, ...] = ("picture", "window", "tests")
+_WINDOW: tuple[Need, ...] = ("window", "tests")
+
+
+@dataclass(frozen=True)
+class System:
+    """A shared library, by its soname, or a program of the operating system.
+
+    `packages` are the packages of Debian and Ubuntu that contain it, separated by spaces.
+    """
+
+    name: str
+    packages: str
+    needs: tuple[Need, ...] = _WINDOW
+
+    def is_here(self) -> bool:
+        """Try to load it, which is reliable on every distribution."""
+        if ".so" not in self.name:
+            return shutil.which(self.name) is not None
+        try:
+            ctypes.CDLL(self.name)
+        except OSError:
+            return False
+        return True
+
+
+class _Fonts(System):
+    """Qt draws text with the system's fonts; without a font it shows boxes instead of letters."""
+
+    def is_here(self) -> bool:
+        try:
+            fontconfig = ctypes.CDLL("libfontconfig.so.1")
+        except OSError:
+            return False
+        # FcFontSet begins with the number of its fonts. Qt reuses the list as it was read.
+        of_system = fontconfig.FcConfigGetFonts
+        of_system.restype = ctypes.POINTER(ctypes.c_int)
+        with _in_a_folder():
+            for _ in range(2):
+                fonts = of_system(None, 0)
+                if fonts and fonts[0] > 0:
+                    return True
+                fontconfig.FcInitReinitialize()  # fonts may just have been installed
+        return False
+
+
+@contextlib.contextmanager
+def _in_a_folder() -> Iterator[None]:
+    """Leave a deleted current folder, from which fontconfig cannot read its files."""
+    if os.path.exists("."):
+        yield
+        return
+    deleted = os.open(".", os.O_RDONLY)
+    os.chdir("/")
+    try:
+        yield
+    finally:
+        os.fchdir(deleted)
+        os.close(deleted)
+
+
+class _EnsurePip(System):
+    def is_here(self) -> bool:
+        return importlib.util.find_spec("ensurepip") is not None
+
+
+#: The libGL and libEGL of the loader lead to Mesa or to a vendor's driver, as the machine is
+#: configured, so only these two are checked. If apt has to install them, the Mesa packages are
+#: installed as well.
+SYSTEM = (
+    System("libGL.so.1", "libgl1 libglx-mesa0 libgl1-mesa-dri", _PICTURE),
+    System("libEGL.so.1", "libegl1 libegl-mesa0", _PICTURE),
+    System("libX11.so.6", "libx11-6", _PICTURE),
+    System("libX11-xcb.so.1", "libx11-xcb1"),
+    System("libXcursor.so.1", "libxcursor1", _PICTURE),
+    System("libxkbcommon.so.0", "libxkbcommon0"),
+    System("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
+    System("libxcb-cursor.so.0", "libxcb-cursor0"),
+    System("libxcb-glx.so.0", "libxcb-glx0"),
+    System("libxcb-icccm.so.4", "libxcb-icccm4"),
+    System("libxcb-image.so.0", "libxcb-image0"),
+    System("libxcb-keysyms.so.1", "libxcb-keysyms1"),
+    System("libxcb-randr.so.0", "libxcb-randr0"),
+    System("libxcb-render-util.so.0", "libxcb-render-util0"),
+    System("libxcb-shape.so.0", "libxcb-shape0"),
+    System("libxcb-sync.so.1", "libxcb-sync1"),
+    System("libxcb-util.so.1", "libxcb-util1"),
+    System("libxcb-xfixes.so.0", "libxcb-xfixes0"),
+    System("libxcb-xkb.so.1", "libxcb-xkb1"),
+    System("libfontconfig.so.1", "libfontconfig1"),
+    _Fonts("a font", "fonts-dejavu-core"),
+    System("libfreetype.so.6", "libfreetype6"),
+    System("libglib-2.0.so.0", "libglib2.0-0"),
+    System("libdbus-1.so.3", "libdbus-1-3"),
+    # pyside6-lrelease, which compiles Qt's translations, is linked with it.
+    System("libgssapi_krb5.so.2", "libgssapi-krb5-2", ("tests",)),
+    System("Xvfb", "xvfb xauth", ("tests",)),
+)
+
+
+def missing_system(need: Need) -> list[System]:
+    """Return the missing libraries and programs for a need; macOS and Windows have them all."""
+    if not sys.platform.startswith("linux"):
+        return []
+    return [item for item in SYSTEM if need in item.needs and not item.is_here()]
+
+
+def venv_module() -> list[System]:
+    """A new environment needs ensurepip, which is a separate package on Debian and Ubuntu."""
+    item = _EnsurePip("ensurepip", f"python3.{sys.version_info[1]}-venv")
+    return [] if item.is_here() else [item]
+
+
+def advice(missing: Sequence[System]) -> str:
+    """Return a sentence that says what is missing and, if known, the command that installs it.
+
+    The command installs what every need lacks, so that no second command is necessary.
+    """
+    names = [item.name for item in missing]
+    if shutil.which("apt-get") is None:
+        what = ", ".join(names)
+        return f"this system lacks {what}; install what provides them, and start again"
+    if len(names) > 3:  # the command lists them all
+        names[2:] = [f"and {len(names) - 2} more"]
+    everything = [*missing, *(item for item in SYSTEM if not item.is_here())]
+    return f"this system lacks {', '.join(names)}; run: {apt_command(packages_of(everything))}"
+
+
+def packages_of(missing: Iterable[System]) -> list[str]:
+    return list(dict.fromkeys(name for item in missing for name in item.packages.split()))
+
+
+APT_INSTALL = ("apt-get", "install", "-y", "--no-install-recommends")
+
+
+def apt_command(packages: Sequence[str]) -> str:
+    # The package lists may be empty, and a list that cannot be updated is no reason to stop.
+    command = f"apt-get update; {shlex.join([*APT_INSTALL, *packages])}"
+    if is_root():
+        return command
+    # A minimal Debian has no sudo, and only a root login has /sbin on its path.
+    become_root = ["sudo", "sh", "-c"] if shutil.which("sudo") else ["su", "-", "-c"]
+    return shlex.join([*become_root, command])
+
+
+def is_root() -> bool:
+    return sys.platform != "win32" and os.geteuid() == 0

@@ -1,0 +1,27 @@
+"""The maker of each pane's drawing, which imports VTK when it is called."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+
+def _world(*args: Any) -> Any:
+    from app.drawings.world import WorldDrawing
+
+    return WorldDrawing(*args, live=True)
+
+
+def _stage(*args: Any) -> Any:
+    from app.drawings.stage import StageDrawing
+
+    return StageDrawing(*args)
+
+
+def _image(*args: Any) -> Any:
+    from app.drawings.image import ImageDrawing
+
+    return ImageDrawing(*args)
+
+
+DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}
