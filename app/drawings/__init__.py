@@ -8,13 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from app.lecture.highlight import ENDS
 from app.lecture.letters import Letters, axis_letters, in_letters
 
 _OWN: Mapping[str, str] = {
     **{
         word: word
         for word in (
-            *("near", "far", "eye", "target", "look", "up", "u", "v", "n", "x", "y", "z", "d"),
+            *ENDS,
+            *("eye", "target", "look", "up", "u", "v", "n", "x", "y", "z", "d"),
             *("half width", "half height"),
         )
     },

@@ -12,15 +12,16 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.document.store import Store
 from app.drawings import WORDS
 from app.drawings.style import Style
+from app.lecture.highlight import ENDS
 from app.lecture.letters import Letters, axis_letters
-from app.model.parameters import FAR, NEAR, TITLES
+from app.model.parameters import TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.canvas import SCALES
 from widgets.panes.pane import Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import TranslatedWords, field_name
+from widgets.parts.messages import TranslatedWords, field_name, plane_name
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
@@ -62,8 +63,7 @@ class Look(QObject):
             {
                 **WORDS,
                 **{english: field_name(name) for name, english in TITLES.items()},
-                NEAR.name: self.tr("near"),
-                FAR.name: self.tr("far"),
+                **{plane: plane_name(plane) for plane in ENDS},
                 "eye": self.tr("eye"),
                 "target": self.tr("target"),
                 "look": self.tr("look"),
