@@ -39,11 +39,27 @@ for wait in ("Until", "Signal", "Signals", "Exposed", "Active", "Callback"):
     getattr(QtBot, f"wait{wait}").__kwdefaults__["timeout"] = PATIENCE_MS
 
 
+_ended = [1]
+"""The exit status, once it is known."""
+
+
+def pytest_sessionfinish(exitstatus: int) -> None:
+    _ended[0] = int(exitstatus)
+
+
+def _end(stack: contextlib.ExitStack) -> None:
+    """Close the servers, and leave at once: what Qt and VTK keep would notice it."""
+    stack.close()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(_ended[0])
+
+
 def pytest_configure(config: pytest.Config) -> None:
     """Bring a screen for each process, unless whoever started this one has brought it."""
     if not _displays:
         stack = contextlib.ExitStack()
-        atexit.register(stack.close)  # after Qt and VTK, which end the process without their server
+        atexit.register(_end, stack)  # after Qt and VTK, which end the process without their server
         count = config.getoption("numprocesses", None) or 1
         environment = stack.enter_context(screens(count))
         os.environ.clear()

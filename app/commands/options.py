@@ -11,7 +11,7 @@ import difflib
 import os
 import re
 from collections.abc import Callable, Iterable, Sequence
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from app import __version__, bootstrap
 from app.commands.terminal import CliError, write_out
@@ -132,24 +132,31 @@ class Parser(argparse.ArgumentParser):
         return [action for action in self._actions if action.option_strings]
 
     def add_set(self) -> None:
-        self.add_argument(
-            "--set",
-            action="append",
-            default=[],
-            metavar="NAME=VALUE",
-            help="change a value of the document, such as lens.far=inf; may be repeated; "
+        self.add(
+            "--set", "NAME=VALUE",
+            "change a value of the document, such as lens.far=inf; may be repeated; "
             f"the names are {', '.join(SETTABLE)} and settings.NAME for a setting of the scene",
-        )
+            action="append", default=[],
+        )  # fmt: skip
 
-    def add_choice(self, option: str, values: Sequence[str], text: str, default: str = "") -> None:
+    def add(
+        self, option: str, value: str, text: str, read: Callable[[str], object] = str, **more: Any
+    ) -> None:
+        """Add an option that takes a value; `read` parses it, and `more` is for argparse."""
+        self.add_argument(option, metavar=value, help=text, type=read, **more)
+
+    def add_flag(self, option: str, text: str) -> None:
+        """Add an option that takes no value."""
+        self.add_argument(option, action="store_true", help=text)
+
+    def add_choice(
+        self, option: str, values: Sequence[str], text: str, default: str | None = None, **more: Any
+    ) -> None:
         """Add an option that takes one of several values."""
-        self.add_argument(
-            option,
-            type=lambda value: one_of(option, value, values),
-            metavar="|".join(values),
-            default=default or None,
-            help=text,
-        )
+        self.add(
+            option, "|".join(values), text, lambda value: one_of(option, value, values),
+            default=default, **more,
+        )  # fmt: skip
 
 
 def _nearest(word: str, known: Iterable[str]) -> str:
@@ -280,13 +287,9 @@ def _window() -> Parser:
         CANVASES,
         "how panes draw (default: opengl with a graphics card, raster without)",
     )
-    parser.add_argument(
-        "--reset", action="store_true", help="delete the settings, then open the window"
-    )
-    parser.add_argument(
-        "--screenshot", metavar="OUT", help="save a picture of the window as PNG and quit"
-    )
-    parser.add_argument("--size", type=_size, metavar="WIDTHxHEIGHT", help="size of the window")
+    parser.add_flag("--reset", "delete the settings, then open the window")
+    parser.add("--screenshot", "OUT", "save a picture of the window as PNG and quit")
+    parser.add("--size", "WIDTHxHEIGHT", "size of the window", read=_size)
     parser.add_argument("--version", action="version", version=f"Frustum Lab {__version__}")
     return parser
 
@@ -300,93 +303,83 @@ def _export() -> Parser:
         "slider (.html), or a name with %%03d for a figure of each frame"
     )
     parser = Parser("export", "OUT [FILE]", text)
-    parser.add_argument(
-        "--panes",
-        metavar="world,ndc,image",
-        help="the panes to draw, side by side, or below each other with / instead of commas "
+    parser.add(
+        "--panes", "world,ndc,image",
+        "the panes to draw, side by side, or below each other with / instead of commas "
         "(default: all, side by side; of a step, those of its slide)",
-    )
-    parser.add_argument(
-        "--size",
-        type=_length,
-        metavar="WIDTHxHEIGHT",
-        help="size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
+    )  # fmt: skip
+    parser.add(
+        "--size", "WIDTHxHEIGHT",
+        "size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
         "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
         "each pane",
-    )
-    parser.add_argument(
-        "--crop", action="store_true",
-        help="leave out what is empty around the figure, but for a margin of 2 mm",
+        read=_length,
     )  # fmt: skip
-    parser.add_argument(
-        "--scale",
-        type=_number("--scale", "a finite number"),
-        default=1.0,
-        metavar="FACTOR",
-        help="draw the same figure with more pixels (default: 1)",
-    )
-    parser.add_argument(
-        "--text-size", type=_points, metavar="PT",
-        help="size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 "
-             "in a pane of 640 pixels, in proportion in others)",
+    parser.add_flag("--crop", "leave out what is empty around the figure, but for a margin of 2 mm")
+    parser.add(
+        "--scale", "FACTOR", "draw the same figure with more pixels (default: 1)",
+        read=_number("--scale", "a finite number"), default=1.0,
+    )  # fmt: skip
+    parser.add(
+        "--text-size", "PT",
+        "size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 "
+        "in a pane of 640 pixels, in proportion in others)",
+        read=_points,
     )  # fmt: skip
     parser.add_choice(
         "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
-    parser.add_argument(
-        "--transparent", action="store_true", help="leave the background transparent"
-    )
+    parser.add_flag("--transparent", "leave the background transparent")
     parser.add_choice(
         "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
         "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
     )  # fmt: skip
-    parser.add_argument(
-        "--batch", metavar="LIST",
-        help="draw many figures: a CSV file with a line for each, whose columns are out, file, the "
+    parser.add(
+        "--batch", "LIST",
+        "draw many figures: a CSV file with a line for each, whose columns are out, file, the "
         "options without their dashes, and names of --set; each document, and each step of the "
         "lessons and talks, of a folder; or each step of one lesson",
     )  # fmt: skip
-    parser.add_argument(
-        "--resume", action="store_true",
-        help="of --batch: leave out figures that are newer than the list and their document",
+    parser.add_flag(
+        "--resume", "of --batch: leave out figures that are newer than the list and their document",
     )  # fmt: skip
     parser.add_choice(
         "--format",
         FIGURE_FORMATS,
         "of --batch with a folder or a lesson: what to write (default: png)",
     )
-    parser.add_argument(
-        "--sweep", metavar="NAME=FIRST:LAST",
-        help="draw a moving picture: a value of --set changes from FIRST to LAST",
+    parser.add(
+        "--sweep", "NAME=FIRST:LAST",
+        "draw a moving picture: a value of --set changes from FIRST to LAST",
     )  # fmt: skip
-    parser.add_argument(
-        "--orbit", type=_number("--orbit", "a number of degrees"), nargs="?", const=FULL_TURN,
-        metavar="DEGREES",
-        help="draw a moving picture: the world is seen from all round, or as far round as DEGREES "
+    parser.add(
+        "--orbit", "DEGREES",
+        "draw a moving picture: the world is seen from all round, or as far round as DEGREES "
         "say, and back; the camera stays where it is",
+        read=_number("--orbit", "a number of degrees"), nargs="?", const=FULL_TURN,
     )  # fmt: skip
-    parser.add_argument(
-        "--stages", action="store_true",
-        help="draw a moving picture: the ndc pane goes from the world through all stages to the "
+    parser.add_flag(
+        "--stages",
+        "draw a moving picture: the ndc pane goes from the world through all stages to the "
         "image, and back",
     )  # fmt: skip
-    parser.add_argument(
-        "--step", metavar="STEP",
-        help="the step of a lesson or a talk to draw, its number or its name (default: the first)",
+    parser.add(
+        "--step", "STEP",
+        "the step of a lesson or a talk to draw, its number or its name (default: the first)",
     )  # fmt: skip
-    parser.add_argument(
-        "--transition", action="store_true",
-        help="draw a moving picture: how --step follows from the step before",
+    parser.add_flag(
+        "--transition", "draw a moving picture: how --step follows from the step before",
     )  # fmt: skip
-    parser.add_argument(
-        "--frames", type=_whole, metavar="COUNT",
-        help="of a moving picture: how many frames (default: 48; of --stages 120, of --transition "
+    parser.add(
+        "--frames", "COUNT",
+        "of a moving picture: how many frames (default: 48; of --stages 120, of --transition "
         "24; in .html 21)",
+        read=_whole,
     )  # fmt: skip
-    parser.add_argument(
-        "--fps", type=_number("--fps", "a finite number"), metavar="COUNT",
-        help="of a moving picture: how many frames a second (default: 12)",
+    parser.add(
+        "--fps", "COUNT", "of a moving picture: how many frames a second (default: 12)",
+        read=_number("--fps", "a finite number"),
     )  # fmt: skip
     parser.add_choice(
         "--loop", LOOPS, "of a moving picture: from the last frame to the first, not at all, or "
@@ -421,26 +414,22 @@ def _matrices() -> Parser:
     parser.add_choice(
         "--vectors", ("columns", "rows"), "after --convention (default: those of that program)"
     )
-    parser.add_argument(
-        "--planes", action="store_true", help="the six planes of the view volume in world space"
-    )
-    parser.add_argument(
-        "--digits", type=_digits, metavar="COUNT",
-        help="in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
+    parser.add_flag("--planes", "the six planes of the view volume in world space")
+    parser.add(
+        "--digits", "COUNT",
+        "in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
+        read=_digits,
     )  # fmt: skip
     parser.add_choice(
         "--letters", LETTERS, "in LaTeX: the letters of a lecture (default: the document's)"
     )
-    parser.add_argument(
-        "--symbols", action="store_true", help="in LaTeX: formulas in the cells instead of numbers"
-    )
-    parser.add_argument(
-        "--numbers", action="store_true", help="in LaTeX: numbers, also after --symbols"
-    )
-    parser.add_argument(
-        "--width", type=_width, metavar="LENGTH",
-        help="in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt "
+    parser.add_flag("--symbols", "in LaTeX: formulas in the cells instead of numbers")
+    parser.add_flag("--numbers", "in LaTeX: numbers, also after --symbols")
+    parser.add(
+        "--width", "LENGTH",
+        "in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt "
         "(default: 345pt, the text of an article)",
+        read=_width,
     )  # fmt: skip
     parser.add_set()
     return parser
@@ -449,39 +438,30 @@ def _matrices() -> Parser:
 def _measure() -> Parser:
     text = "a document, picture or mesh to measure (default: the letter F)"
     parser = Parser("measure", "[FILE]", text)
-    parser.add_argument(
-        "--trade", action="append", metavar="|".join(TRADES),
-        type=lambda value: one_of("--trade", value, TRADES),
-        help="measure this trade; may be repeated (default, without --sweep: all)",
+    parser.add_choice(
+        "--trade", TRADES,
+        "measure this trade; may be repeated (default, without --sweep: all)", action="append",
     )  # fmt: skip
-    parser.add_argument(
-        "--sweep", action="append", metavar="NAME[=LOW:HIGH]", type=_sweep,
-        help=f"measure the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+    parser.add(
+        "--sweep", "NAME[=LOW:HIGH]",
+        f"measure the errors over a parameter's range; NAME is one of {', '.join(SWEEPS)}",
+        read=_sweep, action="append",
     )  # fmt: skip
-    parser.add_argument(
-        "--cost", default="time", metavar="|".join(COSTS),
-        type=lambda value: one_of("--cost", value, COSTS),
-        help="draw errors over time, or over bytes, which are the same on every machine",
+    parser.add_choice(
+        "--cost", COSTS,
+        "draw errors over time, or over bytes, which are the same on every machine", "time",
     )  # fmt: skip
-    parser.add_argument("--scene", metavar="NAME", help="the same as --set scene=NAME")
-    parser.add_argument(
-        "--quick", action="store_true", help="measure for half a minute only, less exactly"
-    )
-    parser.add_argument(
-        "--json", metavar="FILE",
-        help="write all results; FILE is overwritten, - is standard output",
+    parser.add("--scene", "NAME", "the same as --set scene=NAME")
+    parser.add_flag("--quick", "measure for half a minute only, less exactly")
+    parser.add("--json", "FILE", "write all results; FILE is overwritten, - is standard output")
+    parser.add("--csv", "FILE", "write the tables, one after the other; FILE as for --json")
+    parser.add(
+        "--chart", "FILE",
+        "draw all results; FILE as for --json, ending in .png, or in .pdf for vectors",
     )  # fmt: skip
-    parser.add_argument(
-        "--csv", metavar="FILE", help="write the tables, one after the other; FILE as for --json"
-    )
-    parser.add_argument(
-        "--chart",
-        metavar="FILE",
-        help="draw all results; FILE as for --json, ending in .png, or in .pdf for vectors",
-    )
-    parser.add_argument(
-        "--attended", action="store_true",
-        help="report the fraction done, one per line, and take the commands pause, resume and"
+    parser.add_flag(
+        "--attended",
+        "report the fraction done, one per line, and take the commands pause, resume and"
         " cancel from standard input",
     )  # fmt: skip
     parser.add_set()
@@ -497,25 +477,23 @@ def _lesson() -> Parser:
         "explains. FILE may also be a name such as L5 or 001"
     )
     parser = Parser("lesson", "check|list|names|print|results [FILE...]", text)
-    parser.add_argument(
-        "--topics", metavar="L3,L5,...",
-        help="of print: the topics, or files of lessons, whose exercises make the test",
+    parser.add(
+        "--topics", "L3,L5,...",
+        "of print: the topics, or files of lessons, whose exercises make the test",
     )  # fmt: skip
-    parser.add_argument(
-        "--seeds", metavar="FIRST:LAST",
-        help="of print: the variants, one file for each; a variant has the same numbers everywhere",
+    parser.add(
+        "--seeds", "FIRST:LAST",
+        "of print: the variants, one file for each; a variant has the same numbers everywhere",
     )  # fmt: skip
-    parser.add_argument(
-        "--out", metavar="FOLDER",
-        help="of print: where the PDF files go; existing files are overwritten",
+    parser.add(
+        "--out", "FOLDER", "of print: where the PDF files go; existing files are overwritten",
     )  # fmt: skip
-    parser.add_argument(
-        "--key", action="store_true",
-        help="of print: write one more file, with the answers of all variants and their ways",
+    parser.add_flag(
+        "--key", "of print: write one more file, with the answers of all variants and their ways",
     )  # fmt: skip
-    parser.add_argument(
-        "--csv", metavar="FILE",
-        help="of results: write a table, a row for each answer; an existing file is overwritten",
+    parser.add(
+        "--csv", "FILE",
+        "of results: write a table, a row for each answer; an existing file is overwritten",
     )  # fmt: skip
     return parser
 
@@ -526,19 +504,20 @@ def _talk() -> Parser:
         "FILE",
         "a talk or a lesson, or the name of one that comes with the program, such as 001 or L5",
     )
-    parser.add_argument(
-        "--check", action="store_true",
-        help="draw every step without a display, run lesson check, measure the pictures, and "
-             "report each mistake with file and line",
+    parser.add_flag(
+        "--check",
+        "draw every step without a display, run lesson check, measure the pictures, and "
+        "report each mistake with file and line",
     )  # fmt: skip
-    parser.add_argument(
-        "--handout", metavar="OUT",
-        help="write the figures, text and notes of every step on A4 pages (.pdf) or as a page that "
-             "phones show (.html); an existing file is overwritten",
+    parser.add(
+        "--handout", "OUT",
+        "write the figures, text and notes of every step on A4 pages (.pdf) or as a page that "
+        "phones show (.html); an existing file is overwritten",
     )  # fmt: skip
-    parser.add_argument(
-        "--for", dest="readers", metavar="teacher|students",
-        help="of the handout: teacher has answers and notes, students room to write instead",
+    parser.add(
+        "--for", "teacher|students",
+        "of the handout: teacher has answers and notes, students room to write instead",
+        dest="readers",
     )  # fmt: skip
     return parser
 

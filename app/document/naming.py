@@ -59,10 +59,7 @@ def seen_from(view: View, scene: Scene) -> str:
 def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
     """Return the ids of everything that a pane of a document can name."""
     view, projection = document.view, document.projection
-    shown = Illustration(())
-    if scene.phenomenon is not None:
-        settings = scene.phenomenon.checked(document.settings)
-        shown = scene.phenomenon.illustration(projection, settings, scene.subject)
+    shown = scene.illustration(projection, document.settings) or Illustration(())
     planes = frozenset(ENDS if projection.lens.planes is not None else ())
     if pane == "image":
         return frozenset({"pixels"}).union(text.name for text in shown.image.texts)

@@ -19,6 +19,7 @@ import numpy as np
 
 from app.document.codec import picture_json
 from app.document.document import Document
+from app.document.files import write_bytes_atomically
 from app.document.lengths import DPI, PX_PER, Size, whole_pixels
 from app.document.view import PANES
 from app.drawings import DrawingWords
@@ -348,7 +349,7 @@ class Figure:
         RuntimeError, Cancelled
             As for `svg` and `pixels`.
         """
-        from app.drawings.figure_files import write_png, write_shapes
+        from app.drawings.figure_files import png_bytes, write_shapes
         from app.drawings.off_screen import check_off_screen
         from app.drawings.vectors import TOO_MANY
 
@@ -358,7 +359,8 @@ class Figure:
         check_off_screen()
         if name.lower().endswith(".png"):
             json, pixels = picture_json(self.document), self.pixels(progress)
-            write_png(name, pixels, json, self.scale, self.description)
+            content = png_bytes(pixels, json, self.scale, self.description)
+            write_bytes_atomically(name, content)
             return
         tell = progress or (lambda _part: True)
         try:

@@ -61,17 +61,6 @@ def write_shapes(
     write_bytes_atomically(path, content)
 
 
-def write_png(
-    path: str | os.PathLike[str],
-    pixels: Pixels,
-    document_json: str | None = None,
-    scale: float = 1.0,
-    about: Description | None = None,
-) -> None:
-    """Write the file of `png_bytes`."""
-    write_bytes_atomically(path, png_bytes(pixels, document_json, scale, about))
-
-
 def png_bytes(
     pixels: Pixels,
     document_json: str | None = None,

@@ -49,7 +49,6 @@ from app.model.parameters import (
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.readout import Reading
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -342,13 +341,8 @@ class Quantities:
     def readings(self) -> Mapping[str, Any]:
         """Return the numbers of the scene's readout, by the names that formulas use."""
         if self._readings is None:
-            phenomenon = self._scene().phenomenon
-            readings: tuple[Reading, ...] = ()
-            if phenomenon is not None:
-                shown = phenomenon.illustration(
-                    self.projection, self.document.settings, self._scene().subject
-                )
-                readings = shown.readings
+            shown = self._scene().illustration(self.projection, self.document.settings)
+            readings = () if shown is None else shown.readings
             self._readings = {reading_name(each.label): each.value for each in readings}
         return self._readings
 

@@ -28,7 +28,7 @@ from app.document.files import read
 from app.document.lengths import DPI
 from app.document.view import PANES
 from app.drawings import WORDS, one_pane
-from app.drawings.figure_files import png_bytes, write_png
+from app.drawings.figure_files import png_bytes
 from app.drawings.off_screen import off_screen, take_screen
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, PALETTES, rgb
@@ -288,18 +288,15 @@ def test_the_environment_is_left_as_it_was(monkeypatch: pytest.MonkeyPatch) -> N
 def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
     scene = load("letter-f")
     document = Document("letter-f", replace(scene.start, depth="reversed"))
-    pixels = figure_of(scene, document.projection, ("ndc",), (90, 70), transparent=True).pixels()
-    path = tmp_path / "figure.png"
-    write_png(path, pixels, to_json(document))
+    figure = figure_of(scene, document.projection, ("ndc",), (90, 70), transparent=True)
+    pixels, path = figure.pixels(), tmp_path / "figure.png"
+    figure.save(path)
     with Image.open(path) as image:
         assert (np.array(image) == pixels).all()
     assert read(path) == document
     assert json.loads(to_json(read(path)))["depth"] == "reversed"
-    assert png_bytes(pixels, to_json(document)) == path.read_bytes()
     assert parse(to_json(document)) == document
-    plain = tmp_path / "plain.png"
-    write_png(plain, pixels)
-    assert b"frustum-lab" not in plain.read_bytes()
+    assert b"frustum-lab" not in png_bytes(pixels)
 
 
 def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Path) -> None:

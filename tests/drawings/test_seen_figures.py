@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from app.document.document import Document
 from app.document.lengths import DPI
 from app.document.view import EVERYTHING, FIXED, LETTERS, PANES, View
 from app.drawings.figure import USUAL_TEXT, Figure
-from app.drawings.figure_files import png_bytes, write_png
+from app.drawings.figure_files import png_bytes
 from app.drawings.style import LIGHT, rgb, tone
 from app.model.projection import Camera
 from app.model.refusal import Refusal
@@ -161,11 +161,8 @@ def test_the_smallest_and_the_largest_letters_are_drawn(text_pt: float) -> None:
     assert figure_of(scene, scene.start, PANES, text_pt=text_pt).pixels().shape == (640, 1920, 3)
 
 
-def test_a_file_says_how_many_pixels_are_an_inch(tmp_path: Path) -> None:
+def test_a_file_says_how_many_pixels_are_an_inch() -> None:
     pixels = np.zeros((4, 4, 3), np.uint8)
     for scale in (0.5, 1.0, 2.0):
-        path = tmp_path / "figure.png"
-        write_png(path, pixels, "{}", scale)
-        assert path.read_bytes() == png_bytes(pixels, "{}", scale)
-        with Image.open(path) as image:
+        with Image.open(io.BytesIO(png_bytes(pixels, "{}", scale))) as image:
             assert image.info["dpi"] == pytest.approx((DPI * scale, DPI * scale), rel=1e-3)

@@ -41,12 +41,7 @@ class ShownData:
     @classmethod
     def of(cls, document: Document, scene: Scene) -> ShownData:
         """Make the snapshot of a document with its loaded scene."""
-        illustration = None
-        if scene.phenomenon is not None:
-            illustration = scene.phenomenon.illustration(
-                document.projection, document.settings, scene.subject
-            )
-        return cls(document, scene, illustration)
+        return cls(document, scene, scene.illustration(document.projection, document.settings))
 
     @cached_property
     def projection(self) -> Projection:

@@ -15,6 +15,7 @@ from PySide6.QtWidgets import QMainWindow
 
 from app.document.codec import picture_json
 from app.document.document import Document
+from app.document.files import write_bytes_atomically
 from app.drawings.figure import Figure
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
@@ -121,11 +122,8 @@ class Pictures(QObject):
         """Ask where to write the picture of a diagram, and write it."""
         path = self._where(self.tr("Export a diagram"))
         if path is not None:
-            from app.drawings.figure_files import write_png
-
-            json = picture_json(self._seen())
             done = self.tr("Exported {0}").format(path)
-            self._try(lambda: write_png(path, _pixels(image), json), done)
+            self._try(lambda: write_bytes_atomically(path, self._png(_pixels(image))), done)
 
     def copy_diagram(self, image: QImage) -> None:
         """Copy the picture of a diagram to the clipboard."""
@@ -138,11 +136,14 @@ class Pictures(QObject):
             lambda: self._copy(self._draw(figure.pixels)), self.tr("Copied the picture")
         )
 
-    def _copy(self, pixels: Pixels) -> None:
-        """Put a picture on the clipboard, with the document."""
+    def _png(self, pixels: Pixels) -> bytes:
+        """Return the file of a picture, with the document."""
         from app.drawings.figure_files import png_bytes
 
-        png = png_bytes(pixels, picture_json(self._seen()))
+        return png_bytes(pixels, picture_json(self._seen()))
+
+    def _copy(self, pixels: Pixels) -> None:
+        png = self._png(pixels)
         data = QMimeData()
         data.setImageData(QImage.fromData(png))
         data.setData("image/png", QByteArray(png))
