@@ -20,9 +20,15 @@ from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Block, ReadBlock, StepContent, TextBlock
-from app.lessons.blocks.note import Note
-from app.lessons.blocks.samples import Sample
+from app.lessons.blocks.block import (
+    Asked,
+    Block,
+    ReadBlock,
+    Sample,
+    SpeakerNote,
+    StepContent,
+    TextBlock,
+)
 from app.lessons.blocks.shown import ShownState
 from app.lessons.lines import (
     LONG_LINE,
@@ -138,7 +144,7 @@ class Step:
         return self._content.state
 
     @property
-    def note(self) -> Note | None:
+    def note(self) -> SpeakerNote | None:
         return self._content.note
 
     @property

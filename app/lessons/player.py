@@ -18,8 +18,7 @@ from typing import Any
 
 from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View
-from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, Variant
-from app.lessons.blocks.question import Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, Variant, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.course import AtStep, Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
@@ -196,11 +195,10 @@ class PlayedBlock:
         """Return the verdict on the wrong idea behind the window's state, unless it was named."""
         if not self.is_open:
             return None
-        wrong = self.question.mistaken_in(self.here, self.now, self.now.view)
-        if wrong is None or wrong.line in self._named:
+        line, verdict = self.question.verdict_in(self.here, self.now, self.now.view) or (0, None)
+        if verdict is None or line in self._named:
             return None
-        verdict = wrong.verdict(self.here)
-        self._named.add(wrong.line)
+        self._named.add(line)
         self._record(self.changes, verdict.word)
         return verdict
 

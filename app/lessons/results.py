@@ -197,4 +197,4 @@ def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | Non
 def _response_text(question: Asked, word: str) -> str:
     if idea_named(word) is not None:
         return ""
-    return next((plain_of(each.says) for each in question.replies if each.idea == word), "")
+    return plain_of(question.response_to(word))

@@ -31,8 +31,7 @@ from pytestqt.qtbot import QtBot
 
 from app.document.settings import set_values
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import REVEALED, Asked, Here
-from app.lessons.blocks.question import Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Here, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.checking import CheckReport
 from app.lessons.course import contained, idea_named

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -37,15 +37,35 @@ from widgets.parts.messages import sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
 
-if TYPE_CHECKING:
-    from widgets.window.transition import Transition
-
 TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
 MOST_MISTAKES = 5
 """Most mistakes of a file that are named at once."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
+
+
+class WayOfPanes(Protocol):
+    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
+
+    @property
+    def is_wanted(self) -> bool:
+        """Whether something may move."""
+        ...
+
+    def begin(self, *, cuts: bool) -> bool:
+        """Remember what is seen; return whether its picture will fade."""
+        ...
+
+    def start(self, moves: bool) -> bool:
+        """Begin the way to what is shown now; return whether there is one."""
+        ...
+
+    def paint(self) -> None:
+        """Paint the beginning now."""
+
+    def go(self, part: float) -> None:
+        """Show a part of the way, 0 to 1."""
 
 
 class Lessons(QObject):
@@ -80,7 +100,7 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        transition_of_panes: Transition | None = None,
+        transition_of_panes: WayOfPanes | None = None,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages

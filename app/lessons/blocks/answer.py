@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from app.lessons import marking
-from app.lessons.blocks.block import Here
+from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import MatrixQuestion
@@ -19,7 +19,6 @@ from app.lessons.blocks.question import (
     Question,
     Reply,
     Value,
-    Verdict,
     reply_below,
 )
 from app.lessons.lines import LACKS, Body, refused

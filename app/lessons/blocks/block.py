@@ -11,7 +11,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar, NamedTuple, Protocol
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from app.document.document import Document
 from app.document.view import View
@@ -20,11 +20,6 @@ from app.lessons.quantities import Quantities
 from app.lessons.state import State
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
-
-if TYPE_CHECKING:
-    from app.lessons.blocks.note import Note
-    from app.lessons.blocks.question import Reply, Verdict
-    from app.lessons.blocks.samples import Sample
 
 REVEALED = "told"
 """Kept as the answer if the program has shown it."""
@@ -101,6 +96,59 @@ class Trial:
             self.add_fault(error)
 
 
+class Verdict(NamedTuple):
+    """The response to an answer.
+
+    Attributes
+    ----------
+    idea : str
+        Name of the wrong idea behind it; empty if it has none.
+    says : str
+        Markdown.
+    state : Document, optional
+        A state that shows what `says` explains.
+    too_short : bool
+        Whether the answer is right but has too few digits.
+    remark : Refusal, optional
+        How an answer that no idea explains differs from the right one.
+    cells : tuple of bool
+        Which numbers of a matrix are right, row after row.
+    beside : Document, optional
+        A state that shows the idea's number beside the model's own one.
+    """
+
+    right: bool
+    idea: str = ""
+    says: str = ""
+    state: Document | None = None
+    too_short: bool = False
+    remark: Refusal | None = None
+    cells: tuple[bool, ...] = ()
+    beside: Document | None = None
+
+    @property
+    def word(self) -> str:
+        """Return the word in a ``test`` block: ``right``, the idea's name, or ``wrong``."""
+        return "right" if self.right else self.idea or "wrong"
+
+
+class Sample(NamedTuple):
+    """A sample answer to a block, or values to set in a task, and the expected verdict."""
+
+    block: str
+    text: str
+    verdict: str
+    line: int
+
+
+class SpeakerNote(NamedTuple):
+    """What only the speaker reads at a step, and the planned minutes."""
+
+    line: int
+    text: str
+    minutes: float
+
+
 @dataclass
 class StepContent:
     """The content of a step, to which each block adds itself.
@@ -116,7 +164,7 @@ class StepContent:
     asked: list[Asked] = field(default_factory=list)
     samples: list[Sample] = field(default_factory=list)
     state: State | None = None
-    note: Note | None = None
+    note: SpeakerNote | None = None
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -243,8 +291,6 @@ class Asked(ReadBlock):
         Whether the student works the answer out on paper.
     name : str
         Used by samples and the student's progress; unique within a step.
-    replies : sequence of Reply
-        The answers that the lesson expects, each with its response.
     unit : str
         The unit of the answer, one of `UNITS`.
     pane : str
@@ -262,7 +308,6 @@ class Asked(ReadBlock):
     has_field: ClassVar[bool] = True
     is_worked: ClassVar[bool] = True
     name: str
-    replies: Sequence[Reply] = ()
     unit: str = ""
     pane: str = ""
     hints: tuple[str, ...] = ()
@@ -322,8 +367,10 @@ class Asked(ReadBlock):
         """Whether the window's current state is the answer; a `Refusal` names the line."""
         return False
 
-    def mistaken_in(self, here: Here, now: Document, view: View | None = None) -> Reply | None:
-        """Return the wrong idea on which the window's current state was made, if it is known."""
+    def verdict_in(
+        self, here: Here, now: Document, view: View | None = None
+    ) -> tuple[int, Verdict] | None:
+        """Return the line of the wrong idea behind the window's state, and the verdict on it."""
         return None
 
     def is_about(self, change: str) -> bool:
@@ -333,6 +380,10 @@ class Asked(ReadBlock):
     def own_answer(self, typed: str) -> str:
         """Return a student's answer as Markdown."""
         return f"**{escaped(typed)}**"
+
+    def response_to(self, idea: str) -> str:
+        """Return the lesson's own response to a wrong idea, as Markdown; empty if it has none."""
+        return ""
 
     # -- the right answer
 

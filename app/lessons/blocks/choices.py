@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import REVEALED, Here
-from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, Verdict, reply_below
+from app.lessons.blocks.block import REVEALED, Here, Verdict
+from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, reply_below
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula

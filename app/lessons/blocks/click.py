@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 from app.document.view import PANES
 from app.lessons import marking
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, reply_below
+from app.lessons.blocks.block import Here, Verdict
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.quantities import read_formula

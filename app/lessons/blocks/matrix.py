@@ -9,8 +9,8 @@ from itertools import combinations
 from typing import TypeVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, reply_below
+from app.lessons.blocks.block import Here, Verdict
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.marking import TypedNumber

@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from app.lessons.blocks.block import Block, StepContent
+from app.lessons.blocks.block import Block, SpeakerNote, StepContent
 from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
 
 
@@ -21,7 +21,7 @@ class Note(Block):
     text_line: int
 
     def add_to(self, content: StepContent) -> None:
-        content.note = self
+        content.note = SpeakerNote(self.line, self.text, self.minutes)
 
     @classmethod
     def read(cls, body: Body) -> Note:

@@ -9,13 +9,12 @@ import difflib
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
-from app.document.document import Document
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.beside import beside, is_set
-from app.lessons.blocks.block import REVEALED, Asked, Here, Trial
+from app.lessons.blocks.block import REVEALED, Asked, Here, Trial, Verdict
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Items, LineItem, on_line, refused
 from app.lessons.marking import UNITS, TypedNumber
@@ -54,42 +53,6 @@ HIDDEN = ("numbers", "lens", "scale", *PANES)
 """What a question may hide; the scale on paper only, where a ruler would find the answer."""
 CHECKS = ("check", "why", "hint", "hide")
 """Keys that every question may have."""
-
-
-class Verdict(NamedTuple):
-    """The response to an answer.
-
-    Attributes
-    ----------
-    idea : str
-        Name of the wrong idea behind it; empty if it has none.
-    says : str
-        Markdown.
-    state : Document, optional
-        A state that shows what `says` explains.
-    too_short : bool
-        Whether the answer is right but has too few digits.
-    remark : Refusal, optional
-        How an answer that no idea explains differs from the right one.
-    cells : tuple of bool
-        Which numbers of a matrix are right, row after row.
-    beside : Document, optional
-        A state that shows the idea's number beside the model's own one.
-    """
-
-    right: bool
-    idea: str = ""
-    says: str = ""
-    state: Document | None = None
-    too_short: bool = False
-    remark: Refusal | None = None
-    cells: tuple[bool, ...] = ()
-    beside: Document | None = None
-
-    @property
-    def word(self) -> str:
-        """Return the word in a ``test`` block: ``right``, the idea's name, or ``wrong``."""
-        return "right" if self.right else self.idea or "wrong"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -181,6 +144,9 @@ class Question(Asked):
     @property
     def answer_line(self) -> int:
         return self.key[1]
+
+    def response_to(self, idea: str) -> str:
+        return next((each.says for each in self.replies if each.idea == idea), "")
 
     def right_sample(self, here: Here) -> str:
         try:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable
 from dataclasses import dataclass, replace
-from typing import NamedTuple
 
-from app.lessons.blocks.block import Block, Here, StepContent, Trial
+from app.lessons.blocks.block import Block, Here, Sample, StepContent, Trial
 from app.lessons.lines import Body, refused
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -14,15 +13,6 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
 OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
 OF_VARIANT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”; this variant has {2}")
-
-
-class Sample(NamedTuple):
-    """A sample answer to a block, or values to set in a task, and the expected verdict."""
-
-    block: str
-    text: str
-    verdict: str
-    line: int
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
-from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.blocks.question import Reply, Verdict, reply_below
+from app.lessons.blocks.block import Asked, Here, Trial, Verdict
+from app.lessons.blocks.question import Reply, reply_below
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
@@ -111,6 +111,9 @@ class Task(Asked):
     def can_be_told(self) -> bool:
         return bool(self.why) or self.right is not None
 
+    def response_to(self, idea: str) -> str:
+        return next((each.says for each in self.replies if each.idea == idea), "")
+
     def right_sample(self, here: Here) -> str:
         return ", ".join(condition.text for _, condition in self.until)
 
@@ -122,6 +125,12 @@ class Task(Asked):
         for wrong in self.replies:
             if Verdict(False, wrong.idea).word not in verdicts:
                 trial.add_fault(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
+
+    def verdict_in(
+        self, here: Here, now: Document, view: View | None = None
+    ) -> tuple[int, Verdict] | None:
+        wrong = self.mistaken_in(here, now, view)
+        return None if wrong is None else (wrong.line, wrong.verdict(here))
 
     def check_wrong(self, here: Here) -> None:
         """Refuse a wrong idea that leads to the right state."""

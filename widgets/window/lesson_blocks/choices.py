@@ -6,9 +6,8 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
-from app.lessons.blocks.block import REVEALED
+from app.lessons.blocks.block import REVEALED, Verdict
 from app.lessons.blocks.choices import Choices
-from app.lessons.blocks.question import Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from app.model.refusal import Refusal

@@ -7,8 +7,9 @@ from collections.abc import Callable
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.click import Click
-from app.lessons.blocks.question import Value, Verdict
+from app.lessons.blocks.question import Value
 from app.lessons.player import PlayedBlock
 from widgets.parts.layouts import FREE
 from widgets.window.lesson_blocks.marked import MarkedAnswerView

@@ -9,8 +9,8 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
-from app.lessons.blocks.block import REVEALED
-from app.lessons.blocks.question import MarkedQuestion, Verdict
+from app.lessons.blocks.block import REVEALED, Verdict
+from app.lessons.blocks.question import MarkedQuestion
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of

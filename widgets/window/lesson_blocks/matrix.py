@@ -9,8 +9,8 @@ from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QP
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
 
 from app.lessons import marking
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import Verdict
 from app.lessons.player import PlayedBlock
 from app.model.matrix_text import LONGEST, read_matrix
 from app.model.refusal import Refusal, format_value

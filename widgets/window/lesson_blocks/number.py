@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.question import Verdict
+from app.lessons.blocks.block import Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from widgets.parts.layouts import FREE

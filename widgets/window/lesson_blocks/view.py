@@ -19,8 +19,7 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPainter, Q
 from PySide6.QtWidgets import QAbstractButton, QFrame, QLineEdit, QPushButton, QSizePolicy, QWidget
 
 from app.document.document import Document
-from app.lessons.blocks.block import Asked
-from app.lessons.blocks.question import Verdict
+from app.lessons.blocks.block import Asked, Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
