@@ -53,12 +53,7 @@ class _Old(QWidget):
 class Transition(QObject):
     """Moves the panes' cameras between two steps, or fades the slide if the scene changes.
 
-    Parameters
-    ----------
-    slide : QWidget
-        It holds the panes.
-    is_for_class : callable
-        Whether a class looks on; otherwise nothing fades.
+    `is_for_class` says whether a class looks on; otherwise nothing fades.
     """
 
     def __init__(
