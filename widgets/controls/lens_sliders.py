@@ -39,7 +39,6 @@ class LensSliders(QObject):
 
         Parameters
         ----------
-        projection : Projection
         size : float
             Diagonal of the scene's bounds, world units.
         defaults : Projection
