@@ -201,7 +201,6 @@ def _measured(
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
-    """The visible labels of a window."""
     for renderer in window.GetRenderers():
         for prop in renderer.GetViewProps():
             if isinstance(prop, LabelActor) and prop.GetVisibility():
@@ -224,7 +223,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
         return np.empty((0, 2))
     if not drawing.names.wanted & {"near", *WINDOW}:
         return np.empty((0, 2))
-    corners = drawing.frustum.corners[:4] + np.array(scene.origin)
+    corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)
     return spots[np.isfinite(spots).all(axis=1)]
 

@@ -35,16 +35,10 @@ from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import (
-    PropGroup,
-    Space,
-    colour_by_points,
-    flat,
-    identity_camera,
-    unlit_actor,
-)
+from app.drawings.actors import Space, colour_by_points, flat, identity_camera, unlit_actor
 from app.drawings.moved_vertices import PLACE
 from app.drawings.off_screen import pixels_of
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
 from app.model.projection import Array, Lens, Projection

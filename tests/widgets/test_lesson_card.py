@@ -1220,7 +1220,7 @@ def test_the_handles_of_a_task_are_shown_as_its_step_opens(
     with_handle = pixels(window)
     qtbot.waitUntil(lambda: not drawing.handles.called)
     without = pixels(window)
-    (near,) = (at for handle, at in drawing.handles_shown if handle.name == "near")
+    (near,) = (at for handle, at in drawing.handles.shown if handle.name == "near")
     changed = np.argwhere((with_handle != without).any(axis=2))
     assert len(changed), "a mark was there"
     assert np.abs(changed[:, ::-1] - near).max() < 30, "and no other"

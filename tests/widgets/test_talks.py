@@ -1098,7 +1098,7 @@ def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow
     assert pane.geometry() == geometry and (pixels(window) == picture).all()
     drawing, there = pane.drawing, pane.canvas.mapTo(window.slide, QPoint())
     assert isinstance(drawing, WorldDrawing) and len(drawing.board.boxes) > 2
-    tip = drawing.labels.named["far"]
+    tip = drawing.board.label("far")
     left, right, low, high = tip.box_px
     top = there.y() + pane.canvas.height() - high
     ((boxes, whole),) = window.slide.named()

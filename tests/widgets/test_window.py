@@ -1179,7 +1179,7 @@ def test_windows_opened_and_closed_leave_nothing_behind(
 
 
 def test_changes_do_not_pile_up(window: MainWindow) -> None:
-    """A leak shows in every round; what else the process allocates does not."""
+    """The same changes again and again: the first round fills all caches."""
     window.resize(940, 420)  # quickly drawn
     window.store.begin_gesture()
     sizes = []
@@ -1193,7 +1193,7 @@ def test_changes_do_not_pile_up(window: MainWindow) -> None:
             QApplication.processEvents()
         gc.collect()
         sizes.append(resident())
-    assert min(after - before for before, after in itertools.pairwise(sizes)) < 1e6
+    assert sizes[-1] - sizes[0] < 2e6
     window.store.end_gesture()
 
 

@@ -13,7 +13,7 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from app.drawings.label_placement import GAP_PX, beside, beside_curve
+from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.diagram import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts

@@ -28,7 +28,6 @@ def refusal(sentence: str) -> str:
 
 
 def _may_edit(event: QEvent) -> bool:
-    """Whether this event edits the text of a field."""
     if isinstance(event, QKeyEvent):
         return event.type() == QEvent.Type.KeyPress and event.key() not in _LEAVE_TEXT
     if isinstance(event, QInputMethodEvent):

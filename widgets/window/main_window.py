@@ -42,12 +42,12 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
-from widgets.panes.canvas import CANVASES
+from widgets.panes.canvas import CANVASES, SMOOTHINGS
 from widgets.panes.counting import Counting
 from widgets.panes.cursor import Cursor
 from widgets.panes.drawings import DRAWINGS
 from widgets.panes.manipulation import Manipulation
-from widgets.panes.pane import SMOOTHINGS, Pane
+from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
 from widgets.parts.focus import focus_next

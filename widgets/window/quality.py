@@ -23,7 +23,8 @@ from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality
 from app.scenes.scene import Scene
-from widgets.panes.pane import SMOOTHINGS, Pane
+from widgets.panes.canvas import SMOOTHINGS
+from widgets.panes.pane import Pane
 from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, ShownData
 from widgets.window.look import Look

@@ -110,7 +110,6 @@ class Transition(QObject):
         paint_now(self._slide.window())
 
     def go(self, part: float) -> None:
-        """Show a part of the way, 0 to 1."""
         if self._old.isVisible():
             self._old.fade(1.0 - part)
         self._look.glide(part)
