@@ -74,7 +74,6 @@ class Parameter:
         How fast a number moves while it is played; 0 if it cannot be played.
     only_with : (str, value), optional
         The name of another setting, and the only value of it with which this one has an effect.
-    unit : str
     title, row, tip : str
         Its name, that of its row if it is another one, and its tooltip. They come from a content
         file, like `choices`, `tips`, `also` and `drag` (`app.model.content_file`).
@@ -149,7 +148,6 @@ class Parameter:
 
     @property
     def path(self) -> str:
-        """Its path in the document."""
         return f"{self.section}.{self.name}" if self.section else self.name
 
     @property

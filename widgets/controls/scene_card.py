@@ -125,16 +125,8 @@ class SceneCard(QWidget, RowHolder):
     ) -> None:
         """Show another scene, with rows for its settings.
 
-        Parameters
-        ----------
-        title : str
-            Translated.
-        tries : iterable of str
-            Lines about what to try; not yet translated.
-        phenomenon : Phenomenon or None
-            None for a scene without settings and numbers.
-        mesh : str
-            Name of the user's mesh in place of the objects, if there is one.
+        `title` is translated, `tries` are not. A scene without settings and numbers has no
+        phenomenon. `mesh` names the user's mesh in place of the objects, if there is one.
         """
         if phenomenon is not self._phenomenon:
             self.pause()

@@ -127,6 +127,23 @@ def _paths(text: str) -> list[str]:
     return _valid(paths, all(are_paths))
 
 
+<<<<<<< HEAD
+=======
+@dataclass(frozen=True)
+class Progress:
+    """A student's progress in a lesson; `step` is the one to continue at, empty for the first.
+
+    An answer is stored by ``step/block``: the number of a choice, from 1, the typed text, or a
+    task's result. `done` is the number of finished steps, `of` that of all steps.
+    """
+
+    step: str = ""
+    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
+    done: int = 0
+    of: int = 0
+
+
+>>>>>>> main
 def _progress(text: str) -> dict[str, Progress]:
     tree: dict[str, Any] = _json(text, dict)
     return {name: _one_progress(kept) for name, kept in tree.items()}
@@ -184,12 +201,8 @@ class Settings:
     """The user's settings; the default replaces an invalid value.
 
     QSettings writes the file, but all values are checked here: it reports no error for a file that
-    is not INI, and reads 0 from an invalid number.
-
-    Parameters
-    ----------
-    path : Path or None
-        The INI file; None keeps the settings in memory only. A broken file is renamed to ``.bak``.
+    is not INI, and reads 0 from an invalid number. A broken file is renamed to ``.bak``. Without a
+    path the settings are in memory only.
     """
 
     def __init__(self, path: Path | None) -> None:
@@ -346,13 +359,7 @@ def _is_ini(content: bytes) -> bool:
 
 
 def delete_settings() -> str:
-    """Delete the user's settings and return a sentence that says so.
-
-    Raises
-    ------
-    OSError
-        If they cannot be deleted.
-    """
+    """Delete the user's settings and return a sentence that says so, or raise an OSError."""
     path = settings_path()
     try:
         path.unlink()

@@ -239,7 +239,6 @@ class SpeakerWindow(QWidget):
         document.setDocumentMargin(8.0)
 
     def _with_right_answer(self, part: ReadBlock) -> str:
-        """Return a question and its right answer."""
         assert self._player is not None
         answer = ""
         with suppress(Refusal):  # the speaker learns of a mistake when the class would see it
