@@ -32,16 +32,10 @@ from app.model.refusal import Refusal
 
 @dataclass(frozen=True)
 class Progress:
-    """A student's progress in a lesson.
+    """A student's progress in a lesson; `step` is the one to continue at, empty for the first.
 
-    Attributes
-    ----------
-    step : str
-        Name of the step to continue at; empty for the first.
-    answers : mapping of str to str
-        By ``step/block``: the number of a choice, from 1, the typed text, or a task's result.
-    done, of : int
-        The number of finished steps, and of all steps.
+    An answer is stored by ``step/block``: the number of a choice, from 1, the typed text, or a
+    task's result. `done` is the number of finished steps, `of` that of all steps.
     """
 
     step: str = ""

@@ -127,23 +127,6 @@ def _paths(text: str) -> list[str]:
     return _valid(paths, all(are_paths))
 
 
-<<<<<<< HEAD
-=======
-@dataclass(frozen=True)
-class Progress:
-    """A student's progress in a lesson; `step` is the one to continue at, empty for the first.
-
-    An answer is stored by ``step/block``: the number of a choice, from 1, the typed text, or a
-    task's result. `done` is the number of finished steps, `of` that of all steps.
-    """
-
-    step: str = ""
-    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
-    done: int = 0
-    of: int = 0
-
-
->>>>>>> main
 def _progress(text: str) -> dict[str, Progress]:
     tree: dict[str, Any] = _json(text, dict)
     return {name: _one_progress(kept) for name, kept in tree.items()}
