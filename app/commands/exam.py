@@ -8,7 +8,7 @@ import re
 import signal
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.terminal import CliError, write_out
@@ -25,13 +25,6 @@ MOST_TESTS = 500
 """More would fill a disk by mistake."""
 
 
-class Posed(NamedTuple):
-    """An exercise of a test, and the title of its lesson."""
-
-    title: str
-    placed: PlacedExercise
-
-
 def print_tests(options: argparse.Namespace) -> int:
     """Write the tests of ``lesson print``, and the key if it is asked for."""
     for option in ("topics", "seeds", "out"):
@@ -39,14 +32,15 @@ def print_tests(options: argparse.Namespace) -> int:
             raise CliError(f"lesson print needs --{option}.")
     topics = _topics(options.topics)
     seeds, digits = _seeds(options.seeds)
-    posed, left_out = list[Posed](), list[str]()
+    posed, left_out = list[tuple[str, PlacedExercise]](), list[str]()
     for topic, path in topics.items():
-        exercises = list(_exercises(topic, path))
-        on_paper = [each for each in exercises if each.placed.exercise.is_on_paper]
+        course = Course(read(path))
+        exercises = list(exercises_of(course))
+        on_paper = [each for each in exercises if each.exercise.is_on_paper]
         if not on_paper:
             raise CliError(f"--topics = {topic!r}: has no exercise that can be solved on paper.")
-        posed += on_paper
-        left_out += (f"{topic}, {e.placed.here.step.title}" for e in exercises if e not in on_paper)
+        posed += ((f"{topic}: {course.lesson.title}", each) for each in on_paper)
+        left_out += (f"{topic}, {e.here.step.title}" for e in exercises if e not in on_paper)
     name = "-".join(topics)
     folder = _folder(options.out)
     files = [os.path.join(folder, f"test-{name}-{seed:0{digits}}.pdf") for seed in seeds]
@@ -57,13 +51,13 @@ def print_tests(options: argparse.Namespace) -> int:
     if note:
         write_out([f"{note}\n"])
     with importing():
-        from widgets.program.exam import exam, key
+        from widgets.program.exam import Numbered, exam, key
     check_drawing()
     title = ", ".join(topics)
     variants: list[tuple[int, Sequence[Numbered]]] = []
     with _cancel() as check:
         for number, (seed, out) in enumerate(zip(seeds, files, strict=True), 1):
-            numbered = with_numbers(posed, seed)
+            numbered = [Numbered(*each, each[1].with_numbers(seed)) for each in posed]
             _write(out, exam(title, seed, numbered, check), f"{number} of {len(files)}")
             variants.append((seed, numbered))
         if options.key:
@@ -116,28 +110,6 @@ def _folder(out: str) -> str:
             why = error.strerror if isinstance(error, OSError) else error
             raise CliError(f"--out = {out!r}: cannot be made a folder: {why}.") from error
     return out
-
-
-def _exercises(topic: str, path: os.PathLike[str]) -> Iterator[Posed]:
-    course = Course(read(path))
-    for placed in exercises_of(course):
-        yield Posed(f"{topic}: {course.lesson.title}", placed)
-
-
-def with_numbers(posed: Sequence[Posed], seed: int) -> list[Numbered]:
-    """Return exercises with the numbers of a variant."""
-    from widgets.program.exam import Numbered
-
-    return [
-        Numbered(
-            title,
-            [part.text for part in placed.words],
-            placed.exercise.variant(placed.here, seed),
-            placed.exercise.hides,
-            placed.here.document if "scale" in placed.exercise.hides else None,
-        )
-        for title, placed in posed
-    ]
 
 
 def _write(out: str, content: bytes, progress: str) -> None:

@@ -7,7 +7,7 @@ the lecture, by computing them independently.
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -140,11 +140,9 @@ def _check_texts(step: Step, trial: Trial) -> None:
     texts = [(step.line, step.title), *(text for block in step.blocks for text in block.texts())]
     for line, text in texts:
         _check_signs(line, text, trial)
-        for tex in formulas_in(text):
-            problem = _problem_of_tex(tex)
-            if problem:
-                above = text[: text.find(tex)].count("\n")
-                trial.add_fault(refused(line + above, NOT_TEX, problem, value=tex))
+        for tex, problem in _problems(text):
+            above = text[: text.find(tex)].count("\n")
+            trial.add_fault(refused(line + above, NOT_TEX, problem, value=tex))
     words = sum(len(each.text.split()) for each in step.words)
     if words > MOST_WORDS:
         trial.add_fault(refused(step.line, TOO_LONG, words, MOST_WORDS))
@@ -187,21 +185,21 @@ def _bare(text: str) -> str:
 def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
     """Report a solution that cannot be typeset, and an answer or a wrong idea without a sample."""
     variant = part.variant(here, 1)
-    for tex in formulas_in(variant.question.solution(variant.here)):
-        problem = _problem_of_tex(tex)
-        if problem:
-            trial.add_fault(refused(variant.question.answer_line, NOT_TEX, problem, value=tex))
+    for tex, problem in _problems(variant.question.solution(variant.here)):
+        trial.add_fault(refused(variant.question.answer_line, NOT_TEX, problem, value=tex))
     tried = {sample.verdict for sample in step.samples if sample.block == part.name}
     variant.question.check_tried(tried, trial)
 
 
-def _problem_of_tex(tex: str) -> str:
-    """Say why a formula cannot be drawn; empty if it can."""
-    try:
-        outline(tex)
-    except ValueError as error:
-        said = str(error).strip().splitlines()[-1]
-        # Drop the exception's name, its position, and its list of expected tokens.
-        said = re.sub(r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", said)
-        return re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
-    return ""
+def _problems(text: str) -> Iterator[tuple[str, str]]:
+    """Yield the formulas of a text that cannot be drawn, and why."""
+    for tex in formulas_in(text):
+        try:
+            outline(tex)
+        except ValueError as error:
+            said = str(error).strip().splitlines()[-1]
+            # Drop the exception's name, its position, and its list of expected tokens.
+            noise = r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)"
+            said = re.sub(noise, "", said)
+            said = re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
+            yield tex, said

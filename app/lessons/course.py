@@ -86,9 +86,9 @@ class Course:
         fields = set()
         for step in self.lesson.steps:
             for _, text in step.state.values if step.state else ():
-                section, _, rest = text.strip().partition(".")
+                section, _, field = path_of(text).partition(".")
                 if section == "view":
-                    fields.add(rest.partition("=")[0].strip())
+                    fields.add(field)
             if step.state and step.state.document:
                 fields |= set(FIELDS)
         fields |= {along for field, along in _ALONG.items() if field in fields}

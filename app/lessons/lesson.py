@@ -11,8 +11,7 @@ import difflib
 import os
 import re
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
@@ -20,15 +19,7 @@ from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import (
-    Asked,
-    Block,
-    ReadBlock,
-    Sample,
-    SpeakerNote,
-    StepContent,
-    TextBlock,
-)
+from app.lessons.blocks.block import Block, StepContent, TextBlock
 from app.lessons.blocks.shown import ShownState
 from app.lessons.lines import (
     LONG_LINE,
@@ -40,7 +31,6 @@ from app.lessons.lines import (
     number_in,
     refused,
 )
-from app.lessons.state import State
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -104,8 +94,8 @@ TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L25, separated 
 AddFault: TypeAlias = Callable[[Refusal], object]
 
 
-@dataclass(frozen=True)
-class Step:
+@dataclass
+class Step(StepContent):
     """One step: its title, and its texts and blocks in order."""
 
     name: str
@@ -113,43 +103,14 @@ class Step:
     line: int
     blocks: tuple[Block, ...] = ()
 
-    @cached_property
-    def _content(self) -> StepContent:
-        content = StepContent()
+    def __post_init__(self) -> None:
         for block in self.blocks:
-            block.add_to(content)
-        return content
-
-    @property
-    def parts(self) -> Sequence[ReadBlock]:
-        """Return the parts that the student reads and answers."""
-        return self._content.parts
-
-    @property
-    def words(self) -> Sequence[TextBlock]:
-        return self._content.words
-
-    @property
-    def asked(self) -> Sequence[Asked]:
-        return self._content.asked
+            block.add_to(self)
 
     @property
     def varies(self) -> bool:
         """Whether it has an exercise, with other numbers for each seed."""
         return any(part.varies for part in self.asked)
-
-    @property
-    def state(self) -> State | None:
-        """Return the step's state; None if it shows the previous step's."""
-        return self._content.state
-
-    @property
-    def note(self) -> SpeakerNote | None:
-        return self._content.note
-
-    @property
-    def samples(self) -> Sequence[Sample]:
-        return self._content.samples
 
 
 @dataclass(frozen=True)
@@ -430,16 +391,11 @@ class _StepReader:
             self._take(token)
         self._end_words()
         step = Step(name, title, line, tuple(self._blocks))
-        for block in step.blocks if not self._lacking else ():
-            block.check_names([part.name for part in step.asked])
-        return step if not self._lacking else self._without_samples(step)
-
-    def _without_samples(self, step: Step) -> Step | None:
-        """Return the step without samples of blocks that it lacks; None if it lacks its state."""
-        if ShownState.kind in self._lacking:
-            return None
         names = [part.name for part in step.asked]
-        return replace(step, blocks=tuple(block.only_for(names) for block in step.blocks))
+        for sample in step.samples if not self._lacking else ():
+            if sample.block not in names:
+                raise refused(sample.line, ONE_OF, ", ".join(names) or "none", value=sample.block)
+        return None if ShownState.kind in self._lacking else step
 
     def _heading(self) -> tuple[str, str, int]:
         heading = self._tokens[0]

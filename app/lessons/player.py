@@ -62,10 +62,13 @@ class PlayedBlock:
         self._key = f"{player.step.name}/{block.name}"
         self.is_test = player.is_test
         self.variant: Variant | None = None if block.varies else block.variant(at, 0)
+        if player.sheet is not None:
+            self.variant = player.sheet.items[player.place].variant
         self.answer, self.hints_read = "", 0
         self.now = at.document
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""
+        self._restore(player.progress.answers.get(self._key, ""))
 
     @property
     def question(self) -> Asked:
@@ -103,19 +106,16 @@ class PlayedBlock:
         """The number of an exercise's variant; 0 for what is no exercise."""
         return self.variant.seed if self.variant is not None else 0
 
-    @property
-    def is_changed(self) -> bool:
-        """Whether the window no longer shows the state in which the question is asked."""
-        return self.now != self.here.document
-
     def draw(self, seed: int) -> None:
         """Draw the numbers of an exercise; a `Refusal` if none suit."""
         self.variant = self.block.variant(self._at, seed)
         self.answer, self.hints_read = "", 0
         self._named.clear()
 
-    def restore(self, kept: str) -> None:
+    def _restore(self, kept: str) -> None:
         """Take an answer that was kept earlier, perhaps for an older version of the lesson."""
+        if not kept:
+            return
         if self.block.varies:
             seed, _, kept = kept.partition(" ")
             if self.is_test and seed != str(self.seed):
@@ -274,11 +274,6 @@ class Player:
     def is_last(self) -> bool:
         return self.place + 1 == len(self.lesson.steps)
 
-    def go(self, place: int) -> None:
-        """Go to a step."""
-        left, self.place = self.place, place
-        self.leave(left)
-
     def leave(self, left: int) -> None:
         """Take leave of a step, once another one is shown."""
         self._reached[left], self.revealed = self.revealed, 0
@@ -301,18 +296,9 @@ class Player:
         at = self.course.at(self.place)
         while self._rest and self.held is None:
             part = self._rest.pop(0)
-            block = next((each for each in self.step.asked if each is part), None)
-            yield part, None if block is None else self._played(at, block)
-
-    def _played(self, at: AtStep, block: Asked) -> PlayedBlock:
-        played = PlayedBlock(self, at, block)
-        if self.sheet is not None:
-            played.draw(self.sheet.items[self.place].seed)
-        kept = self.progress.answers.get(f"{self.step.name}/{block.name}", "")
-        if kept:
-            played.restore(kept)
-        self.blocks.append(played)
-        return played
+            played = [PlayedBlock(self, at, each) for each in self.step.asked if each is part]
+            self.blocks += played
+            yield part, next(iter(played), None)
 
     @property
     def held(self) -> PlayedBlock | None:

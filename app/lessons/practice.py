@@ -9,6 +9,7 @@ from __future__ import annotations
 import random
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from datetime import date
 from functools import cache, cached_property
@@ -50,16 +51,16 @@ class PlacedExercise(NamedTuple):
         """Return its lesson and ``step/block``, as in the record."""
         return self.course.name, f"{self.here.step.name}/{self.exercise.name}"
 
+    def with_numbers(self, seed: int) -> Variant:
+        """Return the exercise for a seed; a `Refusal` if no numbers suit."""
+        return self.exercise.variant(self.here, seed)
+
 
 class SheetItem(NamedTuple):
-    """An exercise of a sheet, and the seed of its numbers."""
+    """An exercise of a sheet, with its numbers."""
 
     placed: PlacedExercise
-    seed: int
-
-    @property
-    def variant(self) -> Variant:
-        return self.placed.exercise.variant(self.placed.here, self.seed)
+    variant: Variant
 
 
 class Sheet(Course):
@@ -71,7 +72,7 @@ class Sheet(Course):
         Under which the answers are kept; empty for nowhere.
     title : str
         Its title for the student.
-    items : sequence of Item
+    items : sequence of SheetItem
     is_test : bool
         Whether answers are marked at the end.
     """
@@ -83,7 +84,6 @@ class Sheet(Course):
         )
         super().__init__(Lesson(Path(title), title, tuple(steps)))
         self._name, self.items, self.is_test = name, tuple(items), is_test
-        self._variants: dict[int, Variant] = {}
 
     @property
     def name(self) -> str:
@@ -101,14 +101,8 @@ class Sheet(Course):
         fields = frozenset({"panel"}) if self.is_test else frozenset()
         return fields.union(*(item.placed.course.managed for item in self.items))
 
-    def variant(self, place: int) -> Variant:
-        """Return the exercise of a step with its numbers; a `Refusal` if they do not suit."""
-        if place not in self._variants:
-            self._variants[place] = self.items[place].variant
-        return self._variants[place]
-
     def shown(self, place: int) -> ShownStep:
-        document = self.variant(place).here.document
+        document = self.items[place].variant.here.document
         if self.is_test:
             document = replace(document, view=replace(document.view, panel=""))
         return ShownStep(document, {name: getattr(document.view, name) for name in self.managed})
@@ -213,12 +207,8 @@ def draw_test(names: Collection[str], number: int) -> list[SheetItem]:
 def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem | None:
     """Return an exercise with the first seed for which it has numbers."""
     for seed in seeds:
-        item = SheetItem(placed, seed)
-        try:
-            _ = item.variant
-        except Refusal:
-            continue
-        return item
+        with suppress(Refusal):
+            return SheetItem(placed, placed.with_numbers(seed))
     return None
 
 
@@ -297,7 +287,9 @@ def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
         kept = answers.get(f"{step.name}/{item.placed.exercise.name}", "")
         (seed, _, typed), variant = kept.partition(" "), item.variant
-        word = None if seed != str(item.seed) else _verdict(variant.question, variant.here, typed)
+        word = (
+            None if seed != str(variant.seed) else _verdict(variant.question, variant.here, typed)
+        )
         if word is None:  # the lessons have changed since, or the file is damaged
             typed = ""
         marks.append(ExerciseMark(item, typed, word or WRONG))

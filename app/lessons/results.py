@@ -9,13 +9,14 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import NamedTuple
 
 from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
-from app.lessons.blocks.block import Asked, Here
-from app.lessons.course import Course, idea_named
+from app.lessons.blocks.block import Variant
+from app.lessons.course import Course
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, corrected, one_line
 from app.lessons.text import plain_of
@@ -133,7 +134,7 @@ def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:
     for mark in marks:
         verdict = RIGHT if mark.word == RIGHT else WRONG
         idea = "" if mark.word in (RIGHT, WRONG) else mark.word
-        key, seed = mark.item.placed.key, mark.item.seed
+        key, seed = mark.item.placed.key, mark.item.variant.seed
         attempts.append(Attempt(now, *key, seed, mark.typed, verdict, idea, is_test=True))
     return attempts
 
@@ -147,7 +148,7 @@ class Marker:
     def __init__(self) -> None:
         self._courses: dict[str, Course | None] = {}
         self._digests: dict[str, str] = {}
-        self._posed: dict[tuple[str, str, int], tuple[Asked, Here] | None] = {}
+        self._posed: dict[tuple[str, str, int], Variant | None] = {}
 
     def marked(self, attempt: Attempt) -> RemarkedAnswer:
         key = attempt.lesson, attempt.exercise, attempt.seed
@@ -158,11 +159,11 @@ class Marker:
         posed = self._posed[key]
         if posed is None:
             return RemarkedAnswer(attempt, "", "")
-        question, here = posed
+        question, here = posed.question, posed.here
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        right = question.right_sample(here)
-        return RemarkedAnswer(attempt, word, right, _response_text(question, word))
+        says = "" if here.idea(word) is not None else plain_of(question.response_to(word))
+        return RemarkedAnswer(attempt, word, question.right_sample(here), says)
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
         """Whether the student had another version of a lesson."""
@@ -180,21 +181,13 @@ class Marker:
         return self._courses[lesson]
 
 
-def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | None:
+def _posed(course: Course, exercise: str, seed: int) -> Variant | None:
     """Return a question with its numbers; None if there is no such question."""
     step, _, name = exercise.rpartition("/")
     for place, each in enumerate(course.lesson.steps):
         part = course.at(place).asked.get(name) if each.name == step else None
         if part is not None and (seed or not part.varies):
-            try:
-                variant = part.variant(course.at(place), seed)
-            except Refusal:
-                return None
-            return variant.question, variant.here
+            with suppress(Refusal):
+                return part.variant(course.at(place), seed)
+            return None
     return None
-
-
-def _response_text(question: Asked, word: str) -> str:
-    if idea_named(word) is not None:
-        return ""
-    return plain_of(question.response_to(word))

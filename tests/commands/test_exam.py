@@ -14,7 +14,6 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QImage, QPainter
 
 from app.commands import exam as command
-from app.commands.exam import Posed
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.question import Question
 from app.lessons.course import Course
@@ -85,8 +84,11 @@ def lesson(tmp_path: Path) -> Path:
 def exercises(seed: int, text: str = LESSON) -> list[Numbered]:
     """The exercises of a variant that can be solved on paper."""
     every = exercises_of(Course(parse_lesson(text, Path("l.md"))))
-    posed = [Posed("About it", found) for found in every if found.exercise.is_on_paper]
-    return command.with_numbers(posed, seed)
+    return [
+        Numbered("About it", each, each.with_numbers(seed))
+        for each in every
+        if each.exercise.is_on_paper
+    ]
 
 
 def said_in(pdf: Path) -> str:
@@ -193,9 +195,9 @@ def test_no_answer_can_be_measured_on_paper() -> None:
     """Of places, which are marked in the figure itself, only the construction is asked."""
     for course in topics().values():
         for found in (each for each in exercises_of(course) if each.exercise.is_on_paper):
-            (each,) = command.with_numbers([Posed("", found)], 1)
+            each = Numbered("", found, found.with_numbers(1))
             is_measured = found.exercise.name in MEASURED.get(course.name, ())
-            assert (each.sketch is not None) == is_measured, found.key
+            assert each.is_sketch == is_measured, found.key
             assert not (is_measured and isinstance(each.question, Click)), found.key
 
 

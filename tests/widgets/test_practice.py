@@ -97,15 +97,17 @@ def test_an_answer_that_cannot_be_one_is_none(qtbot: QtBot) -> None:
     (item,), (step,) = sheet.items, sheet.lesson.steps
     key = f"{step.name}/choose"
     for typed in ("abc", "3", "-1", "2" * 5000, "1" + "\N{SUPERSCRIPT TWO}"):
-        marks = practice.marked(sheet, {key: f"{item.seed} {typed}"})
+        marks = practice.marked(sheet, {key: f"{item.variant.seed} {typed}"})
         assert marks == [ExerciseMark(item, "", WRONG)]
         qtbot.addWidget(SelfTestMarks(marks))
-    assert practice.marked(sheet, {key: f"{item.seed} 2"}) == [ExerciseMark(item, "2", RIGHT)]
+    assert practice.marked(sheet, {key: f"{item.variant.seed} 2"}) == [
+        ExerciseMark(item, "2", RIGHT)
+    ]
 
 
 def test_a_number_gives_everyone_the_same_test() -> None:
     def keys(names: list[str], number: int) -> list[tuple[str, int]]:
-        return [(item.placed.exercise.name, item.seed) for item in draw_test(names, number)]
+        return [(item.placed.exercise.name, item.variant.seed) for item in draw_test(names, number)]
 
     assert keys(["L3", "L5"], 7) == keys(["L5", "L3"], 7)
     assert sorted(name for name, _ in keys(["L3", "L5"], 7)) == ["choose", "set", "wide"]
@@ -322,7 +324,7 @@ def test_a_review_mixes_the_topics_and_says_how_long_it_takes() -> None:
     assert (found.minutes, found.following) == (3, None)
     mixed = to_review(found.due, standings(said))
     assert [item.placed.exercise.name for item in mixed] == ["set", "choose", "wide"]
-    assert all(item.seed not in (1, 2, 3, 9) for item in mixed)
+    assert all(item.variant.seed not in (1, 2, 3, 9) for item in mixed)
     assert review_text(found) == "&Review: 3 exercises, about 3 minutes"
     short = found._replace(minutes=1, due=found.due * 7)
     assert review_text(short) == "&Review: 12 of 21 exercises, about 1 minute"

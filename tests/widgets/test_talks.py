@@ -9,6 +9,7 @@ import weakref
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -117,9 +118,13 @@ def walk(display: Any, tmp_path: Path) -> tuple[Store, MessageBar, Lessons]:
     path.write_text(WALKED)
     store, messages = Store(Document("cube", scene_of(Document("cube")).start)), MessageBar()
     files: Any = StubFiles(store)
+    still: Any = SimpleNamespace(  # panes whose cameras do not move
+        is_wanted=True, begin=lambda cuts: False, start=lambda moves: moves, paint=lambda: None,
+        go=lambda part: None,
+    )  # fmt: skip
     lessons = Lessons(
         store, files, messages, lambda: None, lambda _stage: None,
-        lambda cameras: store.set_view(panes=dict(cameras)),
+        lambda cameras: store.set_view(panes=dict(cameras)), still,
     )  # fmt: skip
     assert lessons.open(path)
     return store, messages, lessons

@@ -14,7 +14,13 @@ from typing import Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QPoint, Qt, QUrl
-from PySide6.QtGui import QAction, QTextDocument
+from PySide6.QtGui import (
+    QAbstractTextDocumentLayout,
+    QAction,
+    QPainter,
+    QPalette,
+    QTextDocument,
+)
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QToolTip, QWidget
 
 
@@ -78,6 +84,13 @@ class TextDocument(QTextDocument):
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
         return None
+
+
+def paint_document(painter: QPainter, document: QTextDocument, palette: QPalette) -> None:
+    """Paint a document at the painter's origin, in the palette's colour of text."""
+    context = QAbstractTextDocumentLayout.PaintContext()
+    context.palette = palette
+    document.documentLayout().draw(painter, context)
 
 
 def message_box(

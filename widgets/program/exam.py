@@ -20,6 +20,7 @@ from app.drawings.style import LIGHT
 from app.lessons.blocks.block import Asked, Here, Variant
 from app.lessons.course import panes_of
 from app.lessons.lines import refused
+from app.lessons.practice import PlacedExercise
 from app.lessons.text import escaped
 from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.lesson_text import answer_of
@@ -56,32 +57,34 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
 
 
 class Numbered(NamedTuple):
-    """An exercise of a test: the title of its lesson, what its step says, its numbers, and what is
-    hidden; a sketch has other numbers, so that nothing can be measured in it."""
+    """An exercise of a test, with the title of its lesson, and its numbers."""
 
     title: str
-    words: Sequence[str]
+    placed: PlacedExercise
     variant: Variant
-    hides: frozenset[str]
-    sketch: Document | None = None
 
     @property
     def question(self) -> Asked:
         return self.variant.question
 
     @property
+    def is_sketch(self) -> bool:
+        """Whether its picture has other numbers, so that nothing can be measured in it."""
+        return "scale" in self.placed.exercise.hides
+
+    @property
     def drawn(self) -> Document:
         """The state of its picture."""
-        return self.sketch or self.variant.here.document
+        return (self.placed if self.is_sketch else self.variant).here.document
 
     @property
     def panes(self) -> list[str]:
         """The panes to draw: that of the click, or those of the state that are not hidden."""
         if self.question.pane:
             return [self.question.pane]
-        wanted = panes_of(self.drawn)
-        seen = [pane for pane in wanted if pane not in self.hides]
-        return seen or [pane for pane in PANES if pane not in self.hides][:1]
+        hides = self.placed.exercise.hides
+        seen = [pane for pane in panes_of(self.drawn) if pane not in hides]
+        return seen or [pane for pane in PANES if pane not in hides][:1]
 
 
 def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[], object]) -> bytes:
@@ -268,10 +271,10 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
         figure = paper.figure(
             exercise.drawn, width, (CLICKED if question.pane else share) * width, exercise.panes
         )
-        if exercise.sketch is not None:
+        if exercise.is_sketch:
             said = QCoreApplication.translate("Exam", "A sketch, not to scale.")
             figure = paper.below(figure, paper.text(said, figure.wide, FOOT_PT))
-    told = [*exercise.words, question.posed()]
+    told = [*(part.text for part in exercise.placed.words), question.posed()]
     if question.pane:
         told.append(
             QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")

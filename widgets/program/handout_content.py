@@ -91,7 +91,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
         slide if os.path.isfile(slide) else None,
         bool(asked) and not answers,
     )
-    if not any(part.is_tall and "\n|" in part.text for part in step.parts):
+    if not any("\n|" in part.text for part in step.parts if not part.reveals):
         yield EquationTables(list(_equation(shown)))
     before = course.shown(place - 1).document if place else None
     if "equation" not in shown.view.slide:  # else it has its matrices

@@ -16,7 +16,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -25,7 +25,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
 from app.lessons.checking import CheckReport
-from app.lessons.course import Course, ShownStep, scene_of
+from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, read
 from app.lessons.player import Player
 from app.lessons.state import State
@@ -36,6 +36,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
+from widgets.window.transition import Transition
 
 TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
@@ -43,29 +44,6 @@ MOST_MISTAKES = 5
 """Most mistakes of a file that are named at once."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
-
-
-class WayOfPanes(Protocol):
-    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
-
-    @property
-    def is_wanted(self) -> bool:
-        """Whether something may move."""
-        ...
-
-    def begin(self, *, cuts: bool) -> bool:
-        """Remember what is seen; return whether its picture will fade."""
-        ...
-
-    def start(self, moves: bool) -> bool:
-        """Begin the way to what is shown now; return whether there is one."""
-        ...
-
-    def paint(self) -> None:
-        """Paint the beginning now."""
-
-    def go(self, part: float) -> None:
-        """Show a part of the way, 0 to 1."""
 
 
 class Lessons(QObject):
@@ -100,12 +78,12 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        transition_of_panes: WayOfPanes | None = None,
+        transition: Transition,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
-        self._look_from, self._panes = look_from, transition_of_panes
+        self._look_from, self._panes = look_from, transition
         self.player: Player | None = None
         """The open lesson, as it is played."""
         self._clock = Clock(self)
@@ -209,7 +187,9 @@ class Lessons(QObject):
         self._finish()
         self._stand_still()
         left, player.place = player.place, place
-        if not self._show(player, shown, scene):
+        is_other = self._is_other(shown.document)
+        view = player.view_of(shown, self._store.look(), other_scene=is_other)
+        if not self._move_to(replace(shown.document, view=view), scene):
             player.place = left
             return False
         if place != left:
@@ -266,11 +246,6 @@ class Lessons(QObject):
         here = self._store.document
         return (here.scene, here.mesh) != (document.scene, document.mesh)
 
-    def _show(self, player: Player, shown: ShownStep, scene: Any) -> bool:
-        is_other = self._is_other(shown.document)
-        view = player.view_of(shown, self._store.look(), other_scene=is_other)
-        return self._move_to(replace(shown.document, view=view), scene)
-
     def _move_to(self, end: Document, scene: Any) -> bool:
         """Change to a document in one undo step, moving if possible; return False if refused."""
         store = self._store
@@ -279,11 +254,9 @@ class Lessons(QObject):
         self._start, self._end = start, end
         self._stages = look.stage, end.view.stage
         first, is_there = None, True
-        same = (start.scene, start.mesh) == (end.scene, end.mesh)
-        panes = self._panes
-        moves, fades = panes is None or panes.is_wanted, False
-        if moves and panes is not None:
-            fades = panes.begin(cuts=not same or _slide(look) != _slide(end.view))
+        is_other, panes = self._is_other(end), self._panes
+        moves = panes.is_wanted
+        fades = moves and panes.begin(cuts=is_other or _slide(look) != _slide(end.view))
         # Nobody would see the model move under a picture that fades.
         if moves and not fades and transition.can_move(start, end):
             first = transition.between(start, end, 0.02)
@@ -305,27 +278,24 @@ class Lessons(QObject):
         if not is_there or not moves:
             self._moving = False
             return is_there
-        if fades or not same:
+        if fades or is_other:
             self._stages = end.view.stage, end.view.stage
-        goes = first is not None or self._stages[0] != self._stages[1]
-        if panes is not None:  # before the model stands at the start again, which they would frame
-            goes = panes.start(goes)
+        # Before the model stands at the start again, which the panes would frame.
+        goes = panes.start(first is not None or self._stages[0] != self._stages[1])
         if first is not None:
             store.go_on(first)
         self._moving = False
         if goes:
             self._part = 0.0
             self._to_stage(self._stages[0])
-            if panes is not None:
-                panes.go(0.0)
+            panes.go(0.0)
             self._clock.start()
         return True
 
     def _set_off(self) -> None:
         """Paint the beginning of the way, and let the time begin after that."""
         if self._clock.running:
-            if self._panes is not None:
-                self._panes.paint()
+            self._panes.paint()
             self._clock.start()
 
     def _move(self, seconds: float) -> None:
@@ -345,8 +315,7 @@ class Lessons(QObject):
             self._moving = False
         begin, end = self._stages
         self._to_stage(begin + eased * (end - begin))  # exactly there if both are the same
-        if self._panes is not None:
-            self._panes.go(eased)
+        self._panes.go(eased)
         if self._part == 1.0:
             self.arrived.emit()
 
@@ -360,8 +329,7 @@ class Lessons(QObject):
         """Stop moving when something else changes the document."""
         if not self._moving and self._clock.running:
             self._clock.stop()
-            if self._panes is not None:
-                self._panes.go(1.0)
+            self._panes.go(1.0)
             self.arrived.emit()
 
     # -- the file

@@ -7,20 +7,13 @@ from collections.abc import Callable, Iterable
 from itertools import product
 
 from PySide6.QtCore import QPoint, QRect, QRectF, QSize
-from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
-    QFont,
-    QPainter,
-    QPaintEvent,
-    QPalette,
-    QWheelEvent,
-)
+from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import QFrame, QWidget
 
 from app.lessons.text import spoken_text
 from widgets.parts.layouts import paint_now
 from widgets.parts.lesson_text import set_text
-from widgets.parts.plain import TextDocument
+from widgets.parts.plain import TextDocument, paint_document
 
 SHARES = 1.0 / 3.0, 0.5
 """Largest heights of the question, in those of the slide: the second if the text needs it, or if
@@ -125,9 +118,7 @@ class QuestionOverlay(QFrame):
         painter.fillRect(QRect(0, line, self.width(), 3), painter.pen().color())
         painter.setClipRect(room)
         painter.translate(room.left(), room.top() - self._moved_px)
-        context = QAbstractTextDocumentLayout.PaintContext()
-        context.palette = self.palette()
-        self._document.documentLayout().draw(painter, context)
+        paint_document(painter, self._document, self.palette())
         painter.end()
 
 

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
     QFont,
     QPainter,
     QPaintEvent,
@@ -30,7 +29,7 @@ from app.lessons.lesson import Step
 from app.lessons.text import spoken_text
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, ShownData
-from widgets.parts.plain import TextDocument
+from widgets.parts.plain import TextDocument, paint_document
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
@@ -77,9 +76,6 @@ class TalkBand(QFrame):
         self._colour()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        self.show_colours(shown)
-
-    def show_colours(self, shown: ShownData) -> None:
         """Give the letters of formulas the colours of what the pictures name by them."""
         self._shown = shown
         self._colour()
@@ -196,9 +192,7 @@ class TalkBand(QFrame):
     def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:
         painter.save()
         painter.translate(place)
-        context = QAbstractTextDocumentLayout.PaintContext()
-        context.palette = self.palette()
-        document.documentLayout().draw(painter, context)
+        paint_document(painter, document, self.palette())
         painter.restore()
 
 

@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QLineEdit,
     QMainWindow,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,6 +20,7 @@ from app.document.store import Store
 from app.lessons.lesson import Lesson
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
+from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel, set_tip
@@ -120,9 +120,7 @@ class TitleDialog(QDialog):
         )
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for widget in (label, self.field, self.panes, buttons):
-            layout.addWidget(widget)
+        in_column(label, self.field, self.panes, buttons, on=self)
         ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
         ok.setEnabled(bool(title.strip()))
         self.field.textChanged.connect(lambda text: ok.setEnabled(bool(text.strip())))

@@ -12,15 +12,7 @@ from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import (
-    CHECKS,
-    RIGHT,
-    MarkedQuestion,
-    Question,
-    Reply,
-    Value,
-    reply_below,
-)
+from app.lessons.blocks.question import CHECKS, RIGHT, MarkedQuestion, Question, Reply, Value
 from app.lessons.lines import LACKS, Body, refused
 from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
@@ -67,10 +59,7 @@ class Answer(MarkedQuestion):
         return cls(
             **cls.fields(body, text, items),
             symbol=symbol.strip(),
-            replies=tuple(
-                Reply(line=w.line, formulas=(w.formula(),), idea=w.about, **reply_below(w))
-                for w in wrong
-            ),
+            replies=tuple(Reply.of(each, formulas=(each.formula(),)) for each in wrong),
             right=(value._replace(text=formula.strip()).formula(),),
             right_line=value.line,
             counts=value.key == "count",

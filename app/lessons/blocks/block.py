@@ -6,7 +6,7 @@ a lesson uses these methods, whatever the kind.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -157,14 +157,16 @@ class StepContent:
     ----------
     parts : list of ReadBlock
         Everything that the student reads and answers; `words` and `asked` are among them.
+    state : State, optional
+        None if it shows the previous step's.
     """
 
-    parts: list[ReadBlock] = field(default_factory=list)
-    words: list[TextBlock] = field(default_factory=list)
-    asked: list[Asked] = field(default_factory=list)
-    samples: list[Sample] = field(default_factory=list)
-    state: State | None = None
-    note: SpeakerNote | None = None
+    parts: list[ReadBlock] = field(default_factory=list, init=False)
+    words: list[TextBlock] = field(default_factory=list, init=False)
+    asked: list[Asked] = field(default_factory=list, init=False)
+    samples: list[Sample] = field(default_factory=list, init=False)
+    state: State | None = field(default=None, init=False)
+    note: SpeakerNote | None = field(default=None, init=False)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -177,7 +179,7 @@ class Block:
         The word after its three backticks.
     once : bool
         Whether a step may have only one block of this kind.
-    asks : bool
+    needs_answer : bool
         Whether the student has to answer it; such a block has a name.
     """
 
@@ -197,13 +199,6 @@ class Block:
     def texts(self) -> Iterator[tuple[int, str]]:
         """Yield every text that may contain formulas, with its line."""
         yield from ()
-
-    def only_for(self, asked: Collection[str]) -> Block:
-        """Return the block without references to questions that the step lacks."""
-        return self
-
-    def check_names(self, asked: Iterable[str]) -> None:
-        """Refuse names that do not match the step's questions and tasks."""
 
     def check(self, here: Here, trial: Trial) -> None:
         """Try the whole block on the model; a `Refusal` ends the check of this block."""
@@ -231,11 +226,6 @@ class ReadBlock(Block):
     def add_to(self, content: StepContent) -> None:
         content.parts.append(self)
 
-    @property
-    def is_tall(self) -> bool:
-        """Whether a talk's band needs many lines for it."""
-        return "$$" in self.text or "\n|" in self.text
-
     def posed(self) -> str:
         """Return the question as Markdown for a class."""
         return self.text
@@ -245,11 +235,11 @@ class ReadBlock(Block):
         return self.text
 
     def explained(self, answer: str, *, others: bool = True) -> str:
-        """Return the text of `told` and the reason."""
+        """Return the text of `with_answer` and the reason."""
         return "\n\n".join(filter(None, (self.with_answer(answer, others=others), self.why)))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
-        """Return the right answer if `told` does not already contain it, else an empty text."""
+        """Return the right answer if `with_answer` lacks it, else an empty text."""
         return ""
 
 
@@ -295,7 +285,7 @@ class Asked(ReadBlock):
         The unit of the answer, one of `UNITS`.
     pane : str
         The picture in which the student points at the answer; empty for other answers.
-    said : tuple of (int, str)
+    responses : tuple of (int, str)
         All replies to answers, and the hints, each with its line.
     hides : frozenset of str
         What would show the answer, of `HIDDEN`; it is not seen until there is one.

@@ -11,7 +11,7 @@ from typing import Any, ClassVar
 
 from app.lessons import marking
 from app.lessons.blocks.block import REVEALED, Here, Verdict
-from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, reply_below
+from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
@@ -23,8 +23,6 @@ ONE_RIGHT = QT_TRANSLATE_NOOP(
 OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
-MANY = 4
-"""Number of choices from which a talk's band needs many lines."""
 _IDEA = re.compile(r"(?<=\s)\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 _WRITTEN = re.compile(r"[-−]?\d+(?:[.,]\d+)?(?:/\d+)?")
 
@@ -46,14 +44,8 @@ class Choice(Reply):
         if behind.strip():
             with on_line(item.line, ":="):
                 formulas = (read_formula(behind.strip()),)
-        return cls(
-            line=item.line,
-            right=item.about == "x",
-            formulas=formulas,
-            idea=idea[1] if idea else "",
-            text=text.strip(),
-            **reply_below(item),
-        )
+        more = {"right": item.about == "x", "idea": idea[1] if idea else "", "text": text.strip()}
+        return cls.of(item, formulas=formulas, **more)
 
     def check_number(self, value: float) -> None:
         for text in _WRITTEN.findall(self.text):
@@ -88,10 +80,6 @@ class Choices(Question):
     def key(self) -> tuple[tuple[Formula, ...], int]:
         right = self.replies[self.right]
         return right.formulas, right.line
-
-    @property
-    def is_tall(self) -> bool:
-        return len(self.replies) >= MANY
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield from super().texts()

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.block import Here, Verdict
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.quantities import read_formula
@@ -63,9 +63,9 @@ class Click(MarkedQuestion):
         return cls(
             **cls.fields(body, text, items),
             replies=tuple(
-                Reply(line=w.line, formulas=_place(w, count), idea=w.about, **reply_below(w))
-                for w in items
-                if w.key == "wrong"
+                Reply.of(item, formulas=_place(item, count))
+                for item in items
+                if item.key == "wrong"
             ),
             right=_place(at, count),
             right_line=at.line,

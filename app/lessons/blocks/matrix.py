@@ -10,7 +10,7 @@ from typing import TypeVar
 
 from app.lessons import marking
 from app.lessons.blocks.block import Here, Verdict
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.marking import TypedNumber
@@ -79,8 +79,7 @@ class MatrixQuestion(MarkedQuestion):
                 *shape, wrong = _cells(item)
                 if shape != [rows, columns]:
                     raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
-                said = reply_below(item)
-                replies.append(Reply(line=item.line, formulas=wrong, idea=item.about, **said))
+                replies.append(Reply.of(item, formulas=wrong))
         return cls(
             **cls.fields(body, text, items), replies=tuple(replies), right=formulas,
             right_line=right.line, rows=rows, columns=columns, first=_first(items),

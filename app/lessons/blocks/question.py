@@ -9,7 +9,7 @@ import difflib
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, TypeAlias
+from typing import Any, ClassVar, Self, TypeAlias
 
 from app.document.view import PANES
 from app.lessons import marking
@@ -66,6 +66,13 @@ class Reply:
     says: str = ""
     state: State | None = None
 
+    @classmethod
+    def of(cls, item: LineItem, **more: Any) -> Self:
+        """Return the reply of a choice or a wrong value, with what is indented below it."""
+        below = Items(item.below)
+        more = {"idea": item.about, "state": state_in(below.single("state")), **more}
+        return cls(line=item.line, says=below.text("says"), **more)
+
     def verdict(self, here: Here, why: str = "") -> Verdict:
         """Return the verdict; a known idea supplies sentences and a state if the reply has none."""
         says = self.says
@@ -91,12 +98,6 @@ class Reply:
 
     def check_number(self, value: float) -> None:
         """Refuse a number in the text that differs from its formula's value."""
-
-
-def reply_below(item: LineItem) -> dict[str, Any]:
-    """Read the sentence and the state indented below a choice or a wrong value."""
-    below = Items(item.below)
-    return {"says": below.text("says"), "state": state_in(below.single("state"))}
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -127,10 +128,6 @@ class Question(Asked):
         hide = items.single("hide")
         hides = frozenset[str]() if hide is None else frozenset(hidden_in(hide.text, hide.line))
         return Asked.fields(body, text, items) | {"checks": checks, "why": why, "hides": hides}
-
-    @property
-    def is_tall(self) -> bool:
-        return False  # it is in its own column beside the text
 
     @property
     def is_on_paper(self) -> bool:

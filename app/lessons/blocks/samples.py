@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from app.lessons.blocks.block import Block, Here, Sample, StepContent, Trial
 from app.lessons.lines import Body, refused
-from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
@@ -25,21 +23,14 @@ class Samples(Block):
     def add_to(self, content: StepContent) -> None:
         content.samples += self.samples
 
-    def only_for(self, asked: Collection[str]) -> Samples:
-        return replace(self, samples=tuple(each for each in self.samples if each.block in asked))
-
     @classmethod
     def read(cls, body: Body) -> Samples:
         samples = (_sample(text, number) for number, text in body.lines if text.strip())
         return cls(line=body.line, samples=tuple(samples))
 
-    def check_names(self, asked: Iterable[str]) -> None:
-        for each in self.samples:
-            if each.block not in asked:
-                raise refused(each.line, ONE_OF, ", ".join(asked) or "none", value=each.block)
-
     def check(self, here: Here, trial: Trial) -> None:
-        for each in self.samples:
+        # A step lacks the blocks that cannot be read.
+        for each in (each for each in self.samples if each.block in here.asked):
             trial.checks += 1
             with trial.kept():
                 asked = here.asked[each.block]

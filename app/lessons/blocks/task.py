@@ -9,7 +9,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial, Verdict
-from app.lessons.blocks.question import Reply, reply_below
+from app.lessons.blocks.question import Reply
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
@@ -67,8 +67,7 @@ class Task(Asked):
             if item.key == "wrong":
                 with on_line(item.line, "wrong"):
                     condition = Condition.read(item.text)
-                given = {"idea": item.about, "condition": condition, **reply_below(item)}
-                wrong.append(Wrong(line=item.line, **given))
+                wrong.append(Wrong.of(item, condition=condition))
         return cls(
             **cls.fields(body, text, items), until=until, done=items.text("done"),
             why=items.text("why"), replies=tuple(wrong), right=state_in(items.single("right")),

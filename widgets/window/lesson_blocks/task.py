@@ -67,7 +67,7 @@ class TaskView(BlockView):
             self._tick()
             self._speak(self.tr("Done."), self.task.done, self.task.why)
             self._settled()
-        elif played.is_open and played.is_changed and not played.is_test:
+        elif played.is_open and now != played.here.document and not played.is_test:
             self._offer_answer()
             if self.task.replies:
                 self._resting.start()

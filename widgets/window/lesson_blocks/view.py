@@ -215,9 +215,6 @@ class BlockView(QFrame):
         self._responses.append(widget)
         self._feedback.addWidget(widget)
 
-    def _offer(self, name: str, tip: str, act: Callable[[], object]) -> None:
-        self._add(self._indented(button(name, tip, act)))
-
     def _indented(self, widget: QWidget) -> QWidget:
         return on_holder(round(1.4 * self.fontMetrics().height()), widget, FREE, gap=0)
 
@@ -232,7 +229,8 @@ class BlockView(QFrame):
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
         if document is not None:
-            self._offer(name, tip, partial(self.show_wanted.emit, document))
+            show = partial(self.show_wanted.emit, document)
+            self._add(self._indented(button(name, tip, show)))
 
     def _praise(self, verdict: Verdict) -> None:
         self._add_text("check", self.tr("Right"), verdict.says or self.tr("Right."))
