@@ -68,11 +68,9 @@ class Course:
 
     @property
     def file(self) -> Path | None:
-        """Return the lesson's file, if it has one."""
         return self.lesson.path
 
     def at(self, place: int) -> AtStep:
-        """Return a step as a state of the model, counted from 0."""
         return AtStep(self, place)
 
     @property

@@ -156,11 +156,7 @@ def is_lesson(path: str) -> bool:
 def read(path: AnyPath, complain: AddFault | None = None) -> Lesson:
     """Read a lesson from its file; a `Refusal` names the line that is wrong.
 
-    Parameters
-    ----------
-    path : path
-    complain : callable, optional
-        Receives the refusal of every faulty block and step; the lesson then lacks these.
+    `complain` receives the refusal of every faulty block and step; the lesson then lacks these.
     """
     with blamed_on(path, UNREADABLE):
         text, note = decode(content_of(path, LARGEST))

@@ -177,12 +177,8 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     """Read a number as people write it: ``0,5``, ``1 1/2``, ``-√3/2``, ``pi/6``, ``1.17·10⁻²``.
 
     A unit of the same kind as `unit`, one of `UNITS`, may follow, and is converted. A comma is a
-    decimal point; where the number is one like `near`, 1000 or larger, ``1,280`` is refused.
-
-    Raises
-    ------
-    Refusal
-        Of ``answer``; it names the part that cannot be read, or the unit that is expected.
+    decimal point; where the number is one like `near`, 1000 or larger, ``1,280`` is refused. A
+    `Refusal` of ``answer`` names the part that cannot be read, or the unit that is expected.
     """
     if len(text) > _LONGEST:
         raise Refusal("answer", text, TOO_LONG, _LONGEST)

@@ -80,7 +80,6 @@ class PlayedBlock:
 
     @property
     def is_open(self) -> bool:
-        """Whether the block is still unanswered."""
         return not self.answer
 
     @property
@@ -130,12 +129,8 @@ class PlayedBlock:
     def submit(self, typed: str, verdict: Verdict | None = None, given: str = "") -> Verdict:
         """Mark an answer, and keep it if it settles the question.
 
-        Parameters
-        ----------
-        verdict : Verdict, optional
-            That of a window, which can measure distances in its picture.
-        given : str, optional
-            Recorded in place of what was typed.
+        A window, which can measure distances in its picture, may have a verdict already. What was
+        `given` is recorded in place of what was typed.
         """
         given = given or typed
         try:

@@ -64,17 +64,9 @@ class SheetItem(NamedTuple):
 
 
 class Sheet(Course):
-    """Exercises as the steps of one lesson.
+    """Exercises as the steps of one lesson, whose answers are kept under its name, if it has one.
 
-    Parameters
-    ----------
-    name : str
-        Under which the answers are kept; empty for nowhere.
-    title : str
-        Its title for the student.
-    items : sequence of SheetItem
-    is_test : bool
-        Whether answers are marked at the end.
+    The answers of a test are marked at the end.
     """
 
     def __init__(self, name: str, title: str, items: Sequence[SheetItem], *, is_test: bool) -> None:

@@ -191,10 +191,7 @@ def _nearest_name(name: str, known: tuple[str, ...]) -> str:
 def read_formula(text: str, *, infinite: bool = False) -> Formula:
     """Read a formula of a lesson; refuse one that has no value in any state.
 
-    Parameters
-    ----------
-    infinite : bool
-        Whether its value may be infinite.
+    With `infinite`, its value may be infinite.
     """
     parsed = formula.parse(text)
     for part in parsed:

@@ -226,13 +226,7 @@ def corrected(
     program's own exercises; practice begins with seed 1 and goes on from a seed that was seen. So
     an answer is a test's if all hints count as read before the first try at such a seed. Of the
     student's own choice it could only be by typing a far number and reading every hint at once.
-
-    Parameters
-    ----------
-    attempts : iterable of Attempt
-        In order.
-    hints_of : callable
-        Returns how many hints the exercise of a key has, if tests ask it, else 0.
+    `hints_of` returns how many hints the exercise of a key has, if tests ask it, else 0.
     """
     seen: dict[tuple[str, str], set[int]] = {}
     without_hints = []

@@ -169,18 +169,8 @@ def add_step(
     The step comes after the named one, or at the end if that is gone; but always after the steps
     whose state it would change.
 
-    Parameters
-    ----------
-    path : path
-    after, title : str
-        The name of a step; the title of the new one.
-    panes : bool
-        Whether to keep how the panes are turned, which needs a document beside the file.
-
-    Raises
-    ------
-    Refusal
-        If that is impossible; the file is then unchanged.
+    `after` is the name of a step. With `panes` the step keeps how the panes are turned, which needs
+    a document beside the file. If that is impossible, a `Refusal` leaves the file unchanged.
     """
     _check_own(path)
     before = read(path)

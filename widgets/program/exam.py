@@ -7,7 +7,6 @@ needed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
 from functools import partial
 from typing import NamedTuple
 
@@ -98,33 +97,27 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
         head = _head(title, seed, width)
         pages = paged(exercises, head, width, height)
-        for number, parts in enumerate(pages, 1):
-            check()
-            right = f"{number} / {len(pages)}"
-            yield partial(paint, head if number == 1 else None, parts, right, width, height)
 
-    def paint(
-        head: PageBlock | None,
-        parts: Sequence[_ExamPart],
-        right: str,
-        width: float,
-        height: float,
-        painter: QPainter,
-    ) -> None:
-        painter.save()
-        room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
-        if head is not None:
-            head.paint(painter, QRectF(0.0, 0.0, width, head.height))
-            painter.translate(0.0, head.height + BETWEEN_STEPS_PT)
-            room -= head.height + BETWEEN_STEPS_PT
-        for part in parts:
-            high = part.height + room / len(parts)
+        def paint(number: int, painter: QPainter) -> None:
+            parts = pages[number - 1]
             painter.save()
-            part.paint(painter, high)
+            room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
+            if number == 1:
+                head.paint(painter, QRectF(0.0, 0.0, width, head.height))
+                painter.translate(0.0, head.height + BETWEEN_STEPS_PT)
+                room -= head.height + BETWEEN_STEPS_PT
+            for part in parts:
+                high = part.height + room / len(parts)
+                painter.save()
+                part.paint(painter, QRectF(0.0, 0.0, width, high))
+                painter.restore()
+                painter.translate(0.0, high + BETWEEN_STEPS_PT)
             painter.restore()
-            painter.translate(0.0, high + BETWEEN_STEPS_PT)
-        painter.restore()
-        paper.foot(painter, left, right, width, height)
+            paper.foot(painter, left, f"{number} / {len(pages)}", width, height)
+
+        for number in range(1, len(pages) + 1):
+            check()
+            yield partial(paint, number)
 
     return paper.pdf(left, lay_out)
 
@@ -155,18 +148,17 @@ def key(
             seeds |= {id(block): seed for block in added}
             blocks += added
         pages = paper.placed(blocks, height)
+
+        def paint(page: paper.PaperPage, left: str, right: str, painter: QPainter) -> None:
+            paper.paint_page(painter, page, width, height, False)
+            paper.foot(painter, left, right, width, height)
+
         for number, page in enumerate(pages, 1):
             check()
             first, last = (seeds[id(page.pieces[place].block)] for place in (0, -1))
             shown = f"{first}" if first == last else f"{first}–{last}"
             left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, shown)
-            yield partial(paint, page, left, f"{number} / {len(pages)}", width, height)
-
-    def paint(
-        page: paper.PaperPage, left: str, right: str, width: float, height: float, painter: QPainter
-    ) -> None:
-        paper.paint_page(painter, page, width, height, False)
-        paper.foot(painter, left, right, width, height)
+            yield partial(paint, page, left, f"{number} / {len(pages)}")
 
     return paper.pdf(title, lay_out)
 
@@ -202,14 +194,6 @@ def _mistaken(question: Asked, here: Here) -> str:
 # --------------------------------------------------------------------------- a page of a test
 
 
-@dataclass
-class _ExamPart:
-    """An exercise: its least height, and what paints it over the width in a given height."""
-
-    height: float
-    paint: Callable[[QPainter, float], object]
-
-
 def _head(title: str, seed: int, width: float) -> PageBlock:
     """The title and lines for name and date."""
     variant = QCoreApplication.translate("Exam", "Variant {0}").format(seed)
@@ -231,7 +215,7 @@ def _head(title: str, seed: int, width: float) -> PageBlock:
 
 def paged(
     exercises: Sequence[Numbered], head: PageBlock, width: float, height: float
-) -> list[list[_ExamPart]]:
+) -> list[list[PageBlock]]:
     """Place exercises on few pages that are about equally full, with figures as wide as fit."""
     layouts = []
     for share in FIGURE_WIDTHS:
@@ -262,8 +246,8 @@ def _ends(heights: Sequence[float], height: float) -> list[int]:
     return [*ends, len(heights)]
 
 
-def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamPart:
-    """An exercise: title, text beside its picture, room to write, and the place for the answer."""
+def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBlock:
+    """An exercise of the least height: title, text and picture, room to write, and the answer."""
     question = exercise.question
     title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
     figure = None
@@ -297,7 +281,8 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
     needs_room = question.is_worked and not is_roomy
     least = picture_end + (ROOM_PT + BETWEEN_PT) * needs_room + answer.height
 
-    def paint(painter: QPainter, height: float) -> None:
+    def paint(painter: QPainter, place: QRectF) -> None:
+        height = place.height()
         _draw(painter, title, 0.0, 0.0)
         _draw(painter, body, 0.0, top)
         if figure is not None:
@@ -311,7 +296,7 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
         )
         _draw(painter, answer, 0.0, height - answer.height)
 
-    return _ExamPart(least, paint)
+    return PageBlock(least, paint)
 
 
 def _place_of_answer(question: Asked) -> PageBlock:

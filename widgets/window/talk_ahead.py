@@ -8,7 +8,6 @@ from PySide6.QtCore import QObject, QTimer, Signal
 
 from app.lecture.notation import matrices
 from app.lessons.course import scene_of
-from app.lessons.lesson import Step
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import set_text
 from widgets.parts.panel import ShownData
@@ -65,7 +64,8 @@ class StepPreparation(QObject):
         for number in (place + 1, place - 1):
             if not 0 <= number < len(steps):
                 continue
-            for text in _texts_of(steps[number]):
+            step = steps[number]
+            for text in (step.title, *(part.text for part in step.parts)):
                 set_text(TextDocument(), text)
                 yield
             try:
@@ -79,8 +79,3 @@ class StepPreparation(QObject):
                 yield
         yield from self._look.draw_ahead(scenes)
         self.done.emit()
-
-
-def _texts_of(step: Step) -> Iterator[str]:
-    yield step.title
-    yield from (part.text for part in step.parts)

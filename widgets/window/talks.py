@@ -42,13 +42,7 @@ SEEN_MS = 250
 
 
 class Talks(QObject):
-    """Presents the open talk.
-
-    Attributes
-    ----------
-    speaker : SpeakerWindow or None
-        While it is open.
-    """
+    """Presents the open talk; `speaker` is the speaker's window while it is open."""
 
     def __init__(
         self,

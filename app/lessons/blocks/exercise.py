@@ -71,7 +71,6 @@ class Exercise(Asked):
 
     Attributes
     ----------
-    varied : tuple of Varied
     where : tuple of (int, Condition)
         What the numbers must fulfil, in the variant's own state.
     states : sequence of (int, str)
@@ -175,10 +174,7 @@ class Exercise(Asked):
             error.limits = error.bound.format(*error.limits), _listed(numbers)
             error.bound = NO_VALUE_WITH
             raise
-        if isinstance(question, Question):
-            question.check_values(here)
-        else:
-            question.check_wrong(here)
+        question.check_values(here)
         return Variant(seed, numbers, question, here)
 
     def _check_values_but(self, here: Here, tried: Sequence[Collection[Fraction]]) -> None:

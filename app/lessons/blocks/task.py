@@ -131,7 +131,7 @@ class Task(Asked):
         wrong = self.mistaken_in(here, now, view)
         return None if wrong is None else (wrong.line, wrong.verdict(here))
 
-    def check_wrong(self, here: Here) -> None:
+    def check_values(self, here: Here) -> None:
         """Refuse a wrong idea that leads to the right state."""
         if self.right is not None and self.replies:
             wrong = self.mistaken_in(here, here.shown_by(self.right))
@@ -150,7 +150,7 @@ class Task(Asked):
         if self.is_done(here, here.document):
             raise refused(self.line, NOTHING_TO_DO)
         self.check_right(here)
-        self.check_wrong(here)
+        self.check_values(here)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         own = here.document

@@ -91,14 +91,9 @@ class ChoiceView(BlockView):
         return self._group.checkedButton() or self._choices[0].button
 
     def _show(self, answer: str) -> None:
-        number = self._number(answer)
-        if number is not None:
-            self._choices[number].button.setChecked(True)
-
-    def _number(self, answer: str) -> int | None:
-        """Return the choice, from 0, that an answer names; a kept one may be anything."""
-        names = [str(number) for number, _ in enumerate(self._choices, 1)]
-        return names.index(answer) if answer in names else None
+        for number, choice in enumerate(self._choices, 1):  # a kept answer may be anything
+            if answer == str(number):
+                choice.button.setChecked(True)
 
     def restore(self) -> None:
         answer = self.played.answer
