@@ -222,9 +222,6 @@ CALIBRATED = (
 )
 ANGLES = tuple(Field("lens", each.name, NUMBER) for each in (FOV_X, FOCAL_LENGTH))
 """Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
-CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
-LENS_CONTROLS = tuple(field.path for field in ANGLES)
-"""Numbers that the controls show beside the fields of a document."""
 
 
 def controls_of(scene: str) -> tuple[str, ...]:
@@ -235,7 +232,8 @@ def controls_of(scene: str) -> tuple[str, ...]:
         for field in fields_of(scene, kind)
         if field.section in ("settings", "object", "camera", "lens", "image")
     }
-    return (*paths, *CAMERA_CONTROLS, *LENS_CONTROLS, "depth")
+    computed = *(f"camera.{name}" for name in Orbit._fields), *(field.path for field in ANGLES)
+    return (*paths, *computed, "depth")
 
 
 def model_paths() -> dict[str, str]:
@@ -252,14 +250,8 @@ def model_paths() -> dict[str, str]:
 def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
     """Return the part of a document's tree whose keys this program does not know.
 
-    Parameters
-    ----------
-    tree : dict
-    kind : object
-        Of the lens.
-    panes : iterable of str
-        The panes whose cameras the document has. Unknown keys of the other panes are dropped with
-        their cameras.
+    `kind` is that of the lens. The document has the cameras of `panes`; unknown keys of the other
+    panes are dropped with their cameras.
     """
     known: Tree = {"format": None, "version": None, **{section: {} for section in SECTIONS}}
     for field in fields_of(scene, kind):

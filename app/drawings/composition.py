@@ -26,8 +26,9 @@ from app.drawings.one_pane import PanePicture
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.lecture.highlight import WINDOW
+from app.lecture.highlight import ENDS, WINDOW
 from app.lecture.typesetting import pieces_of
+from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -46,7 +47,7 @@ _INK = 60
 """Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
-_OF_PLANES = "near", "far", "angle", "height", "width"
+_OF_PLANES = *ENDS, "angle", "height", "width"
 """Names for whose sake a flat view frames the frustum."""
 
 
@@ -222,7 +223,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
     if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
         return np.empty((0, 2))
-    if not drawing.names.wanted & {"near", *WINDOW}:
+    if not drawing.names.wanted & {NEAR.name, *WINDOW}:
         return np.empty((0, 2))
     corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)

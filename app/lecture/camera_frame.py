@@ -69,12 +69,8 @@ def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
 def turned_up(camera: Camera, angle_deg: float) -> Camera:
     """Return the camera with up at another angle to the view direction, in up's present plane.
 
-    u, v and n do not change, only how accurately up determines them.
-
-    Raises
-    ------
-    Refusal
-        If up is then parallel to the view direction, or not a finite number.
+    u, v and n do not change, only how accurately up determines them. Raises a `Refusal` if up is
+    then parallel to the view direction, or not a finite number.
     """
     _, v, n = camera.frame
     cosine, sine = cos_sin_deg(finite("up", angle_deg))

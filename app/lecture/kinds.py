@@ -150,12 +150,7 @@ def with_kind(projection: Projection, kind: str) -> Projection:
 
     A projection that already is of this kind does not change. For a node without an orbit, the
     camera does not change if the node's condition holds from there; else it is that of the node's
-    first child.
-
-    Raises
-    ------
-    Refusal
-        If this camera or this lens is impossible.
+    first child. Raises a `Refusal` if this camera or this lens is impossible.
     """
     now = kind_of(projection)
     if now is not None and kind in path(now):

@@ -47,13 +47,7 @@ _UNIT = Fraction(1, 2**52)
 
 
 def shown(projection: Projection, name: str) -> Cells:
-    """Return one of the `EDITABLE` matrices, every cell rounded once, as an edit begins.
-
-    Raises
-    ------
-    Refusal
-        For another name.
-    """
+    """Return one of the `EDITABLE` matrices, every cell rounded once, as an edit begins."""
     stages = {
         "view_from_world": projection.stages[1],
         "clip_from_view": projection.direct_stages[0],
@@ -83,12 +77,8 @@ def with_matrix(
     The lens is of the present kind, or of the kind before a free matrix, if that kind has the
     matrix; else the simplest lens that has it, else a `FreeMatrix`. The same holds for the camera.
     If the cells of a `whole` matrix are rounded, the fields of the lens are the shortest decimals
-    that give them. A free matrix of another convention keeps the lens that it describes.
-
-    Raises
-    ------
-    Refusal
-        For a cell that is not finite or beyond `LARGEST`, or another name.
+    that give them. A free matrix of another convention keeps the lens that it describes. Raises a
+    `Refusal` for a cell that is not finite or beyond `LARGEST`, or another name.
     """
     cells = finite_matrix(name, matrix)
     if cells == shown(projection, name):

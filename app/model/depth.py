@@ -77,19 +77,14 @@ class DepthBuffer:
 
     Its methods take arrays of any shape and return the same shape. Distances are measured from the
     eye plane in world units. The lens clips them to near and far: any other distance raises a
-    `Refusal`.
+    `Refusal`. So does an unknown name, a typed matrix, and a logarithmic mapping if far is infinite
+    or if depth is linear in the distance.
 
     Parameters
     ----------
     format : name in `FORMATS`
     mapping : name in `MAPPINGS`
         How a distance becomes a depth.
-
-    Raises
-    ------
-    Refusal
-        For an unknown name, and for a typed matrix; for a logarithmic mapping if far is infinite or
-        if depth is linear in the distance.
     """
 
     format: str = "fixed24"
@@ -142,10 +137,7 @@ class DepthBuffer:
     def decode(self, code: ArrayLike) -> Array:
         """The distance that a code stands for, to a few ulp; inf for an infinite far plane.
 
-        Raises
-        ------
-        Refusal
-            For a number that is not a code in this format.
+        Raises a `Refusal` for a number that is not a code in this format.
         """
         kind = FORMATS[self.format]
         codes = np.asarray(code)

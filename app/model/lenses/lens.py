@@ -81,6 +81,8 @@ class Seen(NamedTuple):
 class Lens(Geometry):
     """The interface that a projection needs of a lens.
 
+    Raises a `Refusal` if a typed matrix is asked for planes, a window, or what follows from them.
+
     Attributes
     ----------
     window_stays : bool
@@ -97,11 +99,6 @@ class Lens(Geometry):
     roundings : (float, float, float, float)
         Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
         them.
-
-    Raises
-    ------
-    Refusal
-        If a typed matrix is asked for planes, a window, or what follows from them.
     """
 
     far_may_be_infinite: ClassVar[bool] = False
