@@ -59,24 +59,17 @@ class ComparedPicture:
     """One of the compared pictures.
 
     Raises a `Refusal` for changes to values that no picture shows.
-
-    Parameters
-    ----------
-    name : str
-        Translatable if it comes from a phenomenon.
-    changes : tuple of str
-        The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
-        the document's own picture, the values that its name describes.
-    held : Held, optional
-        The state that it shows instead of following the document.
-    live : bool
-        Whether it is the document's own.
     """
 
     name: str = ""
+    """Translatable if it comes from a phenomenon."""
     changes: tuple[str, ...] = ()
+    """The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
+    the document's own picture, the values that its name describes."""
     held: Held | None = None
+    """The state that it shows instead of following the document."""
     live: bool = False
+    """Whether it is the document's own."""
 
     def __post_init__(self) -> None:
         for change in self.changes:

@@ -47,40 +47,26 @@ SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
 class FieldKind(NamedTuple):
-    """How a value is typed after ``--set``.
-
-    Attributes
-    ----------
-    read : callable
-        Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot.
-    bound : tuple
-        The bound that an invalid text violates, and the bound's limits.
-    """
+    """How a value is typed after ``--set``."""
 
     read: Callable[[str], Any]
+    """Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot."""
     bound: tuple[Any, ...] = ()
+    """The bound that an invalid text violates, and the bound's limits."""
 
 
 class Field(NamedTuple):
-    """One value of a document.
-
-    Attributes
-    ----------
-    section, name : str
-        The field's section and name; the top level is section ``""``.
-    kind : Kind or None
-        None if ``--set`` cannot set the field.
-    required : bool
-        Whether its section must have it.
-    unit : str
-        May be typed after each of its numbers, as the window shows it.
-    """
+    """One value of a document."""
 
     section: str
     name: str
+    """The field's section and name; the top level is section ``""``."""
     kind: FieldKind | None
+    """None if ``--set`` cannot set the field."""
     required: bool = False
+    """Whether its section must have it."""
     unit: str = ""
+    """May be typed after each of its numbers, as the window shows it."""
 
     @property
     def path(self) -> str:

@@ -71,28 +71,20 @@ class PlacedText(NamedTuple):
 
 
 class ComposedPicture(NamedTuple):
-    """A picture of a pane.
-
-    Attributes
-    ----------
-    fill : (float, float)
-        Of the pane's width and height: the box round what is drawn, without grid and frustum, and
-        round the labels.
-    left_out : tuple of str
-        The labels that are wanted, and have no place.
-    points : tuple of (str, (float, float))
-        The labels of points, with the points in pixels from the left and the bottom.
-    needs_area : bool
-        Whether `LEAST_AREA` holds for the picture.
-    """
+    """A picture of a pane."""
 
     pane: str
     size_px: tuple[int, int]
     labels: tuple[PlacedText, ...]
     fill: tuple[float, float]
+    """Of the pane's width and height: the box round what is drawn, without grid and frustum, and
+    round the labels."""
     left_out: tuple[str, ...] = ()
+    """The labels that are wanted, and have no place."""
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
+    """The labels of points, with the points in pixels from the left and the bottom."""
     needs_area: bool = True
+    """Whether `LEAST_AREA` holds for the picture."""
 
     @property
     def covered(self) -> list[tuple[str, str]]:

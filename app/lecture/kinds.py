@@ -24,26 +24,18 @@ AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0
 
 
 class ProjectionKind(NamedTuple):
-    """A node of the tree.
-
-    Attributes
-    ----------
-    parent : str
-        Empty for the root.
-    title, condition : str
-        Its name, and its condition in addition to the parent's; marked for translation.
-    orbit : Orbit, optional
-        The camera's place, with distance 1 for the present distance. None for any camera.
-    receding : float, optional
-        The scale of edges along the view in an oblique drawing.
-    """
+    """A node of the tree."""
 
     name: str
     parent: str
+    """Empty for the root."""
     title: str
     condition: str
+    """Its name, and its condition in addition to the parent's; marked for translation."""
     orbit: Orbit | None = None
+    """The camera's place, with distance 1 for the present distance. None for any camera."""
     receding: float | None = None
+    """The scale of edges along the view in an oblique drawing."""
 
 
 def _degrees(tangent: float) -> float:

@@ -214,24 +214,17 @@ def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals 
 
 
 class MatrixReading(NamedTuple):
-    """What a projection matrix of any convention does: our lens, and how its spaces differ.
-
-    Attributes
-    ----------
-    lens : Lens
-        It looks along -z of a view space with y up.
-    y, z : int
-        The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
-        points down, and that it looks along +z.
-    is_transposed : bool
-        Whether the cells are read as columns.
-    """
+    """What a projection matrix of any convention does: our lens, and how its spaces differ."""
 
     lens: Lens
+    """It looks along -z of a view space with y up."""
     depth: DepthRange
     y: int
     z: int
+    """The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
+    points down, and that it looks along +z."""
     is_transposed: bool
+    """Whether the cells are read as columns."""
 
     @property
     def digits(self) -> int:

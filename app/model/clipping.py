@@ -74,18 +74,12 @@ class ClippedSegments(NamedTuple):
 
 
 class ClippedPolygon(NamedTuple):
-    """The visible part of a convex polygon, in the original order.
-
-    Attributes
-    ----------
-    points_clip : (m, 4) float64
-        Its corners; m is 0 if no area is left.
-    edges : tuple of m (str or None)
-        The plane that made the edge from each corner to the next; None for an original edge.
-    """
+    """The visible part of a convex polygon, in the original order."""
 
     points_clip: Array
+    """Its corners, (m, 4); m is 0 if no area is left."""
     edges: tuple[str | None, ...]
+    """The plane that made the edge from each corner to the next; None for an original edge."""
 
 
 class EyeCut(NamedTuple):

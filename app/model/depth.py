@@ -36,27 +36,18 @@ Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
 
 class DepthFormat(NamedTuple):
-    """How a depth in [0, 1] is stored.
-
-    Attributes
-    ----------
-    bits : int
-        Size of one pixel.
-    largest : int
-        The code of depth 1; codes start at 0.
-    code_type : numpy dtype
-        Unsigned type of the codes.
-    float_type : numpy dtype or None
-        The float type whose bit patterns are the codes; None for unsigned normalised integers.
-    digits : int
-        Significant bits of the float, 0 for an integer.
-    """
+    """How a depth in [0, 1] is stored."""
 
     bits: int
+    """Size of one pixel."""
     largest: int
+    """The code of depth 1; codes start at 0."""
     code_type: DTypeLike
+    """Unsigned type of the codes."""
     float_type: DTypeLike | None = None
+    """The float type whose bit patterns are the codes; None for unsigned normalised integers."""
     digits: int = 0
+    """Significant bits of the float, 0 for an integer."""
 
 
 FORMATS: dict[str, DepthFormat] = {
@@ -79,16 +70,11 @@ class DepthBuffer:
     eye plane in world units. The lens clips them to near and far: any other distance raises a
     `Refusal`. So does an unknown name, a typed matrix, and a logarithmic mapping if far is infinite
     or if depth is linear in the distance.
-
-    Parameters
-    ----------
-    format : name in `FORMATS`
-    mapping : name in `MAPPINGS`
-        How a distance becomes a depth.
     """
 
     format: str = "fixed24"
     mapping: str = "opengl"
+    """How a distance becomes a depth."""
     lens: Lens = Perspective()  # noqa: RUF009
 
     def __post_init__(self) -> None:
