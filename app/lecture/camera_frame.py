@@ -74,16 +74,10 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
 def most_turned_deg(off_deg: float, error_deg: float) -> float:
     """Return the largest turn of u and v, in degrees, by an error in the direction of up.
 
-    On a sphere, the line of sight is the pole and up is a point. From the pole, the error's circle
-    about that point spans ``asin(sin(error)/sin(angle))`` to both sides, and all directions if the
-    pole is inside.
-
-    Parameters
-    ----------
-    off_deg : float
-        Angle between up and the line of sight, 0 to 90.
-    error_deg : float
-        Less than 90.
+    Up is 0 to 90 degrees off the line of sight, and the error is less than 90. On a
+    sphere, the line of sight is the pole and up is a point. From the pole, the error's circle about
+    that point spans ``asin(sin(error)/sin(angle))`` to both sides, and all directions if the pole
+    is inside.
     """
     if off_deg < error_deg:
         return 180.0

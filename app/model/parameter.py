@@ -68,7 +68,7 @@ class Parameter:
     """The name of another setting, and the only value of it with which this one has an effect."""
     title: str = ""
     tip: str = ""
-    """Its name and its tooltip. They come from a content file, like `choices`, `tips`, `row`, `also`
+    """Its name and its tooltip. A content file has them, and `choices`, `tips`, `row`, `also`
     and `drag` (`app.model.content_file`)."""
     choices: tuple[tuple[str, str], ...] = ()
     """The values of a choice and their texts."""
