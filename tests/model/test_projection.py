@@ -1440,6 +1440,6 @@ def test_matrices_are_called_target_from_source() -> None:
         and value.shape == (4, 4)
     }
     assert len(names) == 8
-    for name in names - factors | {"clip_from_local", "world_from_clip_at"}:
+    for name in names - factors | {"world_from_clip_at"}:
         assert re.fullmatch(f"{space}_from_{space}(_at)?", name), name
         assert hasattr(projection, name)
