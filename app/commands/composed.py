@@ -11,8 +11,6 @@ from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
-from app.lessons.blocks.block import of_kind
-from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal, counted
@@ -141,8 +139,7 @@ def states_of(course: Course, place: int) -> list[Document]:
     """What a step shows, then its predictions, and an exercise with its first numbers."""
     here = course.at(place)
     states = [part.show for part in here.step.parts if part.show is not None]
-    exercises = of_kind(here.step.blocks, Exercise)
-    drawn = [exercise.variant(here, 1).here.document for exercise in exercises]
+    drawn = [part.variant(here, 1).here.document for part in here.step.asked if part.varies]
     return [here.document, *map(here.shown_by, states), *drawn]
 
 

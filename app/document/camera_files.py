@@ -423,7 +423,6 @@ def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> P
 
 
 def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projection:
-    """Return the projection of a line of cameras.txt."""
     where, parts = line[0], line[1].split()
     model = "".join(parts[1:2])
     if model not in _PARAMETERS:

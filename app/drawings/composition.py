@@ -194,7 +194,6 @@ def _measured(
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
-    """The visible labels of a window."""
     for renderer in window.GetRenderers():
         for prop in renderer.GetViewProps():
             if isinstance(prop, LabelActor) and prop.GetVisibility():

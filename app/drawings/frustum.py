@@ -320,7 +320,6 @@ class FrustumDrawing(Layer):
             board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
 
     def side_text(self, letter: str, value: float, digits: int = FEW) -> str:
-        """The text at a side of the window."""
         word = self._state.words.get(f"{{{letter}}}", letter)
         return f"{word} = {written_distance(value, digits)}"
 

@@ -62,7 +62,6 @@ class Probes(Layer):
         self._spots: list[tuple[int, float, float]] = []
 
     def marks(self) -> Sequence[ProbeMark]:
-        """The marks in this pane."""
         raise NotImplementedError
 
     def settle(self) -> None:

@@ -98,7 +98,6 @@ Shape: TypeAlias = Area | LineShape | Disc | TextShape | PixelShape
 
 
 def moved(shape: Shape, right: float, down: float) -> Shape:
-    """Return a shape elsewhere."""
     if isinstance(shape, Area):
         rings = [[(x + right, y + down) for x, y in ring] for ring in shape.rings]
         return shape._replace(rings=rings)

@@ -123,7 +123,6 @@ class Letters(dict[str, Ratio]):
 
 
 def ratio(formula: Formula) -> Ratio:
-    """A formula as one quotient."""
     fraction: Ratio = formula.value(Letters(), SYMBOLS)
     return fraction
 

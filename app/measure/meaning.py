@@ -63,7 +63,6 @@ class Meaning:
     values: tuple[str, ...]
 
     def sentence(self, translate: Callable[[str], str] = str) -> str:
-        """Return the sentence in another language."""
         return translate(self.template).format(*(named(value, translate) for value in self.values))
 
 

@@ -115,7 +115,6 @@ class Parameter:
 
     @property
     def path(self) -> str:
-        """Its path in the document."""
         return f"{self.section}.{self.name}" if self.section else self.name
 
     @property

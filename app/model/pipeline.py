@@ -411,7 +411,6 @@ class Pipeline:
 
 
 def translation(offset: ArrayLike) -> Array:
-    """The matrix of a translation, (4, 4)."""
     matrix = np.eye(4)
     matrix[:3, 3] = offset
     return matrix

@@ -35,14 +35,8 @@ from widgets.window.status_line import StatusLine
 class DrawnQuality(QObject):
     """Applies the user's choices between speed and accuracy, and reports them in the status line.
 
-    Parameters
-    ----------
-    shown : callable
-        Returns the current snapshot.
-    scene : callable
-        Returns the loaded scene of a name.
-    refuse : callable
-        Shows a sentence that says what is impossible.
+    `shown` returns the current snapshot, `scene` the loaded scene of a name. `refuse` shows a
+    sentence that says what is impossible.
     """
 
     concerns = EVERYTHING
