@@ -170,11 +170,11 @@ def test_paper_speaks_of_nothing_that_is_in_the_window() -> None:
 
 def test_a_figure_in_which_the_answer_could_be_measured_is_a_sketch(qapp: Any) -> None:
     wide, _, place, _ = exercises(5)
-    assert wide.sketch is None and wide.drawn == wide.variant.here.document
+    assert not wide.is_sketch and wide.drawn == wide.variant.here.document
     one, other = (exercises(n, LESSON.replace("hide: world", "hide: scale"))[0] for n in (5, 6))
     assert one.variant.here.document != other.variant.here.document
     assert one.drawn == other.drawn == Course(parse_lesson(LESSON, Path("l.md"))).shown(0).document
-    assert one.panes == ["world"] and place.sketch is None
+    assert one.panes == ["world"] and not place.is_sketch
     said = [printed(exam("Angles", 5, [each], lambda: None)) for each in (one, wide)]
     assert ["A sketch, not to scale." in runs for runs in said] == [True, False]
 
