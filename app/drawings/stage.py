@@ -83,8 +83,7 @@ class SceneAtStage(FacesLayer):
             display_from_local = state.morph.display_from_local(state.position)
             of_object = display_from_local @ self.model.show_placed(state.projection.placement)
             matrices = [of_object, of_object, of_object, display_from_local]
-        for space, matrix in zip(self.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
+        self.actors.place(matrices)
         super().show()
 
     def ink(self, ground: Ground) -> None:
