@@ -407,7 +407,7 @@ class MeasurePanel(DiagramPanel):
             part = self._priced(shown)
             said = ""
             if isinstance(part, Trade):
-                said = f"{self._bargain(part)} {meaning(part).sentence(of_measurements)}".strip()
+                said = f"{self._bargain(part)} {meaning(part, of_measurements)}".strip()
             if not part.complete:
                 said = f"{chart.title(part, of_measurements)}. {said}"
             said = f"{words} {said}" if words else said

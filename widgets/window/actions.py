@@ -73,7 +73,7 @@ class Actions(QObject):
             name: of_phenomena(title)
             for name, title in (
                 *((name, words.title) for name, words in WORDS.items()),
-                *((each.name, each.title) for each in PHENOMENA.values()),
+                *((each.name, each.words.title) for each in PHENOMENA.values()),
             )
         }
         keys = QKeySequence.StandardKey

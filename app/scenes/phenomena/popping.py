@@ -202,8 +202,6 @@ def _is_within(polygon: list[list[float]]) -> bool:
 
 def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     step = number(after, "position") - number(before, "position")
-    if step == 0.0:
-        return projection
     camera = projection.camera
     (x, y, z), (tx, ty, tz) = camera.eye, camera.target
     return replace(
@@ -279,8 +277,8 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
     curves = [Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0)]
     if 0.0 < far <= right:
         curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", WORDS["far"]))
-    title = WORDS["diagram"]
-    return Diagram(title, tuple(curves), 0.0, right, 0.0, 100.0, x_label="w", y_label="%")
+    axes = (0.0, right, 0.0, 100.0)
+    return Diagram(WORDS["diagram"], tuple(curves), *axes, x_label="w", y_label="%")
 
 
 PHENOMENON = Phenomenon(
