@@ -242,7 +242,7 @@ def measure(
 ) -> Trade:
     """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`.
 
-    A `Cancelled` by `watch` has the errors, and the times so far.
+    A `Cancelled` that `watch` raises has the errors, and the times so far.
     """
     world = looked_at(projection, points_world)
     if not len(world):

@@ -44,7 +44,7 @@ def measure(
     Hausdorff distance of the two outlines, the largest distance of a point of one from the other,
     in px of a pane-sized picture.
 
-    A `Cancelled` by `watch` has the choices so far.
+    A `Cancelled` that `watch` raises has the choices so far.
     """
     own = scene.triangles >= LEAST_TRIANGLES
     if not own:

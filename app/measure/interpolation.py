@@ -154,7 +154,7 @@ def measure(
 ) -> Trade:
     """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3).
 
-    A `Cancelled` by `watch` has the errors, and the times so far.
+    A `Cancelled` that `watch` raises has the errors, and the times so far.
     """
     edge = steepest_edge(projection, corners_world)
     if edge is None:

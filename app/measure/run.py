@@ -57,7 +57,7 @@ def in_turns(
 ) -> dict[str, Times]:
     """Time each run, round after round, until all are `steady`, or for some `seconds` in all.
 
-    A `Cancelled` by `watch` has the times so far.
+    A `Cancelled` that `watch` raises has the times so far.
     """
     taken: dict[str, list[float]] = {name: [] for name in runs}
 
@@ -114,7 +114,7 @@ def timed(
     The runs have the choices' names; a choice without a run gets no cost. A second of one run costs
     `per_second` units.
 
-    A `Cancelled` by `watch` has the costs so far.
+    A `Cancelled` that `watch` raises has the costs so far.
     """
     complete = True
     try:

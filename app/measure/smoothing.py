@@ -72,7 +72,7 @@ def measure(
     The cost is ms per frame; the error is the root mean square of the pixels' differences, in
     levels from 0 to 255.
 
-    A `Cancelled` by `watch` has the pictures' errors, and the times so far.
+    A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
     size = picture_size(projection)
     with ExitStack() as stack:

@@ -131,7 +131,7 @@ def sweep(
 
     `at` returns the answer of each choice; by default `errors`.
 
-    A `Cancelled` by `watch` has the values done.
+    A `Cancelled` that `watch` raises has the values done.
     """
     by_choice: dict[str, list[Answer]] = {}
     complete, done = True, 0

@@ -447,8 +447,9 @@ def _scene_of_phenomenon(
     """Build a phenomenon with its own subject, or with a mesh in its place."""
     faces, lines = phenomenon.geometry()
     shown = {each.name: getattr(phenomenon, each.name) for each in fields(Appearance)}
-    shown["phenomenon"] = phenomenon
-    scene = _built_in(phenomenon.name, faces, lines, phenomenon.start, **shown)
+    scene = _built_in(
+        phenomenon.name, faces, lines, phenomenon.start, phenomenon=phenomenon, **shown
+    )
     if not mesh_path:
         return scene
     mesh = _read_mesh(Path(mesh_path), progress)

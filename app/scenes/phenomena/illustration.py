@@ -210,9 +210,7 @@ class Phenomenon(Appearance):
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     numbers: int = 3
-    follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = lambda projection, *_: (
-        projection
-    )
+    follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = lambda given, *_: given
     implied: Callable[[Projection, Settings], ImpliedSettings] = lambda *_: {}
     check: Callable[[Settings], None] = lambda _: None
     own_mesh: bool = False
