@@ -202,6 +202,8 @@ def _is_within(polygon: list[list[float]]) -> bool:
 
 def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
     step = number(after, "position") - number(before, "position")
+    if step == 0.0:
+        return projection
     camera = projection.camera
     (x, y, z), (tx, ty, tz) = camera.eye, camera.target
     return replace(
