@@ -19,7 +19,6 @@ class Elimination(NamedTuple):
 
 
 def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
-    """The matrix in rationals; every float64 is one."""
     return [[Fraction(part) for part in row] for row in matrix]
 
 

@@ -1,6 +1,7 @@
 """The three pictures of a scene as VTK actors; no Qt.
 
-`drawing` states what all three can do, `actors` holds what they share, `style` has the colours.
+`drawing` states what all three can do, `layer` what each is made of; `actors` holds what layers
+share, `style` has the colours.
 """
 
 from __future__ import annotations

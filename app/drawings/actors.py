@@ -1,4 +1,4 @@
-"""Actors under one 4x4, labels and a prepared renderer, for all drawings.
+"""Actors under one 4x4, for all drawings.
 
 A slider step reaches the screen without any work per vertex::
 
@@ -14,8 +14,7 @@ actors give no bounds, the renderer has no cullers, and the drawings set the cli
 from __future__ import annotations
 
 import math
-import weakref
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -33,10 +32,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkCamera,
     vtkPolyDataMapper,
     vtkPolyDataMapper2D,
-    vtkProp,
 )
 
-from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
@@ -112,115 +109,6 @@ class Space:
         exponent = math.frexp(float(np.abs(matrix).max()))[1]
         self.unit = 2.0 ** min(exponent, 1023)
         self.set(matrix * 2.0**-exponent)
-
-
-class PropGroup:
-    """A drawing's props in one render window, added together and taken out together.
-
-    `screen` has `render_window` and `renderer`; it is not kept. ``layout(width_px, height_px)`` is
-    called just before a rendering in a window of another size, and after `relayout`. It must not
-    render.
-    """
-
-    def __init__(self, screen: Any, style: Style, layout: Callable[[int, int], None]) -> None:
-        self.window = screen.render_window
-        self.renderer = screen.renderer
-        self.style = style
-        self._props: list[tuple[Any, vtkProp]] = []
-        self._layers: dict[vtkProp, str] = {}
-        self._unwanted: set[vtkProp] = set()
-        self.hidden: frozenset[str] = frozenset()
-        """The layers that are switched off."""
-        self._labels: list[SceneLabel] = []
-        self.labels_light = 1.0
-        """Part of the labels' opacity that is shown."""
-        self._layout = weakref.WeakMethod(layout)
-        self._laid_out: tuple[int, int] | None = None
-        self.make_ready(self.renderer)
-        self.renderer.SetBackground(*rgb(style.background))
-        itself = weakref.ref(self)  # or window and canvas would keep each other alive
-
-        def start(_window: object, _event: str) -> None:
-            canvas = itself()
-            if canvas is not None:
-                canvas._before_render()
-
-        self._observer: int | None = self.window.AddObserver("StartEvent", start)
-
-    @staticmethod
-    def make_ready(renderer: Any) -> None:
-        """Make a renderer draw everything it is given, in the order it is given, and opaquely."""
-        renderer.GetCullers().RemoveAllItems()
-        renderer.SetBackgroundAlpha(1.0)  # or Qt blends it with the window behind it
-        renderer.SetUseOIT(False)
-
-    def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
-        """Add props to a renderer, the screen's own by default.
-
-        The props of a layer are shown and hidden by `set_visible` alone.
-        """
-        renderer = self.renderer if renderer is None else renderer
-        for prop in props:
-            renderer.AddViewProp(prop)
-            self._props.append((renderer, prop))
-            if layer:
-                self._layers[prop] = layer
-                prop.SetVisibility(layer not in self.hidden)
-
-    def set_visible(self, prop: vtkProp, visible: bool) -> None:
-        """Show a prop of a layer, unless the layer is hidden; or hide the prop."""
-        (self._unwanted.discard if visible else self._unwanted.add)(prop)
-        prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
-
-    def show_layers(self, hidden: frozenset[str]) -> None:
-        self.hidden = hidden
-        for prop, layer in self._layers.items():
-            prop.SetVisibility(prop not in self._unwanted and layer not in hidden)
-        for label in self._labels:
-            label.set_shown("labels" not in hidden)
-
-    def label(self, text: str, renderer: Any = None, **options: Any) -> SceneLabel:
-        label = SceneLabel(text, self.style, **options)
-        label.set_shown("labels" not in self.hidden)
-        label.fade(self.labels_light)
-        self._labels.append(label)
-        self.add(label.actor, renderer=renderer)
-        self.relayout()
-        return label
-
-    def fade_labels(self, light: float) -> None:
-        """Show a part of the opacity of labels and leaders, 0 to 1."""
-        if light == self.labels_light:
-            return
-        self.labels_light = light
-        for label in self._labels:
-            label.fade(light)
-        for prop, layer in self._layers.items():
-            if layer == "labels":
-                prop.GetProperty().SetOpacity(light)  # type: ignore[attr-defined]
-
-    def relayout(self) -> None:
-        """Ask for a layout before the next rendering."""
-        self._laid_out = None
-
-    def remove(self) -> None:
-        if self._observer is not None:
-            self.window.RemoveObserver(self._observer)
-            self._observer = None
-        for renderer, prop in self._props:
-            renderer.RemoveViewProp(prop)
-        self._props.clear()
-        self._layers.clear()
-        self._unwanted.clear()
-        self._labels.clear()
-
-    def _before_render(self) -> None:
-        now = width_px, height_px = self.window.GetSize()
-        layout = self._layout()
-        if now == self._laid_out or layout is None or 0 in now:
-            return
-        self._laid_out = now
-        layout(width_px, height_px)
 
 
 class FlatActor(vtkActor):
@@ -637,7 +525,7 @@ def _after_position(actor: vtkActor, statement: str) -> None:
 
 
 def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Array:
-    """Return a `Projection.clip_from_world_at` for lines: the same pixels, a little nearer.
+    """Return a `Projection.clip_from_local` for lines: the same pixels, a little nearer.
 
     Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the eye
     (for a parallel lens, or an eye far away: of the scene's size). In proportion to the distance,

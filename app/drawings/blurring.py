@@ -19,9 +19,10 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
 
-from app.drawings.actors import PropGroup, identity_camera, lifted, unlit_actor
+from app.drawings.actors import identity_camera, unlit_actor
 from app.drawings.off_screen import OffScreen, pixels_of, take_screen
 from app.drawings.precision import ModelActors
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
@@ -57,7 +58,7 @@ class Blurring:
     """
 
     def __init__(self, scene: Scene, style: Style, tolerance_px: float) -> None:
-        self._scene, self._style = scene, style
+        self._style = style
         self._model = ModelActors(scene, style, tolerance_px)
         self._screen: OffScreen | None = None
         self._shown: tuple[Projection, Aperture] | None = None
@@ -120,10 +121,7 @@ class Blurring:
         seen = aperture.seen_from(projection, right, up, (shift[0], shift[1]))
         seen = seen.with_depth("opengl")
         window = self._ready(transparent)
-        surface, *lines = self._model.show_projection(seen)
-        matrices = surface, *(lifted(matrix, seen, self._scene) for matrix in lines)
-        for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
+        self._model.show_picture(seen)
         window.Render()
         pixels = pixels_of(window)
         if self._count == 0:

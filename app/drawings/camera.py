@@ -7,52 +7,42 @@ before everything that would hide them.
 from __future__ import annotations
 
 from functools import partial
-from typing import NamedTuple
+from itertools import compress
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import PropGroup, Space, applied
-from app.drawings.frame import LARGER, TIPS, FrameSteps, arrow, arrow_tips, is_built
-from app.drawings.names import Names
-from app.drawings.pane_view import PaneView
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
+from app.drawings.actors import Space, applied
+from app.drawings.frame import (
+    AROUND,
+    BALL,
+    BEFORE,
+    BODY_BOX,
+    LARGER,
+    PART_OF_PANE,
+    SIX_WAYS,
+    TIPS,
+    FrameSteps,
+    arrow,
+    arrow_tips,
+    is_built,
+)
+from app.drawings.label_placement import Ground
+from app.drawings.labels import DOT_EM, EYE, TARGET, vector
+from app.drawings.layer import Layer
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
+from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, SIDES
-from app.model.projection import Array, Camera
+from app.model.projection import Array
 
-_PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
-SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
-
-# The corners of a box round the camera's body, in view space and sizes of the body.
-_BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
-# The diameter of a ball round it, and how far its nearest point can be before the eye.
-_BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
-_BEFORE = _BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
-_AROUND = 3.1  # body and axes are within this distance of the eye
-AROUND_PX = _AROUND / _BALL * _PART_OF_PANE
-"""How far body and axes reach from the eye, of the pane's shorter side."""
-
+_LINE_EM = 0.14  # the width of the lines round the body
 _BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names beyond the tips
 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
 
-class CameraPose(NamedTuple):
-    """How the model's camera stands in a scene; scene-local, world units."""
-
-    camera: Camera
-    origin: Array  # world point that scene-local coordinates are relative to
-    eye: Array
-    target: Array
-    view_from_local: Array
-    local_from_view: Array
-    depths: tuple[float, float]  # least and largest distance of anything from the eye plane
-    objects_depth: float  # the largest one of the scene's objects
-    extent: float  # the scene's size plus its distance
-
-
-class CameraDrawing:
+class CameraDrawing(Layer):
     """The camera as an object in the world.
 
     Attributes
@@ -65,9 +55,9 @@ class CameraDrawing:
         What the frame's construction adds; None before it is first shown.
     """
 
-    def __init__(self, canvas: PropGroup) -> None:
-        self._canvas = canvas
-        style, add = canvas.style, partial(canvas.add, layer="camera")
+    def __init__(self, state: WorldState) -> None:
+        self._state, self._canvas = state, state.canvas
+        style, add = state.style, partial(state.canvas.add, layer="camera")
         width = style.line_width
         self._body_space, self._sight_space, self._axes_space = Space(), Space(), Space()
         self._eye_space, self._target_space, self._rim_space = Space(), Space(), Space()
@@ -97,37 +87,64 @@ class CameraDrawing:
             add(shaft, head)
         self._target_parts = rim, target
         self.steps: FrameSteps | None = None
-        self.step: int | None = None
         self._named: frozenset[str] = frozenset()
         self.axes_lead = False
         """Whether the axes are what the picture is about."""
         self._show_parts()
+        self._placed: object = None
+        self._make_emphasis()
 
-    def show(self, standing: CameraPose) -> None:
-        """Place the camera; `follow` then sets its size."""
-        self._standing = standing
-        self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+    def _make_emphasis(self) -> None:
+        emphasis = self._state.emphasis
+        for name, line in self.shafts.items():
+            emphasis.line(line, name)
+        for solid in self.solid:
+            emphasis.line(solid, of=("eye",))
+        for name, disc in self.discs.items():
+            emphasis.point(disc, name)
+        for name in ("eye", "target", *AXES):
+            self._name_arrow(name, name, getattr(self._state.style, name))
 
-    def follow(self, pane: PaneView) -> None:
+    def _name_arrow(self, key: str, name: str, colour: str) -> None:
+        """Create the label of a point or an arrow, which is underlined with `name`."""
+        word = self._state.words[key]
+        text = word if key in self.discs else vector(word)
+        self._state.emphasis.label(self._state.board.label(key, text, colour), name)
+
+    def show(self) -> None:
+        standing = self._state.standing
+        if standing is not self._placed:
+            self._placed = standing
+            self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+
+    def follow(self) -> None:
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
-        eye = self._standing.eye
-        most_px = _PART_OF_PANE * min(pane.size_px)
-        depth = max(float(pane.axes[2] @ (eye - pane.eye)), 1e-6 * self._standing.extent)
+        pane, standing = self._state.own.pane, self._state.standing
+        eye = standing.eye
+        most_px = PART_OF_PANE * min(pane.size_px)
+        self._eye_depth = float(pane.axes[2] @ (eye - pane.eye))
+        depth = max(self._eye_depth, 1e-6 * standing.extent)
         growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # for parts nearer than the eye
-        self.body_size = most_px * float(pane.unit(depth)) / (_BALL + _BEFORE * float(growing))
-        self._local_from_body = _scaled(self._standing.local_from_view, self.body_size)
+        self.body_size = most_px * float(pane.unit(depth)) / (BALL + BEFORE * float(growing))
+        self._local_from_body = _scaled(standing.local_from_view, self.body_size)
         self._body_space.set(self._local_from_body)
 
-    def show_step(self, step: int | None) -> None:
-        """Build the frame up to a step of `app.lecture.camera_frame.STEPS`; None for all of it."""
-        self.step = step
+    def show_step(self) -> None:
+        """Build the frame up to the state's step."""
+        state = self._state
         if self.steps is None:
             self.steps = FrameSteps(self._canvas)
-        self.steps.show(step)
+            state.emphasis.line(self.steps.up, "up")
+            state.emphasis.line(self.steps.look, "target")
+            self._name_arrow("up", "up", state.style.accent)
+            self._name_arrow("look", "target", state.style.target)
+            state.emphasis.show(state.names.pointed)
+        self.steps.show(state.step)
         self._show_parts()
 
-    def show_names(self, names: Names) -> None:
+    def show_names(self) -> None:
         """Show the axes and the target that are named."""
+        names = self._state.names
         named = frozenset(name for name in (*AXES, "target") if name in names)
         if names.wanted is not None and "frame-e" in names:
             named |= set(AXES)
@@ -144,17 +161,18 @@ class CameraDrawing:
             self._canvas.set_visible(actor, self.shows_target)
 
     def _shows(self, axis: str) -> bool:
-        return axis in self._named if self.step is None else is_built(axis, self.step)
+        step = self._state.step
+        return axis in self._named if step is None else is_built(axis, step)
 
     @property
     def shows_target(self) -> bool:
-        return "target" in self._named or is_built("look", self.step)
+        return "target" in self._named or is_built("look", self._state.step)
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
         """The names of the visible arrows, and the vectors from the eye to their tips."""
         directions = np.array(list(self._tips.values())).reshape(-1, 3)
-        return tuple(self._tips), self.axes_size * directions @ self._standing.camera.frame
+        return tuple(self._tips), self.axes_size * directions @ self._state.standing.camera.frame
 
     @property
     def has_arrows(self) -> bool:
@@ -162,9 +180,9 @@ class CameraDrawing:
 
     @property
     def _tips(self) -> dict[str, tuple[float, float, float]]:
-        if self.step is None:
+        if self._state.step is None:
             return {a: TIPS[a] for a in AXES if a in self._named}
-        return arrow_tips(self.step, self._standing.camera)
+        return arrow_tips(self._state.step, self._state.standing.camera)
 
     @property
     def axes_size(self) -> float:
@@ -173,10 +191,10 @@ class CameraDrawing:
 
     @property
     def _enlarged(self) -> float:
-        return LARGER if self.step is not None or self.axes_lead else 1.0
+        return LARGER if self._state.step is not None or self.axes_lead else 1.0
 
     @property
-    def reach(self) -> float:
+    def around(self) -> float:
         """How far the visible parts reach from the eye, relative to axes that do not lead."""
         if self.axes_lead:
             return _WITH_NAMES * self._enlarged
@@ -184,26 +202,20 @@ class CameraDrawing:
 
     @property
     def box(self) -> Array:
-        return applied(self._local_from_body, _BODY_BOX)
+        return applied(self._local_from_body, BODY_BOX)
 
     @property
-    def around(self) -> Array:
-        return self._standing.eye + _AROUND * self.axes_size * SIX_WAYS
+    def depths(self) -> tuple[float, float]:
+        """The distances of target and axes from the pane's own camera, which has to see them."""
+        pane = self._state.own.pane
+        target = float((self._state.standing.target - pane.eye) @ pane.axes[2])
+        # The axes are moved before the body, see `settle`.
+        return target, self._eye_depth - 5.4 * self.axes_size
 
-    def depths(self, pane: PaneView) -> tuple[float, float, float]:
-        """Return the distances of eye, target and axes from the pane's camera."""
-        eye, target = self._standing.eye, self._standing.target
-        toward = pane.axes[2]
-        eye_depth, target_depth = (float((p - pane.eye) @ toward) for p in (eye, target))
-        # The axes are brought before the body, see `come_before`.
-        return eye_depth, target_depth, eye_depth - 5.4 * self.axes_size
-
-    def move_forward(self, pane: PaneView, depths: tuple[float, float, float], near: float) -> None:
-        """Bring eye, target and axes before what would hide them.
-
-        `depths` are those of the method; `near` is the depth from which on the pane's camera sees.
-        """
-        standing = self._standing
+    def settle(self) -> None:
+        """Move eye, target and axes before what would hide them."""
+        state = self._state
+        pane, standing, near = state.own.pane, state.standing, state.nearest
         eye, target = standing.eye, standing.target
         for space, point, on_top in (
             (self._eye_space, eye, 1.01),
@@ -211,21 +223,71 @@ class CameraDrawing:
             (self._rim_space, target, 1.03),
         ):
             space.place(*pane.moved_forward(point, on_top * near))
-        k, at = pane.moved_forward(eye, max(near, depths[0] - 2.8 * self.axes_size))
+        k, at = pane.moved_forward(eye, max(near, self._eye_depth - 2.8 * self.axes_size))
         pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)
-        if self.step is not None and self.steps is not None:
+        if state.step is not None and self.steps is not None:
             self.steps.place(pane_from_axes, standing.camera)
 
+    # -- names, ink, pointing and framing
 
-def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:
-    """View from scene-local coordinates and back, both (4, 4); the eye is subtracted first."""
-    eye = np.array(camera.eye) - origin
-    view_from_local, local_from_view = np.identity(4), np.identity(4)
-    view_from_local[:3, :3], view_from_local[:3, 3] = camera.frame, camera.frame @ -eye
-    local_from_view[:3, :3], local_from_view[:3, 3] = camera.frame.T, eye
-    return view_from_local, local_from_view
+    @property
+    def named_arrows(self) -> tuple[tuple[str, ...], Array]:
+        """The arrows that are named, and where each starts and ends, (n, 2, 3)."""
+        if "camera" in self._canvas.hidden:
+            return (), np.empty((0, 2, 3))
+        eye, (arrows, offsets) = self._state.standing.eye, self.arrows
+        ends = np.stack([np.tile(eye, (len(offsets), 1)), eye + offsets], axis=1)
+        if self._state.step is None:  # a frame can be shown without the letters of its axes
+            shown = [name in self._state.names for name in arrows]
+            arrows, ends = tuple(compress(arrows, shown)), ends[np.array(shown, dtype=bool)]
+        return arrows, ends
+
+    def want(self, ground: Ground) -> None:
+        state, board = self._state, self._state.board
+        arrows, ends = self.named_arrows
+        box, standing = self.box, state.standing
+        points = box, [standing.eye, standing.target], ends.reshape(-1, 3)
+        spots = state.seen(np.concatenate(points))
+        x, y, depth = np.array(spots[: len(box)]).T
+        eye, target, *tips = spots[len(box) :]
+        if depth.min() > 0.0:
+            line = _LINE_EM * state.em
+            ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
+        for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
+            if state.names_point(name):
+                if spot[2] > 0.0:
+                    ground.keep([spot], DOT_EM * state.em)
+                board.want_beside(name, spot, rank, (0.0, -1.0))
+        board.want_beyond(arrows, tips)
+
+    def ink(self, ground: Ground) -> None:
+        ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
+
+    def targets(self) -> Targets:
+        state, (arrows, offsets) = self._state, self.arrows
+        at = state.standing
+        points = np.vstack([at.eye, at.target, at.eye + offsets])
+        eye, target, *tips = state.own.pane.pointed(points)
+        points_at = [(frozenset(("eye",)), eye)]
+        if self.shows_target or state.is_live:  # a hand takes hold of it there
+            points_at.append((frozenset(("target",)), target))
+        segments: list[Segment] = [
+            (frozenset(("target" if name == "look" else name,)), eye, tip)
+            for name, tip in zip(arrows, tips, strict=True)
+        ]
+        return Targets(points_at, segments)
+
+    def reach(self) -> Array:
+        return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS
+
+    def core(self) -> list[Array]:
+        state, at = self._state, self._state.standing
+        if "camera" in state.hidden:
+            return []
+        places = ("eye", at.eye), ("target", at.target)
+        return [place[None] for name, place in places if state.names.wants(name)]
 
 
 def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:

@@ -82,7 +82,6 @@ class Compared:
         return _with_words(whole, ink, style)
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
-        """Return the shapes of `pixels`."""
         (width, height), style, shapes = self.size, self._style, list[Shape]()
         line_px = _line_px(style)
         drawn = [picture.shapes_and_ends(hidden, watch) for picture in self.pictures]

@@ -76,7 +76,6 @@ BEHIND = QT_TRANSLATE_NOOP(
 
 
 def in_english(text: str, _context: str) -> str:
-    """Leave a text as it is."""
     return text
 
 

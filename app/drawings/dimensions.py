@@ -19,24 +19,21 @@ from __future__ import annotations
 
 import math
 import textwrap
-from collections.abc import Callable, Hashable, Mapping, Sequence
-from fractions import Fraction
+from collections.abc import Hashable
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
-from app.drawings.actors import PropGroup, ScreenCells
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
-from app.drawings.labels import LENGTH, Board, written_distance
-from app.drawings.names import Names
+from app.drawings.labels import LENGTH, ScreenLines, written_distance
+from app.drawings.layer import Layer
+from app.drawings.lengths import Half, distances, half_of, has_interval, lengths
 from app.drawings.pane_view import Spot
-from app.drawings.style import rgb
-from app.model.projection import Array, Projection
+from app.drawings.world_state import WorldState
+from app.model.projection import Array
 from app.scenes.phenomena.readout import digits_apart
 
 _SEGMENTS = 64  # capacity
-_AWAY_PX = -1e4
 _ARC = 12  # pieces of the angle's arc
 _ARC_EM, _TICK_EM, _ROW_EM = 3.5, 0.35, 2.2
 _ASIDE_EM = 1.2  # from the far plane to the line beside it
@@ -44,161 +41,127 @@ _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ARC_BEFORE = 0.5  # of e, where it is named
 _ACROSS_EM = 2.2  # under the window seen along the axis
 _INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.2, 1.2, 2.2  # the lines of numbers: their rows
-_SAME = 1e-9  # of a window's side: an axis this near to its middle halves it
 _LINES = 4  # of the sentence
 _KEY = "length"  # begins the keys of the letters on the pane's board
 
 Way = tuple[float, float]
 
 
-class Dimension(NamedTuple):
-    """What is measured; scene-local."""
+class Dimensions(Layer):
+    """The lines and their letters, created when a flat view is first shown."""
 
-    view: str  # one of `app.document.view.FIXED`; empty for nothing
-    projection: Projection
-    eye: Array
-    target: Array
-    corners: Array | None  # (8, 3), of the frustum as drawn
-    objects: Array  # (8, 3), of the box round the objects
-    distances: tuple[
-        tuple[str, float], ...
-    ]  # more lengths from the eye along the axis; d is the target's unless it is here
-    lengths: tuple[
-        tuple[str, float, Array, Array], ...
-    ] = ()  # across the axis: letter, value, two ends
-    names: Names = Names(None)  # what is measured: the lengths that it has
-    across: tuple[float, ...] = ()  # x of the probes in the cube
+    def __init__(self, state: WorldState) -> None:
+        self._state = state
+        self._board, self._words, self._em = state.board, state.words, state.em
+        self._is_made = self._is_shown = False
 
-
-class Half(NamedTuple):
-    """Half a window, from the axis to its top or its right."""
-
-    angle_deg: float | None  # at the eye; None without an eye, or off the axis
-    has_eye: bool = True
-
-
-def half_of(projection: Projection, axis: int) -> Half | None:
-    """Return the right (axis 0) or upper (axis 1) half of a window; None for a typed matrix."""
-    lens = projection.lens
-    if lens.planes is None:
-        return None
-    if not lens.central:
-        return Half(None, has_eye=False)
-    angles = lens.angles(Fraction(*projection.image_size)) if lens.symmetric else None
-    if angles is not None:
-        return Half(angles[axis] / 2.0)
-    low, high = projection.window[2 * axis : 2 * axis + 2]
-    is_halved = abs(low + high) <= _SAME * (high - low)
-    return Half(math.degrees(math.atan(high / lens.near)) if is_halved else None)
-
-
-class Dimensions:
-    """The lines and their letters; `board` is the pane's, and `inks` are the letters' colours."""
-
-    def __init__(
-        self, board: Board, canvas: PropGroup, words: Mapping[str, str], inks: Mapping[str, str]
-    ) -> None:
-        self._board, self._words, self._em = board, words, board.em
-        for name, colour in inks.items():
-            board.label((_KEY, name), colour=getattr(canvas.style, colour))
-        self._lines = _Segments(canvas, canvas.style.ink, canvas.style.line_width / 2.0)
-        self._thin = _Segments(canvas, canvas.style.leader, canvas.style.line_width / 2.0)
+    def _make(self) -> None:
+        canvas, scene = self._state.canvas, self._state.scene
+        for name, colour in scene.inks.items():
+            self._board.label((_KEY, name), colour=getattr(canvas.style, colour))
+        self._lines = ScreenLines(canvas, canvas.style.ink, _SEGMENTS)
+        self._thin = ScreenLines(canvas, canvas.style.leader, _SEGMENTS)
         self._sentences = [canvas.label("", anchor=(-1, -1), plain=True) for _ in range(_LINES)]
-        self.hide()
+        self._is_made = True
 
-    def hide(self) -> None:
-        for label in self._sentences:
-            label.set_visible(False)
-        for lines in (self._lines, self._thin):
-            lines.begin()
-            lines.end()
+    def follow(self) -> None:
+        """Hide everything in the free view."""
+        if self._is_shown and not self._state.own.fixed:
+            self._is_shown = False
+            for label in self._sentences:
+                label.set_visible(False)
+            for lines in (self._lines, self._thin):
+                lines.begin()
+                lines.end()
 
-    def below_em(self, size_px: tuple[int, int], measured: Dimension) -> float:
-        """Return how much room the lines and the sentence need below the drawing, in ems."""
-        said = len(self._sentence_lines(size_px, measured))
-        return self._rows_em(measured) + (0.5 + 1.5 * said if said else 0.0)
+    @property
+    def below_em(self) -> float:
+        """How much room the lines and the sentence need below the drawing, in ems."""
+        if not self._state.own.fixed:
+            return 0.0
+        said = len(self._sentence_lines())
+        return self._rows_em() + (0.5 + 1.5 * said if said else 0.0)
 
-    def _rows_em(self, measured: Dimension) -> float:
-        if measured.view == "axis":
-            across = _ACROSS_EM if "width" in measured.names else 0.0
-            return across + (_INTERVAL_EM if _has_interval(measured) else 0.0)
-        count = len(self._distances(measured)) if measured.view in ("side", "top") else 0
+    def _rows_em(self) -> float:
+        state = self._state
+        if state.own.fixed == "axis":
+            across = _ACROSS_EM if "width" in state.names else 0.0
+            return across + (_INTERVAL_EM if has_interval(state, state.own.fixed) else 0.0)
+        count = len(distances(state, state.own.fixed))
         return _ROW_EM * (count + 0.5) if count else 0.0
 
-    def written(self, measured: Dimension) -> set[str]:
-        """The names that `want` writes, and nobody else has to."""
-        if _has_interval(measured):
-            return {"l", "r"}
-        lengths = {name for name, *_ in measured.lengths if name in measured.names}
-        along = measured.view in ("side", "top")
-        return lengths | ({name for name, _ in self._distances(measured)} if along else set())
-
-    def want(
-        self,
-        ground: Ground,
-        seen: Callable[[Array], Sequence[Spot]],
-        size_px: tuple[int, int],
-        measured: Dimension,
-    ) -> None:
-        """Draw the lines, and ask for the places of their letters.
-
-        `seen` converts scene-local points, (n, 3), to the pane.
-        """
+    def want(self, ground: Ground) -> None:
+        """Draw the lines, and ask for the places of their letters."""
+        state = self._state
+        if not state.own.fixed:
+            return
+        if not self._is_made:
+            self._make()
+        self._is_shown = True
         self._lines.begin()
         self._thin.begin()
-        self._show_sentence(ground, self._sentence_lines(size_px, measured))
-        if measured.view != "eye":
-            points = np.vstack([measured.objects, measured.eye, measured.target])
-            corners = measured.corners if measured.projection.lens.planes is not None else None
+        self._show_sentence(ground, self._sentence_lines())
+        if state.own.fixed != "eye":
+            at, corners = state.standing, state.corners_seen
+            points = np.vstack([state.objects, at.eye, at.target])
+            if state.projection.lens.planes is None:
+                corners = None
             drawn = points if corners is None else np.vstack([points, corners])
-            all_spots = np.array(seen(drawn))[:, :2]
-            spots = all_spots[len(measured.objects) :]
+            all_spots = np.array(state.seen(drawn))[:, :2]
+            spots = all_spots[len(state.objects) :]
             lowest = float(spots[0, 1])
-            for name, _, start, end in measured.lengths:
-                if name in measured.names:
-                    ends = seen(np.array([start, end]))
-                    self._length(name, *ends)
+            for length in lengths(state, state.own.fixed):
+                if length.name in state.names:
+                    ends = state.seen(np.array([length.start, length.end]) - state.origin)
+                    self._length(length.name, *ends)
                     lowest = min(lowest, ends[0][1], ends[1][1])
-            if "e" in dict(self._distances(measured)):
-                lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots, measured)))
-            if measured.view == "axis":
+            if "e" in dict(distances(state, state.own.fixed)):
+                lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots)))
+            if state.own.fixed == "axis":
                 if corners is not None:
-                    self._across(ground, spots, measured)
+                    self._across(ground, spots)
             else:
-                self._along(ground, spots, measured, size_px, lowest, all_spots)
+                self._along(ground, spots, lowest, all_spots)
                 if corners is not None:
-                    self._beside(spots, measured)
+                    self._beside(spots)
         self._lines.end()
         self._thin.end()
 
     def ink(self, ground: Ground) -> None:
-        for lines in (self._lines, self._thin):
-            ground.ink_lines(lines.ends)
+        if self._state.own.fixed:
+            for lines in (self._lines, self._thin):
+                ground.ink_lines(lines.ends)
+
+    def core(self) -> list[Array]:
+        """The ends of the named lengths in a flat view."""
+        state, at = self._state, self._state.standing
+        if state.own.fixed not in ("side", "top"):
+            return []
+        shown = () if state.illustration is None else state.illustration.measured
+        measured = {"d": at.camera.distance, **dict(shown)}
+        points = [
+            (at.eye - distance * at.camera.frame[2])[None]
+            for name, distance in measured.items()
+            if state.names.wants(name)
+        ]
+        across = [each for each in lengths(state, state.own.fixed) if state.names.wants(each.name)]
+        return points + [np.array([each.start, each.end]) - state.origin for each in across]
 
     # -- what is drawn
 
-    def _along(
-        self,
-        ground: Ground,
-        spots: Array,
-        measured: Dimension,
-        size_px: tuple[int, int],
-        y: float,
-        drawn: Array,
-    ) -> None:
+    def _along(self, ground: Ground, spots: Array, y: float, drawn: Array) -> None:
         """From the eye along the axis, one below the other, the shortest on top."""
-        distances = self._distances(measured)
-        if not distances:
+        measured, size_px = distances(self._state, self._state.own.fixed), self._state.own.size_px
+        if not measured:
             return
         (eye, height), (target, _) = spots[:2].tolist()
-        whole = measured.projection.camera.distance
-        ends = [eye + (target - eye) * distance / whole for _, distance in distances]
+        unit = target - eye, self._state.projection.camera.distance
+        ends = [eye + unit[0] * distance / unit[1] for _, distance in measured]
         # Below what is drawn above the rows, if there is so much room.
         above = (drawn[:, 0] > min(eye, *ends)) & (drawn[:, 0] < max(eye, *ends))
         y = min([y, *drawn[above, 1].tolist()])
-        y = max(y, self.below_em(size_px, measured) * self._em)
-        for name, distance in distances:
-            x = eye + (target - eye) * distance / measured.projection.camera.distance
+        y = max(y, self.below_em * self._em)
+        for (name, _), x in zip(measured, ends, strict=True):
             if not 0.0 <= x <= size_px[0]:
                 continue
             y -= _ROW_EM * self._em
@@ -211,20 +174,9 @@ class Dimensions:
                 self._thin.add((end, y), (end, height))
         ground.keep_box(0.0, 0.0, float(size_px[0]), y - 0.8 * self._em)
 
-    def _distances(self, measured: Dimension) -> list[tuple[str, float]]:
-        projection, distances = measured.projection, dict[str, float]()
-        if projection.has_camera:
-            distances = {"d": projection.camera.distance, **dict(measured.distances)}
-            half = half_of(projection, 1 if measured.view == "side" else 0)
-            is_asked = measured.names.wants("e") and not measured.names.all
-            if is_asked and half is not None and half.angle_deg is not None:
-                distances["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
-        named = [way for way in distances.items() if way[0] in measured.names]
-        return sorted(named, key=lambda way: abs(way[1]))
-
-    def _unit(self, spots: Array, measured: Dimension) -> float:
+    def _unit(self, spots: Array) -> float:
         """A unit along the axis, in pixels."""
-        return float(spots[1, 0] - spots[0, 0]) / measured.projection.camera.distance
+        return float(spots[1, 0] - spots[0, 0]) / self._state.projection.camera.distance
 
     def _length(self, name: str, start: Spot, end: Spot) -> None:
         self._lines.add(start[:2], end[:2])
@@ -232,24 +184,25 @@ class Dimensions:
         half = (start[0] + end[0]) / 2.0, (start[1] + end[1]) / 2.0
         self._board.want_beside((_KEY, name), (*half, 1.0), LENGTH, (1.0, 0.0))
 
-    def _beside(self, spots: Array, measured: Dimension) -> None:
+    def _beside(self, spots: Array) -> None:
         """Half the angle at the eye, half the window on the far plane, and where that half is 1."""
-        axis, edge = (1, 8) if measured.view == "side" else (0, 7)  # of top, of right
-        half = half_of(measured.projection, axis)
+        state = self._state
+        axis, edge = (1, 8) if state.own.fixed == "side" else (0, 7)  # of top, of right
+        half = half_of(state.projection, axis)
         if half is None or not half.has_eye:
             return
         eye, far_edge = spots[0], spots[edge]
-        if "height" in measured.names:
+        if "height" in state.names:
             x = float(far_edge[0]) - _ASIDE_EM * self._em
             self._rule(
                 "height", (x, float(eye[1])), (x, float(far_edge[1])), self._half_text(axis, half),
                 side=-1.0,
             )  # fmt: skip
-        e, unit = dict(self._distances(measured)).get("e"), self._unit(spots, measured)
+        e, unit = dict(distances(state, state.own.fixed)).get("e"), self._unit(spots)
         if e is not None:
             x, y = float(eye[0]) + e * unit, float(eye[1])
             self._rule("one", (x, y), (x, y + math.copysign(unit, far_edge[1] - y)), "1")
-        if half.angle_deg is not None and "angle" in measured.names:
+        if half.angle_deg is not None and "angle" in state.names:
             # The angle is true on the screen: both axes have one scale.
             reached = far_edge - eye
             radius = min(_ARC_EM * self._em, _ARC_PART * float(np.hypot(*reached)))
@@ -272,9 +225,10 @@ class Dimensions:
 
             self._board.want(key, [(x, y)], places, LENGTH)
 
-    def _across(self, ground: Ground, spots: Array, measured: Dimension) -> None:
+    def _across(self, ground: Ground, spots: Array) -> None:
         """Half the height and half the width of the window, seen along the axis."""
-        upper, half_width = (half_of(measured.projection, axis) for axis in (1, 0))
+        names = self._state.names
+        upper, half_width = (half_of(self._state.projection, axis) for axis in (1, 0))
         if upper is None or half_width is None:
             return
         # The projectors of a parallel lens need not be parallel to its axis.
@@ -282,18 +236,16 @@ class Dimensions:
         eye, face = spots[0], spots[6:10] if upper.has_eye else spots[2:6]
         x, y = float(eye[0]), float(eye[1])
         right, top = face[2].tolist()
-        if "height" in measured.names:
+        if "height" in names:
             aside = right + 0.7 * self._em
             self._rule("height", (aside, y), (aside, top), self._half_text(1, upper))
-        if "width" in measured.names:
+        if "width" in names:
             below = float(face[0, 1]) - 1.2 * self._em
             self._rule("width", (x, below), (right, below), self._half_text(0, half_width))
-        if _has_interval(measured):
-            self._interval(spots[2:6], measured, ground.limits)
+        if has_interval(self._state, self._state.own.fixed):
+            self._interval(spots[2:6], ground.limits)
 
-    def _interval(
-        self, window: Array, measured: Dimension, limits: tuple[float, float, float, float]
-    ) -> None:
+    def _interval(self, window: Array, limits: tuple[float, float, float, float]) -> None:
         """Two lines of numbers below the window: from l to r, and from -1 to 1.
 
         The probes stand on both, with their x in the cube.
@@ -301,9 +253,10 @@ class Dimensions:
         em = self._em
         left, right = float(window[0, 0]), float(window[1, 0])
         foot = float(window[:2, 1].min())
-        upper = foot - _BELOW_EM * em - (_ACROSS_EM * em if "width" in measured.names else 0.0)
+        names_width = "width" in self._state.names
+        upper = foot - _BELOW_EM * em - (_ACROSS_EM * em if names_width else 0.0)
         lower = upper - _LINES_EM * em
-        low, high = measured.projection.window[:2]
+        low, high = self._state.projection.window[:2]
         for y in (upper, lower):
             self._lines.add((left, y), (right, y))
         ends = (("l", low, left, -1.0), ("r", high, right, 1.0))
@@ -313,12 +266,21 @@ class Dimensions:
             text = f"{word} = {written_distance(value, digits_apart(low, high))}"
             self._on_line(letter, text, (x, upper), limits, one)
             self._on_line((_KEY, one), written_distance(one), (x, lower), limits, one)
-        for number, place in enumerate(measured.across):
+        for number, place in enumerate(self._probes_across()):
             if -1.0 <= place <= 1.0:
                 x = left + (place + 1.0) / 2.0 * (right - left)
                 self._thin.add((x, upper), (x, lower))
                 text = written_distance(float(f"{place:.3g}"))
                 self._on_line((_KEY, "probe", number), text, (x, lower), limits)
+
+    def _probes_across(self) -> list[float]:
+        """The x of the probes in the cube."""
+        points = [probe.point for probe in self._state.probes if probe.point is not None]
+        if not points:
+            return []
+        trace = self._state.projection.trace(np.array(points))
+        across: list[float] = trace.ndc[trace.in_front, 0].tolist()
+        return across
 
     def _on_line(
         self,
@@ -396,54 +358,21 @@ class Dimensions:
         if said:
             ground.keep_box(0.0, 0.0, float(ground.limits[2]), (0.5 + 1.5 * len(said)) * self._em)
 
-    def _sentence_lines(self, size_px: tuple[int, int], measured: Dimension) -> list[str]:
+    def _sentence_lines(self) -> list[str]:
         """The lines of the sentence that says what the lens lacks."""
-        name = self._lacks(measured)
-        across = max(12, int((size_px[0] / self._em - 2.0) / 0.58))
+        name = self._lacks()
+        across = max(12, int((self._state.own.size_px[0] / self._em - 2.0) / 0.58))
         return textwrap.wrap(self._words[name], across)[:_LINES] if name else []
 
-    def _lacks(self, measured: Dimension) -> str:
+    def _lacks(self) -> str:
         """The key in `app.drawings.WORDS` for what the lens lacks; empty for nothing."""
-        if not any(name in measured.names for name in ("angle", "height", "width")):
+        state, view = self._state, self._state.own.fixed
+        if not any(name in state.names for name in ("angle", "height", "width")):
             return ""
-        half = half_of(measured.projection, 1 if measured.view == "side" else 0)
+        half = half_of(state.projection, 1 if view == "side" else 0)
         if half is None:
             return "no planes"
         if not half.has_eye:
-            return "no eye" if measured.view == "eye" else "no angle"
-        has_angle = half.angle_deg is not None or measured.view not in ("side", "top")
+            return "no eye" if view == "eye" else "no angle"
+        has_angle = half.angle_deg is not None or view not in ("side", "top")
         return "" if has_angle else "no half angle"
-
-
-def _has_interval(measured: Dimension) -> bool:
-    is_there = measured.view == "axis" and measured.projection.lens.planes is not None
-    return is_there and measured.names.wants("interval") and not measured.names.all
-
-
-class _Segments:
-    """Lines of one colour in the plane of the screen, drawn anew at each step."""
-
-    def __init__(self, canvas: PropGroup, colour: str, width: float) -> None:
-        self._cells, self._used = ScreenCells(_SEGMENTS, 2), 0
-        self._cells.px[..., :2] = _AWAY_PX
-        actor = self._cells.actor
-        actor.GetProperty().SetColor(*rgb(colour))
-        actor.GetProperty().SetLineWidth(width)
-        canvas.add(actor, layer="labels")
-
-    @property
-    def ends(self) -> Array:
-        """The lines' ends in pixels, (n, 2, 2)."""
-        return self._cells.px[: self._used, :, :2].astype(np.float64)
-
-    def begin(self) -> None:
-        self._cells.px[: self._used, :, :2] = _AWAY_PX
-        self._used = 0
-
-    def add(self, start: Way, end: Way) -> None:
-        if self._used < _SEGMENTS:
-            self._cells.px[self._used, :, :2] = start, end
-            self._used += 1
-
-    def end(self) -> None:
-        self._cells.changed()

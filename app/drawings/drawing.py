@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, ClassVar, NamedTuple, Protocol
+from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from app.lecture.highlight import Highlight
 from app.model.projection import Array, Camera, Projection
@@ -18,8 +18,11 @@ from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
     from app.drawings.labels import Board
+    from app.drawings.layer import Layers, PaneState
     from app.drawings.names import Names
+    from app.drawings.own_view import OwnView
     from app.drawings.pane_view import Pose
+    from app.drawings.stage_view import StageView
 
 
 LABELS_FROM = 0.6
@@ -40,12 +43,30 @@ class Rectangle(NamedTuple):
     height: int
 
 
-class Drawing(Protocol):
-    """The scene in one pane: `WorldDrawing`, `StageDrawing` or `ImageDrawing`.
+class Handles:
+    """The handles of a pane: only a live world pane has any.
+
+    `held` is highlighted, and stays visible while it moves. `shown` are those that can be taken,
+    with their pixels from the pane's top left. `planes_drawn` are the distances from the eye plane
+    at which near and far are drawn; (0, 1) without planes. `has_object` if the object shows its
+    axes, which have handles.
+    """
+
+    held: Handle | None = None
+    shown: Sequence[tuple[Handle, Spot]] = ()
+    planes_drawn = 0.0, 1.0
+    has_object = False
+
+    def call(self, names: frozenset[str]) -> None:
+        """Show the handles with these names or settings, though nothing is on them."""
+
+
+class Drawing:
+    """The scene in one pane: `WorldDrawing`, `StageDrawing` or `ImageDrawing`, a list of layers.
 
     A drawing is made once per scene, ``Drawing(screen, scene, words, style)``, in a render window
     that it does not own. It never renders: the caller does, after any number of changes. A method
-    with a body here is the answer of the drawings that have no such thing.
+    here does what the drawings have in common, or nothing where one alone has such a thing.
 
     A new drawing names what its scene names (`app.document.naming`).
     """
@@ -54,6 +75,10 @@ class Drawing(Protocol):
     """One of `app.document.view.PANES`."""
     board: Board
     names: Names
+    handles = Handles()
+    state: PaneState
+    layers: Layers
+    own: OwnView | StageView | None = None
 
     # -- the model
 
@@ -64,6 +89,7 @@ class Drawing(Protocol):
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Use the faces of a scene with fewer triangles; None for all. Then show a projection."""
+        self.layers.show_detail(fewer)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         """Hide these of `app.document.view.LAYERS`, and no others. Then show a projection."""
@@ -76,12 +102,25 @@ class Drawing(Protocol):
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
+        self.state.probes = probes
+        self.layers.settle()
+        self.layers.place_labels()
 
     def show_highlight(self, highlighted: Highlight) -> bool:
         """Highlight these things, and nothing else; return whether anything has changed."""
+        before, self.names.pointed = self.names.pointed, highlighted
+        of_scene = self.layers.show_highlight(highlighted)
+        is_new = self.state.emphasis.show(highlighted - self.state.strangers) or of_scene
+        if self.state.renames(before ^ highlighted, of_scene):
+            self._show_named()
+        return is_new
+
+    def _show_named(self) -> None:
+        """Show what is named now, and place its labels."""
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the things at a pixel, counted from the pane's top left."""
+        return self.layers.at(x_px, y_px) - self.state.strangers
 
     @property
     def precision(self) -> Precision:
@@ -92,6 +131,7 @@ class Drawing(Protocol):
     @property
     def sight(self) -> Sight:
         """How the pane looks at the world now, for picking."""
+        return self.state.sight
 
     def spots_of(self, places: Array) -> Array:
         """Return the pixels (n, 2) of places, from the pane's top left; NaN for a hidden one.
@@ -103,49 +143,53 @@ class Drawing(Protocol):
     @property
     def view(self) -> Camera | None:
         """Where the user has moved the pane's camera; None if it was not moved."""
-        return None
+        return None if self.own is None else self.own.view
 
     def show_view(self, view: Camera) -> None:
         """Move the pane's camera back to an earlier `view`."""
-        return
+        if self.own is not None:
+            self.own.show(view)
+            self.reset_clipping_range()
 
     def reset_view(self) -> None:
         """Place the pane's camera so that everything is in view."""
-        return
+        self.layers.place_labels(afresh=True)
 
     def refit(self) -> bool:
         """Frame again what has left a view that the user has not moved.
 
         Call it when a gesture ends. Return whether the pane has to be painted again.
         """
-        return False
+        return self.layers.place_labels(afresh=True)
 
     def reset_clipping_range(self) -> None:
         """Adjust the drawing after the pane's camera was moved from outside."""
-        return
 
     # -- on the way from one state to another
 
     @property
     def pose(self) -> Pose | None:
         """Where the pane's camera stands; None if the drawing has no camera of its own."""
-        return None
+        return None if self.own is None else self.own.pose
 
     def begin_glide(self, start: Pose) -> None:
         """Begin a way from another pose to the present one."""
-        return
+        if self.own is not None:
+            self.own.begin_glide(start)
 
     def glide(self, part: float) -> None:
         """Be at a part of the way, 0 to 1: the labels appear near its end."""
+        self.state.canvas.fade_labels(light_of_labels(part))
+        self.layers.place_labels(afresh=part == 1.0)
 
     def remove(self) -> None:
         """Take everything out of the screen."""
+        self.state.canvas.remove()
 
     # -- the stage strip
 
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip, 0 to 5."""
-        return
 
     # -- the world
 
@@ -156,41 +200,15 @@ class Drawing(Protocol):
 
     def show_fixed(self, view: str) -> None:
         """Look from one of `app.document.view.FIXED`; ``""`` for the free view."""
-        return
 
     def show_step(self, step: int | None) -> None:
         """Build the camera's frame up to a step of `app.lecture.camera_frame.STEPS`."""
-        return
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes even where they coincide with the world's."""
-        return
-
-    @property
-    def has_object_axes(self) -> bool:
-        return False
-
-    @property
-    def planes_drawn(self) -> tuple[float, float]:
-        """Distances from the eye plane at which near and far are drawn; (0, 1) without planes."""
-        return 0.0, 1.0
-
-    @property
-    def handles_shown(self) -> Sequence[tuple[Handle, Spot]]:
-        """The visible handles, with their pixels from the pane's top left."""
-        return ()
-
-    @property
-    def held(self) -> Handle | None:
-        return None
 
     def hold(self, handle: Handle | None) -> None:
         """Highlight a handle, and keep it visible while it moves."""
-        return
-
-    def call_handles(self, names: frozenset[str]) -> None:
-        """Show the handles with these names or settings, though nothing is on them."""
-        return
 
     def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
         """Return the handle at a pixel, counted from the pane's top left."""
@@ -205,6 +223,7 @@ class Drawing(Protocol):
     @property
     def picture_rectangle_px(self) -> Rectangle:
         """Where the picture lies in the pane now; all of the pane if it is no image."""
+        return self.rectangle_in(*self.state.canvas.window.GetSize())
 
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
         """Return the image's pixel at a pixel of the pane; None beside the picture."""
@@ -224,7 +243,6 @@ class Drawing(Protocol):
 
         It draws, but not in the drawing's own window: that has to be rendered afterwards.
         """
-        return
 
     @property
     def problem(self) -> Phrase | None:

@@ -14,7 +14,8 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import PropGroup, Space, put_in_front
+from app.drawings.actors import Space, put_in_front
+from app.drawings.prop_group import PropGroup
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array, Camera
@@ -26,6 +27,18 @@ LARGER = 3.2
 the back row."""
 DIMMED = 0.22
 """Opacity of everything else meanwhile."""
+
+PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
+SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])
+
+# The corners of a box round the camera's body, in view space and sizes of the body.
+BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
+# The diameter of a ball round it, and how far its nearest point can be before the eye.
+BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
+BEFORE = BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
+AROUND = 3.1  # body and axes are within this distance of the eye
+AROUND_PX = AROUND / BALL * PART_OF_PANE
+"""How far body and axes reach from the eye, of the pane's shorter side."""
 
 _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
 """The right angles that a step shows, between the arrows that it is about."""

@@ -14,19 +14,24 @@ there::
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import math
+from functools import partial
+from itertools import pairwise
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
-from app.drawings.actors import PropGroup, Space, applied
-from app.drawings.camera import CameraPose
-from app.drawings.names import QUIET, Names
-from app.drawings.pane_view import PaneView
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis, outline
-from app.lecture.highlight import SIDES, WINDOW
+from app.drawings.actors import Space, applied
+from app.drawings.label_placement import NOWHERE, SQUARE_EM, Ground, flanking
+from app.drawings.labels import DOT_EM, SIDE, want_plane, written_distance
+from app.drawings.layer import Layer
+from app.drawings.names import QUIET
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Targets, outline, volume_edges
+from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolume, WorldState
+from app.lecture.highlight import CORNERS, SIDES, WINDOW
 from app.model.projection import Array, Lens, Projection
+from app.scenes.phenomena.readout import FEW, digits_apart
 
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""
@@ -39,41 +44,24 @@ _FADE_FROM, _FADED = (
     0.15,
 )  # share of the pane under a plane; share of the tint if that is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
-WIDEST = 1e35
-"""Edge of a box: larger than any scene, and a float32."""
 _NAMED_BY = {"near": ("near", *WINDOW), "far": ("far",)}
 """The planes, and the names for which they are not drawn quietly."""
 _VOLUME = ("near", "far", "fov")
 """What the edges of the volume belong to."""
+_EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
+_ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
+"""Where on a side of the window its name may stand."""
+_ONE_OVER_THE_OTHER = {"side": frozenset("lr"), "top": frozenset("bt")}
+"""Sides of the window that cover each other in a flat view, all along it: named only if asked for.
+"""
+_HELD_NEAR = 5.0  # of the scene's size: farther grips do not make the frustum deeper
 
 # The eye is where the cube's z axis meets infinity: a pyramid with its apex at the origin and its
 # base at z = 1 becomes the eye's pyramid to the near face when z and w change places.
 _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 
 
-class DrawnDepths(NamedTuple):
-    """The distances from the eye plane that are drawn to scale; world units."""
-
-    low: float  # the limits; low is negative, behind the eye, for a parallel lens
-    high: float
-    near: float  # where the planes are drawn, low <= near < far <= high
-    far: float
-    near_break: (
-        tuple[float, float] | None
-    )  # where edges are broken, if a plane is not at its own distance
-    far_break: tuple[float, float] | None
-
-    @property
-    def body(self) -> tuple[float, float]:
-        start, end = self.near, self.far
-        if self.near_break is not None and self.near_break[0] >= start:
-            start = self.near_break[1]
-        if self.far_break is not None and self.far_break[1] <= end:
-            end = self.far_break[0]
-        return start, end
-
-
-class FrustumDrawing:
+class FrustumDrawing(Layer):
     """The frustum, broken where it is too deep to be drawn to scale.
 
     Attributes
@@ -84,16 +72,11 @@ class FrustumDrawing:
         Edges of ``"near"`` and ``"far"``; `apex` are the lines from the eye to near.
     dimmable : tuple of vtkActor
         All but the planes' tints, which `tint` sets.
-    corners : (8, 3) array
-        As drawn, scene-local.
-    reach : Reach or None
-        None under a typed matrix, which may have no frustum at all (`seen`).
     """
 
-    def __init__(self, canvas: PropGroup, size: float) -> None:
-        self._canvas, self._size = canvas, size
-        style, self._em = canvas.style, canvas.style.font_size
-        self.reach: DrawnDepths | None = None
+    def __init__(self, state: WorldState) -> None:
+        self._state, self._canvas = state, state.canvas
+        style = state.style
         width = style.line_width
         self.space, self._body_space, self.apex_space = Space(), Space(), Space()
 
@@ -126,45 +109,57 @@ class FrustumDrawing:
         broken = [edge for edges in self.breaks.values() for _, edge in edges]
         lines = near_line, far_line, self._body, self.apex, *broken
         self.dimmable = *lines, walls
-        canvas.add(*lines, far_face, walls, near_face, layer="frustum")
+        self._canvas.add(*lines, far_face, walls, near_face, layer="frustum")
+        self._make_emphasis(broken)
 
-    def show(self, projection: Projection, standing: CameraPose, held_depth: float = 0.0) -> None:
-        """Take over the model's volume; `held_depth` is the depth of a scene's own grips."""
-        self._extent = standing.extent
-        self.reach = self._reach_of(projection.lens, standing, held_depth)
-        if self.reach is None:
-            self._show_whole(projection, standing)
+    def _make_emphasis(self, broken: list[vtkActor]) -> None:
+        state, emphasis = self._state, self._state.emphasis
+        emphasis.volume(self.space, CUBE)
+        for name, line in self.outlines.items():
+            emphasis.line(line, name, of=_NAMED_BY[name])
+        emphasis.line(self.apex, "fov", of=_VOLUME)
+        for line in (self._body, *broken):
+            emphasis.line(line, of=_VOLUME)
+        for name in ("near", "far"):
+            label = state.board.label(name, state.words[name], getattr(state.style, name))
+            emphasis.label(label, name)
+        for letter, side in WINDOW.items():
+            emphasis.label(state.board.label(letter, "", state.style.near), side)
+
+    def show(self) -> None:
+        state = self._state
+        depths = self._depths_of(state.projection.lens, state.standing)
+        if depths is None:
+            state.volume = self._show_whole(state.projection, state.standing)
         else:
-            self._show_broken(projection, standing, self.reach)
+            state.volume = self._show_broken(state.projection, state.standing, depths)
 
-    def _show_whole(self, projection: Projection, standing: CameraPose) -> None:
+    def _show_whole(self, projection: Projection, standing: CameraPose) -> DrawnVolume:
         """Draw the cube under the inverse of a free matrix; nothing if it has none."""
-        self.seen = projection.frustum_sign != 0
+        exists, corners = projection.frustum_sign != 0, np.tile(standing.eye, (8, 1))
         for actor in (*self._volume, self._body):
-            self._canvas.set_visible(actor, self.seen)
+            self._canvas.set_visible(actor, exists)
         self._canvas.set_visible(self.apex, False)
         for name in self.breaks:
             self._break(name, None)
-        self.corners = np.tile(standing.eye, (8, 1))
-        if self.seen:
+        if exists:
             reversed_range = projection.with_depth("reversed")
-            local_from_cube = reversed_range.world_from_clip_at(standing.origin)
+            local_from_cube = reversed_range.world_from_clip_at(self._state.origin)
             frustum = normalised(projection.frustum_sign * local_from_cube)
-            self.corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
+            corners = np.clip(applied(frustum, CUBE), -WIDEST, WIDEST)
             self.space.set(frustum)
             self._body_space.set(frustum)
+        return DrawnVolume(corners, None, exists)
 
     def _show_broken(
         self, projection: Projection, standing: CameraPose, reach: DrawnDepths
-    ) -> None:
+    ) -> DrawnVolume:
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
-        self.seen = True
         for actor in self._volume:
             self._canvas.set_visible(actor, True)
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
-        self.corners = applied(frustum, CUBE)
         self.space.set(frustum)
         start, end = reach.body
         self._canvas.set_visible(self._body, start < end)
@@ -182,6 +177,7 @@ class FrustumDrawing:
                 _, view_from_cube = matrices_between(projection, *reach.near_break)
                 base = normalised(local_from_view @ view_from_cube)
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
 
     def _break(self, name: str, ends: Array | None) -> None:
         """Break the edges before a plane between these corners, (8, 3); None for no break."""
@@ -191,12 +187,13 @@ class FrustumDrawing:
         if ends is not None:
             self._break_ends[name] = ends
 
-    def _reach_of(self, lens: Lens, standing: CameraPose, held_depth: float) -> DrawnDepths | None:
+    def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:
             return None
-        size, extent = self._size, standing.extent
+        size, extent = self._state.scene.size, standing.extent
         nearby_target = min(standing.camera.distance, 2.0 * extent)
-        high = _BEYOND * max(standing.objects_depth, held_depth, nearby_target, 0.5 * size)
+        deepest = max(standing.objects_depth, self._held_depth(standing))
+        high = _BEYOND * max(deepest, nearby_target, 0.5 * size)
         near, far = lens.planes
         if lens.central:
             low = 0.0
@@ -215,38 +212,41 @@ class FrustumDrawing:
         far = max(far, near + 1e-9 * (high - low))
         return DrawnDepths(low, high, near, far, near_break, far_break)
 
-    def tint(self, pane: PaneView, light: float) -> None:
-        """Tint the planes, less where they would flood the pane; `light` is at most 1."""
-        parts = pane.parts_covered(self.corners, _FADE_FROM)
+    def _held_depth(self, standing: CameraPose) -> float:
+        """The largest depth of a scene's grips, of those near the scene; 0 without any."""
+        offsets = [point - standing.camera.eye for point in self._state.grips.values()]
+        largest = _HELD_NEAR * self._state.scene.size
+        near = [offset for offset in offsets if math.hypot(*offset) <= largest]
+        return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)
+
+    def show_names(self) -> None:
+        """Tint the planes that are not named more palely, from the next `follow` on."""
+        names = self._state.names
+        self._quiet = frozenset(
+            name for name in self.tints if not any(each in names for each in _NAMED_BY[name])
+        )
+
+    def follow(self) -> None:
+        """Tint the planes, less where they would flood the pane, and turn the breaks."""
+        state, pane = self._state, self._state.own.pane
+        # From the eye the planes cover all of the picture, and one another.
+        light = 0.0 if state.own.sees_from_eye else state.light
+        parts = pane.parts_covered(state.volume.corners, _FADE_FROM)
         for (name, (tint, opacity)), part in zip(self.tints.items(), parts, strict=True):
             flood = (part - _FADE_FROM) / (1.0 - _FADE_FROM)
             quiet = 1.0 - QUIET if name in self._quiet else 1.0
             tint.GetProperty().SetOpacity(
                 light * quiet * opacity * (1.0 - (1.0 - _FADED) * max(0.0, flood))
             )
+        self._turn_breaks()
 
-    def show_names(self, names: Names) -> None:
-        """Tint the planes that are not named more palely, from the next `tint` on."""
-        self._quiet = frozenset(
-            name for name in self.tints if not any(each in names for each in _NAMED_BY[name])
-        )
-
-    def make_emphasis(self, emphasis: Emphasis) -> None:
-        emphasis.volume(self.space, CUBE)
-        for name, line in self.outlines.items():
-            emphasis.line(line, name, of=_NAMED_BY[name])
-        emphasis.line(self.apex, "fov", of=_VOLUME)
-        broken = [edge for edges in self.breaks.values() for _, edge in edges]
-        for line in (self._body, *broken):
-            emphasis.line(line, of=_VOLUME)
-
-    def turn_breaks(self, pane: PaneView) -> None:
+    def _turn_breaks(self) -> None:
         """Turn the strokes of each broken edge into the plane of the screen."""
-        em = self._em
+        pane, em = self._state.own.pane, self._state.em
         for name, ends in self._break_ends.items():
             starts, along = ends[:4], ends[4:] - ends[:4]
             x, y, depth = pane.axes @ (starts + _STROKES_AT * along - pane.eye).T
-            depth = np.maximum(np.abs(depth), 1e-9 * self._extent)
+            depth = np.maximum(np.abs(depth), 1e-9 * self._state.standing.extent)
             unit = pane.unit(depth)
             away_per = 2.0 * pane.slope / (pane.size_px[1] * unit)  # shrinking of what recedes
             right, up, away = pane.axes @ along.T
@@ -263,6 +263,117 @@ class FrustumDrawing:
             matrices[:, 3, 3] = 1.0
             for (space, _), matrix in zip(self.breaks[name], matrices, strict=True):
                 space.set(matrix)
+
+    # -- names, ink, pointing and framing
+
+    def want(self, ground: Ground) -> None:
+        """Ask for places of the window's sides, and of the planes with their distances."""
+        state, planes = self._state, self._state.projection.lens.planes
+        if state.volume.exists and planes is not None:
+            self._want_sides()
+        corners = state.corners_seen
+        if corners is None:
+            return
+        distances = planes or (None, None)
+        for name, face, distance in zip(
+            ("near", "far"), (corners[:4], corners[4:]), distances, strict=True
+        ):
+            if not state.names_point(name):
+                continue
+            text = state.words[name]
+            if distance is not None:
+                letter = state.words.get(f"{{{name}_distance}}", name)
+                digits = digits_apart(*(each for each in distances if each is not None))
+                text = f"{text} {letter} = {written_distance(distance, digits)}"
+            state.board.label(name).set_text(text)
+            covered = partial(state.own.pane.covered, face)
+            want_plane(state.board, ground, name, state.seen(face), covered)
+
+    def _want_sides(self) -> None:
+        """Ask for a place beside each side of the window, outside it or inside."""
+        state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
+        window, without = state.projection.window, state.unseen | state.written
+        if state.names.all:
+            without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
+        named = [
+            letter not in without and (letter in state.names or side in state.names)
+            for letter, side in WINDOW.items()
+        ]
+        if not any(named):
+            return
+        corners = np.roll(near, -1, axis=0)
+        sides = near[:, None] + _ON_SIDE[:, None] * (corners - near)[:, None]
+        middle, *spots = state.seen(np.vstack([near.mean(axis=0), sides.reshape(-1, 3)]))
+        digits = [digits_apart(*pair) for pair in (window[:2], window[2:]) for _ in pair]
+        for (letter, side), is_named, value, many in zip(
+            WINDOW.items(), named, window, digits, strict=True
+        ):
+            if not is_named:
+                continue
+            board.label(letter).set_text(self.side_text(letter, value, many))
+            first = SIDES.index(side) * len(_ON_SIDE)
+            beside = spots[first : first + len(_ON_SIDE)]
+            marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
+            out = beside[0][0] - middle[0], beside[0][1] - middle[1]
+            size, rim = board.label(letter).size_px, DOT_EM * state.em
+            places = partial(flanking, marks, out, size, state.em, rim)
+            board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
+
+    def side_text(self, letter: str, value: float, digits: int = FEW) -> str:
+        word = self._state.words.get(f"{{{letter}}}", letter)
+        return f"{word} = {written_distance(value, digits)}"
+
+    def ink(self, ground: Ground) -> None:
+        corners, own = self._state.corners_seen, self._state.own
+        if corners is not None:
+            edges = own.pane.spots(corners[_EDGES])
+            # In a flat view a plane is one upright line: letters keep a square away from it.
+            aside = SQUARE_EM * self._state.em if own.fixed in ("side", "top") else 0.0
+            for shift in {-aside, 0.0, aside}:
+                ground.ink_lines(edges + np.array([shift, 0.0]))
+
+    def targets(self) -> Targets:
+        state = self._state
+        *corners, eye = state.own.pane.pointed(
+            np.vstack([state.volume.corners, state.standing.eye])
+        )
+        points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
+        segments = volume_edges(corners)
+        if state.projection.lens.central:
+            segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
+        # A flat view looks along the faces: one of them would be all of the picture.
+        return Targets(points, segments, () if state.own.fixed else corners)
+
+    def reach(self) -> Array:
+        return self._state.volume.corners
+
+    def core(self) -> list[Array]:
+        state, corners, fixed = self._state, self._state.volume.corners, self._state.own.fixed
+        if not self._has_planes:
+            return []
+        named = [
+            corners[start:end]
+            for name, start, end, is_asked in (
+                ("near", 0, 4, True),
+                ("far", 4, 8, fixed != ""),
+                ("height", 5, 7, fixed != ""),
+                ("width", 5, 7, fixed == "axis"),
+            )
+            if is_asked and state.names.wants(name)
+        ]
+        sides = [i for i, side in enumerate(SIDES) if state.names.wants(side[0])]
+        return named + [corners[[i, (i + 1) % 4]] for i in sides]
+
+    def beside(self) -> list[Array]:
+        """Far is seldom whole in a free view: it would make the rest small."""
+        is_beside = self._has_planes and not self._state.own.fixed
+        is_beside = is_beside and self._state.names.wants("far")
+        return [self._state.volume.corners[4:]] if is_beside else []
+
+    @property
+    def _has_planes(self) -> bool:
+        has_planes = self._state.volume.exists and self._state.projection.lens.planes is not None
+        return has_planes and "frustum" not in self._state.hidden
 
 
 def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:

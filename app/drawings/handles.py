@@ -14,9 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
-from app.drawings.actors import PropGroup, ScreenCells
+from app.drawings.actors import ScreenCells
+from app.drawings.drawing import Handles
+from app.drawings.label_placement import Ground
+from app.drawings.labels import DOT_EM
+from app.drawings.layer import Layer
 from app.drawings.style import rgb
-from app.picking.handles import Handle, Spot
+from app.drawings.world_axes import WorldAxes
+from app.drawings.world_state import WorldState
+from app.picking.handles import Handle, Spot, shown
 
 APART_EM = 0.95
 """Least distance of two marks; they may overlap a little, as few are drawn at a time."""
@@ -40,20 +46,19 @@ _MOST = 15  # eye, target, near, far, four corners, five of the object, or two o
 _AWAY_PX = -1e4
 
 
-class HandleMarks:
-    """The marks of the handles in one pane.
+class HandleMarks(Handles, Layer):
+    """The marks of the handles of a live pane.
 
     Only the mark that is `held`, under the pointer or with the keyboard's focus, is drawn, and
-    those that are `called`, by name or setting; with `draws_all` all are. These hold from the next
-    `show` on. `shown` are the handles that can be taken, in pixels from the pane's top left.
+    those that are `called`; in a picture that names everything all are.
     """
 
-    def __init__(self, canvas: PropGroup) -> None:
-        self.held: Handle | None = None
-        self.draws_all = False
+    def __init__(self, state: WorldState, axes: WorldAxes) -> None:
+        self._state, self._axes = state, axes
+        self.held = None
         self.called = frozenset[str]()
-        self.shown: list[tuple[Handle, Spot]] = []
-        style = canvas.style
+        self.shown = []
+        style = state.style
         fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
         fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
         fills |= {"origin": style.ink, "x": style.u, "y": style.v, "z": style.n}
@@ -72,15 +77,39 @@ class HandleMarks:
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
         self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
         self._cells.mesh.GetCellData().SetScalars(self._scalars)
-        canvas.add(self._cells.actor, layer="handles")
+        state.canvas.add(self._cells.actor, layer="handles")
 
-    def show(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
-        """Mark these handles, at pixels from the pane's top left, and no others."""
+    def call(self, names: frozenset[str]) -> None:
+        self.called = names
+        self.follow()
+
+    def follow(self) -> None:
+        """Find the visible handles, and mark them."""
+        state, axes = self._state, self._axes.of_object
+        size_px, self.planes_drawn = state.size_px, state.planes_drawn
+        self.has_object = axes is not None
+        handles: Sequence[tuple[Handle, Spot]] = ()
+        if "handles" not in state.canvas.hidden:
+            handles = shown(
+                state.projection, self.planes_drawn, state.sight, size_px, APART_EM * state.em,
+                self.held, state.grips, state.unseen, 0.0 if axes is None else axes.reach,
+            )  # fmt: skip
+        self._mark(handles, size_px[1])
+
+    def want(self, ground: Ground) -> None:
+        """Keep labels off the marks that are drawn."""
+        height_px = self._state.size_px[1]
+        for handle, (x, y) in self.shown:
+            if self._state.names.all or handle == self.held:
+                ground.keep([(x, height_px - y)], DOT_EM * self._state.em)
+
+    def _mark(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
+        draws_all = self._state.names.all
         self.shown = list(handles)[:_MOST]
         self._places[len(self.shown) :, ..., :2] = _AWAY_PX
         for i, (handle, (x, y)) in enumerate(self.shown):
             out = handle == self.held
-            is_drawn = out or self.draws_all or bool({handle.name, handle.setting} & self.called)
+            is_drawn = out or draws_all or bool({handle.name, handle.setting} & self.called)
             if not (math.isfinite(x) and math.isfinite(y) and is_drawn):
                 x, y = _AWAY_PX, _AWAY_PX
             kind = handle.setting if handle.name == "object" else handle.name

@@ -1,7 +1,4 @@
-"""The labels of a pane: `Board` has them all, `Labels` asks for those of the world.
-
-Every part of a drawing asks its pane's board for places; the placer then finds them together.
-"""
+"""The labels of a pane: every layer asks the `Board` for places, which are then found together."""
 
 from __future__ import annotations
 
@@ -9,11 +6,11 @@ import math
 import weakref
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import partial
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from app.drawings.actors import PropGroup, ScreenCells
+from app.drawings.actors import ScreenCells
 from app.drawings.label import SceneLabel
 from app.drawings.label_placement import (
     NOWHERE,
@@ -26,17 +23,16 @@ from app.drawings.label_placement import (
     around,
     beyond,
     clipped,
-    flanking,
     joined,
     on,
     place,
 )
-from app.drawings.pane_view import PaneView, Spot
+from app.drawings.pane_view import Spot
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, OBJECT_AXES, SIDES, WINDOW
 from app.model.formula import ARROW
 from app.model.projection import Array
-from app.scenes.phenomena.readout import FEW, digits_apart
+from app.scenes.phenomena.readout import FEW
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
@@ -46,9 +42,7 @@ DOT_EM = 0.4
 """Half the width of the square at a point that labels keep free."""
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
-_LINE_EM = 0.14  # the width of the lines round the camera's body
-_ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
-"""Where on a side of the window its name may stand."""
+_AWAY_PX = -1e4
 _MOST_INSIDE = 6  # places on a plane that are tried
 
 
@@ -64,7 +58,7 @@ class Board:
     def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
         self._canvas, self.renderer = canvas, renderer or canvas.renderer
         self.em = canvas.style.font_size
-        self._labels: dict[Hashable, tuple[SceneLabel, Leader]] = {}
+        self._labels: dict[Hashable, tuple[SceneLabel, ScreenLines]] = {}
         self._wishes: list[Wish] = []
         self._kept: dict[Hashable, KeptSpot] = {}
         self.is_patient = False
@@ -101,7 +95,7 @@ class Board:
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
-            leader = Leader(self._canvas, self.renderer)
+            leader = ScreenLines(self._canvas, self._canvas.style.leader, 1, self.renderer)
             label = self._canvas.label(text, self.renderer, colour=colour)
             label.set_visible(False)
             self._labels[key] = label, leader
@@ -127,6 +121,13 @@ class Board:
             self.want(key, [(x, y)], partial(around, (x, y), size, self.em, rim, way), rank)
         else:
             self.want(key, [], lambda: NOWHERE, rank)
+
+    def want_beyond(self, keys: Sequence[Hashable], ends: Sequence[Spot]) -> None:
+        """Ask for places beyond the tips of arrows; `ends` are the start and the tip of each."""
+        for key, start, tip in zip(keys, ends[::2], ends[1::2], strict=True):
+            if tip[2] > 0.0:
+                way, size = (tip[0] - start[0], tip[1] - start[1]), self.label(key).size_px
+                self.want(key, [tip[:2]], partial(beyond, tip[:2], way, size, self.em), AXIS)
 
     def settle(self, ground: Ground, *, afresh: bool) -> bool:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
@@ -190,13 +191,14 @@ class Board:
         for key, (label, leader) in self._labels.items():
             spot = placed.get(key)
             label.set_visible(spot is not None)
-            is_led = spot is not None and spot.leader is not None
-            if leader.is_visible != is_led:
-                leader.set_visible(is_led)
             if spot is not None:
                 label.set_position(*spot.centre, spot.turn)
-                if spot.leader is not None:
-                    leader.join(*spot.leader)
+            joined_px = None if spot is None else spot.leader
+            if joined_px is not None or leader.is_drawn:
+                leader.begin()
+                if joined_px is not None:
+                    leader.add(*joined_px)
+                leader.end()
 
     # -- in time
 
@@ -253,108 +255,6 @@ def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:
     return place.spot != other.spot or apart > 1.0
 
 
-class Named(NamedTuple):
-    """What can be named in the world; scene-local."""
-
-    eye: Array
-    target: Array
-    arrows: tuple[str, ...]
-    ends: Array  # (n, 2, 3), where each of these arrows starts and ends
-    body: Array  # (8, 3), corners of a box round the camera's body
-    corners: Array | None  # (8, 3), of the frustum as drawn, near first
-    planes: tuple[float, float] | None  # distances of near and far to be written
-    without: frozenset[str] = frozenset()  # of eye, target, planes and sides: those without a name
-    near: Array | None = None  # (4, 3), corners of the window, if it has sides
-    window: tuple[float, ...] = ()  # where its sides are, in the order of `WINDOW`
-
-
-class Labels:
-    """Eye, target, the camera's axes, near, far and the window's sides in the world pane."""
-
-    def __init__(self, board: Board, canvas: PropGroup, words: Mapping[str, str]) -> None:
-        self._board, self._words = board, words
-        self.named = {
-            name: board.label(name, words[name], getattr(canvas.style, name))
-            for name in ("eye", "target", "near", "far")
-        }
-        for name in AXES:
-            self.named[name] = board.label(name, vector(words[name]), getattr(canvas.style, name))
-        for letter, side in WINDOW.items():
-            self.named[side] = board.label(letter, "", canvas.style.near)
-        """The labels by the names of their subjects."""
-
-    def add_arrow(self, name: str, colour: str) -> SceneLabel:
-        """Create the label of one more arrow than `AXES`."""
-        word = self._words[name]
-        return self._board.label(name, word if name in OBJECT_AXES else vector(word), colour)
-
-    def dim_planes(self, light: float) -> None:
-        for name in ("near", "far"):
-            self.named[name].set_opacity(light)
-
-    def want(self, ground: Ground, pane: PaneView, named: Named) -> None:
-        """Ask for the places of all that is named."""
-        board, em = self._board, self._board.em
-        points = named.body, [named.eye, named.target], named.ends.reshape(-1, 3)
-        spots = pane.seen(np.concatenate(points))
-        x, y, depth = np.array(spots[: len(named.body)]).T
-        eye, target, *ends = spots[len(named.body) :]
-        if depth.min() > 0.0:
-            line = _LINE_EM * em
-            ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
-        for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
-            if name not in named.without:
-                if spot[2] > 0.0:
-                    ground.keep([spot], DOT_EM * em)
-                board.want_beside(name, spot, rank, (0.0, -1.0))
-        for name, start, tip in zip(named.arrows, ends[::2], ends[1::2], strict=True):
-            if tip[2] > 0.0:
-                way = tip[0] - start[0], tip[1] - start[1]
-                size = board.label(name).size_px
-                board.want(name, [tip[:2]], partial(beyond, tip[:2], way, size, em), AXIS)
-        if named.near is not None and not named.without.issuperset(WINDOW):
-            self._want_sides(pane, named, named.near)
-        if named.corners is None:
-            return
-        distances = named.planes or (None, None)
-        for name, face, distance in zip(
-            ("near", "far"), (named.corners[:4], named.corners[4:]), distances, strict=True
-        ):
-            if name in named.without:
-                continue
-            text = self._words[name]
-            if distance is not None:
-                letter = self._words.get(f"{{{name}_distance}}", name)
-                digits = digits_apart(*(each for each in distances if each is not None))
-                text = f"{text} {letter} = {written_distance(distance, digits)}"
-            self.named[name].set_text(text)
-            want_plane(board, ground, name, pane.seen(face), partial(pane.covered, face))
-
-    def _want_sides(self, pane: PaneView, named: Named, near: Array) -> None:
-        """Ask for a place beside each side of the window, outside it or inside."""
-        board, em = self._board, self._board.em
-        corners = np.roll(near, -1, axis=0)
-        sides = near[:, None] + _ON_SIDE[:, None] * (corners - near)[:, None]
-        middle, *spots = pane.seen(np.vstack([near.mean(axis=0), sides.reshape(-1, 3)]))
-        pairs = named.window[:2], named.window[2:]
-        digits = [digits_apart(*pair) for pair in pairs for _ in pair]
-        for (letter, side), value, many in zip(WINDOW.items(), named.window, digits, strict=True):
-            if letter in named.without:
-                continue
-            self.named[side].set_text(self.side(letter, value, many))
-            first = SIDES.index(side) * len(_ON_SIDE)
-            beside = spots[first : first + len(_ON_SIDE)]
-            marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
-            out = beside[0][0] - middle[0], beside[0][1] - middle[1]
-            size, rim = board.label(letter).size_px, DOT_EM * em
-            places = partial(flanking, marks, out, size, em, rim)
-            board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
-
-    def side(self, letter: str, value: float, digits: int = FEW) -> str:
-        """The text at a side of the window."""
-        return f"{self._words.get(f'{{{letter}}}', letter)} = {written_distance(value, digits)}"
-
-
 def want_plane(
     board: Board,
     ground: Ground,
@@ -382,25 +282,40 @@ def want_plane(
     board.want(key, spots, places, PLANE)
 
 
-class Leader:
-    """A thin grey line in the plane of the screen, from a label to its point; hidden at first."""
+class ScreenLines:
+    """Thin lines of one colour in the plane of the screen, drawn anew by ``begin, add..., end``."""
 
-    def __init__(self, canvas: PropGroup, renderer: Any = None) -> None:
-        self._line, self._canvas = ScreenCells(1, 2), weakref.proxy(canvas)
-        self.actor = self._line.actor
-        self.actor.GetProperty().SetColor(*rgb(canvas.style.leader))
+    def __init__(self, canvas: PropGroup, colour: str, most: int, renderer: Any = None) -> None:
+        self._canvas, self._cells, self._used = weakref.proxy(canvas), ScreenCells(most, 2), 0
+        self._cells.px[..., :2] = _AWAY_PX
+        self.actor = self._cells.actor
+        self.actor.GetProperty().SetColor(*rgb(colour))
         self.actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
         canvas.add(self.actor, renderer=renderer, layer="labels")
-        self.set_visible(False)
+        self.end()
 
-    def set_visible(self, visible: bool) -> None:
-        self.is_visible = visible
-        self._canvas.set_visible(self.actor, visible)
+    @property
+    def ends(self) -> Array:
+        """The lines' ends in pixels, (n, 2, 2)."""
+        return self._cells.px[: self._used, :, :2].astype(np.float64)
 
-    def join(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
-        """Draw it between two pixels, counted from the left and from the bottom."""
-        self._line.px[0, :, :2] = start_px, end_px
-        self._line.changed()
+    @property
+    def is_drawn(self) -> bool:
+        return self._used > 0
+
+    def begin(self) -> None:
+        self._cells.px[: self._used, :, :2] = _AWAY_PX
+        self._used = 0
+
+    def add(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
+        """Draw a line between two pixels, counted from the left and from the bottom."""
+        if self._used < len(self._cells.px):
+            self._cells.px[self._used, :, :2] = start_px, end_px
+            self._used += 1
+
+    def end(self) -> None:
+        self._cells.changed()
+        self._canvas.set_visible(self.actor, self._used > 0)
 
 
 def vector(word: str) -> str:

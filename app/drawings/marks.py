@@ -20,9 +20,9 @@ from __future__ import annotations
 
 import math
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Any, Literal, NamedTuple
+from typing import Literal
 
 import numpy as np
 import pyvista as pv
@@ -34,7 +34,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     Detail,
-    PropGroup,
     SceneActors,
     Space,
     colour_by_points,
@@ -43,9 +42,9 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.label_placement import Ground
-from app.drawings.labels import DOT_EM, SCENE, Board
-from app.drawings.names import QUIET, QUIET_WIDTH, Names
-from app.drawings.pane_view import Spot
+from app.drawings.labels import DOT_EM, SCENE
+from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing
+from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.style import mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
@@ -67,79 +66,67 @@ _NEAR_WIDER = 1.6  # on paper
 _NOWHERE = (math.nan, math.nan, 0.0)
 
 
-class Placing(NamedTuple):
-    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``."""
+class MarksDrawing(Layer):
+    """An illustration in one pane, which says where its coordinates are drawn (`PaneState`).
 
-    scale: Array
-    shift: Array
-    limit: float  # half the side of the box, about the actors' origin, that marks are cut to
-
-    def placed(self, points: Array) -> Array:
-        """Convert points (n, 3), or (n, 2) in a plane, to (n, 3)."""
-        if points.shape[1] == 2:
-            points = np.column_stack([points, np.zeros(len(points))])
-        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is dropped
-            placed: Array = self.scale * points + self.shift
-        return placed
-
-
-class MarksDrawing:
-    """An illustration in one pane.
-
-    `words` translates texts. Texts are shown, and lines, faces and dots are not quiet, if `names`
-    has them; call `show_names` when it has changed. `clip` are planes that cut copies. With `over`,
-    marks lie in one plane before everything else. With `lifts_copies`, copies are brought forward
-    here, and not by the matrices of `place_copies`.
+    `clip` are planes that cut copies. With `over`, marks lie in one plane before everything else.
+    With `lifts_copies`, copies are brought forward here, and not by their matrices.
     """
 
     def __init__(
         self,
-        canvas: PropGroup,
-        scene: Scene,
-        words: Mapping[str, str],
+        state: PaneState,
         *,
-        renderer: Any = None,
         clip: Iterable[vtkPlane] = (),
         over: bool = False,
         lifts_copies: bool = False,
-        names: Names,
-        board: Board,
     ) -> None:
-        self._canvas, self._scene, self._renderer = canvas, scene, renderer
-        self._style, self._words = canvas.style, words
+        self._state, self._canvas, self._style = state, state.canvas, state.style
         self._clip, self._over, self._lifts_copies = tuple(clip), over, lifts_copies
         self._lines: list[_Batch] = []
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
-        self._board = board
+        self._board, self._names = state.board, state.names
         self._texts: list[tuple[tuple[str, str, int], tuple[str, ...]]] = []
         """The key of each text on the board, and what it is about."""
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
-        self._text_points = self._dot_points = self._away_points = np.empty((0, 3))
-        self._segments = np.empty((0, 3))
+        self._text_points = self._dot_points = self._away_points = NO_POINTS
+        self._segments = NO_POINTS
         self._shown: list[tuple[_CopyActors, Array]] = []
         self._now: tuple[Marks, Placing] | None = None
-        self._names = names
-        self._highlighted = names.pointed
-        self.named_points = np.empty((0, 3))
-        """The points of the marks that the picture was told to name, (n, 3)."""
-        self.points = np.empty((0, 3))
-        """The marked points, in the coordinates of the pane's actors, (n, 3)."""
+        self._highlighted = NOTHING
+        self._named_in_view = self._points = NO_POINTS
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether there has been no illustration yet."""
+        return self._now is None
 
     # -- marks
 
-    def show(self, marks: Marks, placing: Placing) -> None:
-        """Draw these marks, and no others; the texts wait for `place_texts`.
+    def show(self) -> None:
+        """Draw the marks of the illustration, and no others.
 
         Points that are not finite, or too far away, are dropped.
         """
+        state, illustration = self._state, self._state.marked
+        if illustration is None:
+            if not self.is_empty:
+                self._show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
+                self._show_copies(())
+            return
+        self._show(getattr(illustration, state.pane), state.placing())
+        self._show_copies([copy for copy in illustration.copies if state.pane in copy.panes])
+        self.follow()
+
+    def _show(self, marks: Marks, placing: Placing) -> None:
         self._now = marks, placing
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
-        self.points = np.concatenate(drawn)
-        self.named_points = self._named_points(marks, placing)
+        self._points = np.concatenate(drawn)
+        self._named_in_view = self._named_points(marks, placing)
 
     def _named_points(self, marks: Marks, placing: Placing) -> Array:
         wanted = self._names.wanted or ()
@@ -148,7 +135,7 @@ class MarksDrawing:
         named += [np.array([dot.point]) for dot in marks.dots if dot.name in wanted]
         named += [np.array([text.point]) for text in marks.texts if text.name in wanted]
         if not named:
-            return np.empty((0, 3))
+            return NO_POINTS
         points = placing.placed(np.concatenate(named))
         return points[_within(points, placing.limit)]
 
@@ -160,9 +147,8 @@ class MarksDrawing:
         return [t for t in texts if t.name in names or names.pointed.intersection(t.about)]
 
     def show_names(self) -> None:
-        """Show what is named now; the texts wait for `place_texts`."""
         if self._now is not None:
-            self.show(*self._now)
+            self._show(*self._now)
 
     def _quiet(self, mark: Polyline | Face | Dot) -> bool:
         return mark.name != "" and mark.name not in self._names
@@ -198,7 +184,7 @@ class MarksDrawing:
         if not lines:
             for batch in self._lines:
                 batch.hide()
-            self._segments = np.empty((0, 3))
+            self._segments = NO_POINTS
             return self._segments
         counts = np.array([len(line.points) for line in lines])
         points = placing.placed(np.concatenate([line.points for line in lines]))
@@ -224,16 +210,9 @@ class MarksDrawing:
         long = (segments[:, 0] != segments[:, 1]).any(axis=1)
         if not long.all():
             segments, widths, colours = segments[long], widths[long], colours[long]
-        distinct = sorted(set(widths.tolist()))
-        while len(self._lines) < len(distinct):
-            self._lines.append(self._batch("Lines"))
-        for i, batch in enumerate(self._lines):
-            if i < len(distinct):
-                which = widths == distinct[i]
-                batch.actor.GetProperty().SetLineWidth(distinct[i] * self._style.line_width)
-                batch.show(segments[which], np.repeat(colours[which], 2, axis=0))
-            else:
-                batch.hide()
+        for batch, width, which in self._batches(self._lines, "Lines", widths):
+            batch.actor.GetProperty().SetLineWidth(width * self._style.line_width)
+            batch.show(segments[which], np.repeat(colours[which], 2, axis=0))
         self._segments = segments.reshape(-1, 3)
         return self._segments
 
@@ -265,17 +244,9 @@ class MarksDrawing:
         near = _within(points, placing.limit)
         sizes = np.where(near, [dot.size for dot in dots], np.nan) if dots else np.empty(0)
         colours = [self._rgba(dot.colour, quiet=self._quiet(dot)) for dot in dots]
-        distinct = sorted(set(sizes[near].tolist()), reverse=True)  # small ones on large ones
-        while len(self._dots) < len(distinct):
-            self._dots.append(self._batch("Verts"))
-        for i, batch in enumerate(self._dots):
-            if i < len(distinct):
-                which = np.flatnonzero(sizes == distinct[i])
-                size = distinct[i] * DOT * self._style.line_width
-                batch.actor.GetProperty().SetPointSize(size)
-                batch.show(points[which][:, None], np.array([colours[j] for j in which]))
-            else:
-                batch.hide()
+        for batch, size, which in self._batches(self._dots, "Verts", sizes):
+            batch.actor.GetProperty().SetPointSize(size * DOT * self._style.line_width)
+            batch.show(points[which][:, None], np.array([colours[j] for j in which]))
         self._dot_points = points[near]
         return self._dot_points
 
@@ -291,44 +262,55 @@ class MarksDrawing:
             seen[text.name] += 1
             label = self._board.label(key)
             label.set_colour(self._named(text.colour or "ink"))
-            label.set_text(self._words.get(text.text, text.text))
+            label.set_text(self._state.words.get(text.text, text.text))
             self._texts.append((key, text.about))
         self._underline_texts()
 
-    def want_texts(
-        self,
-        ground: Ground,
-        seen: Callable[[Array], Sequence[Spot]],
-        without: Container[str] = (),
-    ) -> None:
-        """Ask for a place for each text, except those whose names are written already.
-
-        `seen` converts points of the pane's actors, (n, 3), to the renderer.
-        """
-        count = len(self._text_points)
-        spots = seen(np.concatenate([self._text_points, self._away_points, self._dot_points]))
+    def want(self, ground: Ground) -> None:
+        """Ask for a place for each text, except those whose names are written already."""
+        count, board = len(self._text_points), self._board
+        if not count + len(self._dot_points):
+            return
+        points = np.concatenate([self._text_points, self._away_points, self._dot_points])
+        spots = self._state.seen(points)
         dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
-        ground.keep(dots, DOT_EM * self._board.em)
+        ground.keep(dots, DOT_EM * board.em)
+        written = self._state.written
         for place, (key, _) in enumerate(self._texts):
-            if key[1] in without:
+            if key[1] in written:
                 continue
             spot, away = spots[place], spots[count + place]
             way = spot[0] - away[0], spot[1] - away[1]
-            self._board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)
+            board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)
 
-    def ink(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Tell the ground where the lines are."""
-        spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen(self._segments)])
-        ground.ink_lines(spots.reshape(-1, 3)[:, :2].reshape(-1, 2, 2))
+    def ink(self, ground: Ground) -> None:
+        if len(self._segments):
+            seen = self._state.seen(self._segments)
+            spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen])
+            ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
+
+    def reach(self) -> Array:
+        """The marked points and the copies of the objects, of those that are not too far away."""
+        if self._now is None or not self._shown:
+            return self._points
+        x, y, z, w = self._copied(self._state.objects).T
+        w = np.where(w > 0.0, w, np.nan)  # behind a plane that goes to infinity: not drawn
+        with np.errstate(over="ignore"):
+            copied = np.column_stack([x / w, y / w, z / w])
+        return np.concatenate([self._points, copied[_within(copied, self._now[1].limit)]])
+
+    def core(self) -> list[Array]:
+        """The points of the marks that the picture was told to name."""
+        return [self._state.framed(self._named_in_view)]
 
     # -- copies
 
-    def show_copies(self, copies: Sequence[Copy]) -> None:
-        """Draw these copies, and no others; they wait for `place_copies`."""
+    def _show_copies(self, copies: Sequence[Copy]) -> None:
+        """Draw these copies, and no others; `follow` places them."""
         while len(self._copies) < len(copies):
             self._copies.append(_CopyActors())
         self._shown = []
-        origin = np.array(self._scene.origin)
+        origin = self._state.origin
         for actors, copy in zip(self._copies, copies, strict=False):
             matrix = np.array(copy.world_from_world, dtype=np.float64)
             visible = bool(np.isfinite(matrix).all() and matrix.any())
@@ -341,21 +323,18 @@ class MarksDrawing:
         for actors in self._copies[len(copies) :]:
             self._dress(actors, None)
 
-    def place_copies(self, pane_from_local: Callable[[float], Array]) -> None:
-        """Set the copies' matrices.
-
-        `pane_from_local` returns the scene's own matrix in this pane, (4, 4), for a multiple of how
-        far its lines come forward.
-        """
-        for actors, local_from_local in self._shown:
-            actors.space.set_projective(pane_from_local(COPY_LIFT) @ local_from_local)
+    def follow(self) -> None:
+        if self._shown:
+            pane_from_local = self._state.copies_from_local(COPY_LIFT)
+            for actors, local_from_local in self._shown:
+                actors.space.set_projective(pane_from_local @ local_from_local)
 
     @property
     def copied_faces(self) -> list[tuple[vtkActor, Space]]:
         """The faces of all copies so far, each with its `Space`."""
         return [(copy.surface, copy.space) for copy in self._copies if copy.surface is not None]
 
-    def copied(self, points: Array) -> Array:
+    def _copied(self, points: Array) -> Array:
         """Return the copies of points (n, 3) of the scene's faces, (m, 4), scene-local."""
         homogeneous = np.column_stack([points, np.ones(len(points))])
         return np.concatenate(
@@ -370,13 +349,13 @@ class MarksDrawing:
     def _build(self, actors: _CopyActors) -> None:
         if actors.detail is not None:
             return
-        actors.surface = SceneActors(self._scene, self._style, self._clip).surface
+        actors.surface = SceneActors(self._state.scene, self._style, self._clip).surface
         actors.detail = Detail(actors.surface)
         if actors.surface is not None:
             actors.space.add(actors.surface)
             if self._lifts_copies:
                 lift_lines(actors.surface, COPY_LIFT)
-            self._canvas.add(actors.surface, renderer=self._renderer)
+            self._canvas.add(actors.surface, renderer=self._state.renderer)
 
     def _dress(self, actors: _CopyActors, copy: Copy | None) -> None:
         if actors.surface is None:
@@ -403,6 +382,17 @@ class MarksDrawing:
             rgba = self._colours[key] = np.array([*parts, key[1]], dtype=np.uint8)
         return rgba
 
+    def _batches(
+        self, batches: list[_Batch], kind: Literal["Lines", "Verts"], sizes: Array
+    ) -> list[tuple[_Batch, float, NDArray[np.intp]]]:
+        """A batch for each size, and whose size it is; small dots come on large ones."""
+        distinct = sorted(set(sizes[~np.isnan(sizes)].tolist()), reverse=kind == "Verts")
+        batches += [self._batch(kind) for _ in range(len(distinct) - len(batches))]
+        for batch in batches[len(distinct) :]:
+            batch.hide()
+        pairs = zip(batches, distinct, strict=False)
+        return [(batch, size, np.flatnonzero(sizes == size)) for batch, size in pairs]
+
     def _batch(self, kind: Literal["Lines", "Polys", "Verts"]) -> _Batch:
         batch = _Batch(kind)
         if kind == "Polys":
@@ -414,7 +404,7 @@ class MarksDrawing:
             put_in_front(batch.actor)
         elif not self._over:
             lift_lines(batch.actor, _LINE_STEPS if kind == "Lines" else _FACE_STEPS)
-        self._canvas.add(batch.actor, renderer=self._renderer)
+        self._canvas.add(batch.actor, renderer=self._state.renderer)
         return batch
 
 

@@ -15,13 +15,12 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings import actors
-from app.drawings.actors import PropGroup
-from app.drawings.camera import CameraPose
-from app.drawings.frustum import FrustumDrawing, matrices_between, normalised
-from app.drawings.own_view import OwnView
+from app.drawings.frustum import matrices_between, normalised
+from app.drawings.label_placement import Ground
+from app.drawings.layer import FacesLayer
 from app.drawings.pane_view import PaneView
+from app.drawings.world_state import WorldState
 from app.model.projection import Array, Projection
-from app.scenes.scene import Scene
 
 SLAB = 0.005
 """Thickness of the picture on the near plane, relative to near, with a parallel lens to the reach,
@@ -34,33 +33,34 @@ _AT_EYE = 1e-12  # of the scene's extent
 _EDGE_ON = 1e-3  # sine of the angle between the near plane and a line of sight
 
 
-class NearPicture:
-    def __init__(self, canvas: PropGroup, scene: Scene) -> None:
-        self._canvas = canvas
-        self._planes = [vtkPlane() for _ in range(6)]
-        self.actors = actors.SceneActors(scene, canvas.style, self._planes, in_plane=True)
-        for actor in self.actors:
-            actors.flat(actor).is_drawing = True
-        self.faces = self.actors.surface
-        self.space, *self._line_spaces, self._ground_space = self.actors.spaces
-        canvas.add(*self.actors, layer="near-picture")
-        self.is_seen = False
-        """Whether it is drawn, if its layer is visible."""
+class NearPicture(FacesLayer):
+    """The scene on the near plane of a frustum; `is_seen` if its layer is visible."""
 
-    def show(
-        self,
-        projection: Projection,
-        standing: CameraPose,
-        frustum: FrustumDrawing,
-        own: OwnView,
-        local_from_object: Array,
-    ) -> None:
-        """Lay the scene onto the near plane of a frustum, as the pane's own camera sees it."""
-        lens, reach, depths, pane = projection.lens, frustum.reach, standing.depths, own.pane
-        left_bottom, right_top = frustum.corners[0], frustum.corners[2]
+    _state: WorldState
+
+    def __init__(self, state: WorldState) -> None:
+        self._planes = [vtkPlane() for _ in range(6)]
+        drawn = actors.SceneActors(state.scene, state.style, self._planes, in_plane=True)
+        for actor in drawn:
+            actors.flat(actor).is_drawing = True
+        state.canvas.add(*drawn, layer="near-picture")
+        super().__init__(state, drawn, "projected")
+        self.space, *self._line_spaces, self._ground_space = drawn.spaces
+        self.is_seen = False
+
+    def show(self) -> None:
+        self.actors.show_moved(not self._state.projection.placement.is_identity)
+        super().show()
+
+    def settle(self) -> None:
+        """Lay the scene onto the near plane, as the pane's own camera sees it."""
+        state, (corners, reach, _) = self._state, self._state.volume
+        projection, standing, pane = state.projection, state.standing, state.own.pane
+        lens, depths = projection.lens, standing.depths
+        left_bottom, right_top = corners[0], corners[2]
         px = pane.unit(math.dist(pane.eye, left_bottom))
         across = math.dist(left_bottom, right_top)
-        seen = across > _LEAST_PX * px and not _is_edge_on(frustum.corners[:4], pane)
+        seen = across > _LEAST_PX * px and not _is_edge_on(corners[:4], pane)
         if reach is None:
             seen = seen and projection.frustum_sign > 0
         else:
@@ -71,25 +71,44 @@ class NearPicture:
         seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
         self.is_seen = bool(seen)
         for actor in self.actors:
-            self._canvas.set_visible(actor, seen)
+            state.canvas.set_visible(actor, seen)
         if not seen:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
-        toward = SLAB * thick * toward_viewer(pane, frustum.corners[:4].mean(axis=0))
-        self.actors.show_slope(own.slope_of_depth(frustum.corners[:4]), pane.size_px)
+        toward = SLAB * thick * toward_viewer(pane, corners[:4].mean(axis=0))
+        self.actors.show_slope(state.own.slope_of_depth(corners[:4]), pane.size_px)
         if reach is None:
-            film = flatten_free(projection, standing.origin, toward)
+            film = flatten_free(projection, state.origin, toward)
         else:
             view = standing.view_from_local, standing.local_from_view
             film = flatten(projection, view, depths, reach.high, toward)
-        self.space.set(film.surface @ local_from_object)
-        lines = film.surface if self.faces is None else film.lines  # which far would cut later
+        self.space.set(film.surface @ state.local_from_object)
+        lines = film.surface if self.actors.surface is None else film.lines  # which far would cut
         for space in self._line_spaces:
-            space.set(lines @ local_from_object)
+            space.set(lines @ state.local_from_object)
         self._ground_space.set(lines)
         for plane, (*normal, offset) in zip(self._planes, film.planes.tolist(), strict=True):
             plane.SetNormal(normal)
             plane.SetOrigin([-offset * part for part in normal])
+
+    def ink(self, ground: Ground) -> None:
+        state = self._state
+        if self.is_seen and "near-picture" not in state.canvas.hidden:
+            state.silhouette.ink(ground, state.own.pane.spots(self._on_near_plane))
+
+    @property
+    def _on_near_plane(self) -> Array:
+        """The triangles of the picture, (n, 3, 3); NaN outside the window."""
+        state = self._state
+        clip = state.projection.clip_from_local(state.scene.origin, "object")
+        x, y, _, w = np.moveaxis(state.silhouette.triangles @ clip[:, :3].T + clip[:, 3], -1, 0)
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            inside = (w > 0.0) & (np.maximum(np.abs(x), np.abs(y)) <= w)
+            across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
+        corner, right, _, top = state.volume.corners[:4]
+        way = (across + 1.0) / 2.0 * (right - corner) + (up + 1.0) / 2.0 * (top - corner)
+        on_plane: Array = corner + way
+        return on_plane
 
 
 class Film(NamedTuple):
@@ -151,7 +170,7 @@ def flatten(
 def flatten_free(projection: Projection, origin: Array, toward: Array) -> Film:
     """`flatten` under a free matrix: onto the cube's near face."""
     reversed_range = projection.with_depth("reversed")
-    clip_from_local = reversed_range.clip_from_world_at(origin)
+    clip_from_local = reversed_range.clip_from_local(origin)
     local_from_clip = reversed_range.world_from_clip_at(origin)
     x, y, _, w = clip_from_local
     side_planes = np.array([w + x, w - x, w + y, w - y])

@@ -23,10 +23,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.drawings.actors import PropGroup, axes_of
-from app.drawings.camera import AROUND_PX, SIX_WAYS
+from app.drawings.actors import axes_of
+from app.drawings.frame import AROUND_PX, SIX_WAYS
 from app.drawings.pane_view import PaneCamera, PaneView
 from app.drawings.pointing import FACES
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.model.limits import cos_sin_deg
 from app.model.projection import Array, Camera

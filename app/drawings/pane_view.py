@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.drawings.actors import PropGroup, axes_of
+from app.drawings.actors import axes_of
+from app.drawings.prop_group import PropGroup
 from app.model.projection import Array
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.

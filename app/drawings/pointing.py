@@ -8,15 +8,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from itertools import pairwise
-from typing import Any, TypeAlias
+from itertools import chain, pairwise
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_EDGES, PropGroup, Space, face_actor, line_actor, point_actor
+from app.drawings.actors import CUBE_EDGES, Space, face_actor, line_actor, point_actor
 from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.projection import Array
@@ -177,37 +178,40 @@ def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
     return edges
 
 
-def pointed_at(
-    place: tuple[float, float],
-    em: float,
-    points: Iterable[tuple[Highlight, Spot]],
-    segments: Iterable[Segment],
-    corners: Sequence[Spot] = (),
-) -> Highlight:
+class Targets(NamedTuple):
+    """What can be pointed at; `corners` are a view volume's, for its faces. NaN is ignored."""
+
+    points: Sequence[tuple[Highlight, Spot]] = ()
+    segments: Sequence[Segment] = ()
+    corners: Sequence[Spot] = ()
+
+
+def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]) -> Highlight:
     """Return what is at a pixel: the nearest point, else the nearest line, else the foremost face.
 
     `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
-    the hand's precision; NaN places are ignored; `corners` are the view volume's, for its faces.
+    the hand's precision. Of equally near things the first counts.
     """
     best, pointed = _POINT_EM * em, NOTHING
-    for names, spot in points:
+    for names, spot in chain.from_iterable(each.points for each in targets):
         away = math.dist(spot[:2], place)
         if away < best:  # never for NaN
             best, pointed = away, names
     if pointed:
         return pointed
     best = _LINE_EM * em
-    for names, start, end in segments:
+    for names, start, end in chain.from_iterable(each.segments for each in targets):
         away = _from_segment(place, start, end)
         if away < best:
             best, pointed = away, names
-    if pointed or not corners:
+    if pointed:
         return pointed
     foremost = math.inf
-    for name, face in FACES.items():
-        order = _order_in(place, [corners[i] for i in face])
-        if order < foremost:
-            foremost, pointed = order, frozenset((name,))
+    for corners in (each.corners for each in targets if each.corners):
+        for name, face in FACES.items():
+            order = _order_in(place, [corners[i] for i in face])
+            if order < foremost:
+                foremost, pointed = order, frozenset((name,))
     return pointed
 
 

@@ -41,7 +41,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors
+from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors, lifted
 from app.drawings.scene_bounds import bounds_px
 from app.drawings.style import Style
 from app.model.projection import Array, ObjectTransform, Projection, Space
@@ -124,6 +124,13 @@ class ModelActors:
         if self.precision == "float32":
             _projected.pop(scene, None)
         return matrices
+
+    def show_picture(self, projection: Projection) -> None:
+        """Show the picture of `show_projection`, with dots and lines lifted before the faces."""
+        surface, *lines = self.show_projection(projection)
+        matrices = surface, *(lifted(matrix, projection, self._scene) for matrix in lines)
+        for space, matrix in zip(self.actors.spaces, matrices, strict=True):
+            space.set_projective(matrix)
 
     def show_placed(self, placement: ObjectTransform) -> Array:
         """Give the actors the scene's own vertices, and return the objects' matrix, (4, 4).

@@ -13,24 +13,30 @@ import math
 from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+import pyvista as pv
+from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
-from app.drawings.actors import PropGroup, Space, actor_2d, lift_lines, line_actor
+from app.drawings.actors import Space, actor_2d, lift_lines, line_actor
 from app.drawings.label_placement import Ground
-from app.drawings.labels import PROBE, Board
+from app.drawings.labels import PROBE
+from app.drawings.layer import Layer, PaneState
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
 from app.picking.picking import Hit, Lines, PickSurface, Probe, pick, projector, stops
 from app.picking.sight import Sight
 from app.scenes.scene import Scene
+
+if TYPE_CHECKING:
+    from app.drawings.picture_frame import ImageState
+    from app.drawings.stage_box import StageState
+    from app.drawings.world_state import WorldState
 
 _RIM_EM, _FILL_EM, _CROSSING_EM = 0.44, 0.32, 0.24  # radii
 _RING_EM = ((0.72, 1.1), (0.8, 1.02))  # inner and outer radii: of its edges, and between them
@@ -47,43 +53,63 @@ class ProbeMark(NamedTuple):
     crossing_px: Array | None = None  # where the projector meets the near plane
 
 
-class Probes:
-    def __init__(self, canvas: PropGroup, board: Board, renderer: Any = None) -> None:
-        self._canvas, self._board, self._renderer = canvas, board, renderer
+class Probes(Layer):
+    """The marks of the state's probes in one pane, which knows where each is (`marks`)."""
+
+    def __init__(self, state: PaneState) -> None:
+        self._state = state
         self._slots: list[_Slot] = []
         self._spots: list[tuple[int, float, float]] = []
-        self.probes: Sequence[Probe] = ()
 
-    def show(self, marks: Sequence[ProbeMark], size_px: tuple[int, int]) -> None:
-        """Draw these marks, and no others, in a renderer of this size."""
+    def marks(self) -> Sequence[ProbeMark]:
+        raise NotImplementedError
+
+    def settle(self) -> None:
+        state = self._state
+        marks = self.marks() if state.probes else ()
+        if not (marks or self._slots):
+            return
         while len(self._slots) < len(marks):
-            self._slots.append(_Slot(self._canvas, self._renderer))
+            self._slots.append(_Slot(state.canvas, state.renderer))
         for i, slot in enumerate(self._slots):
-            slot.show(marks[i] if i < len(marks) else None, size_px)
-        spots = [(mark.number, _place(mark.spot_px, size_px[1])) for mark in marks]
+            slot.show(marks[i] if i < len(marks) else None, state.size_px)
+        spots = [(mark.number, _place(mark.spot_px, state.size_px[1])) for mark in marks]
         self._spots = [(number, *spot) for number, spot in spots if spot is not None]
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the discs, and ask for a place for each number."""
+        board = self._state.board
         for number, x, y in self._spots:
-            ground.keep([(x, y)], _RIM_EM * self._board.em)
+            ground.keep([(x, y)], _RIM_EM * board.em)
             if number:
                 key = "probe", number
-                self._board.label(key, str(number), self._canvas.style.accent)
-                self._board.want_beside(key, (x, y, 1.0), PROBE)
+                board.label(key, str(number), self._state.style.accent)
+                board.want_beside(key, (x, y, 1.0), PROBE)
 
-    def in_world(
-        self, projection: Projection, origin: Array, drawn: tuple[float, float], sight: Sight
-    ) -> list[ProbeMark]:
-        """The marks of the world pane.
+    def _traced(self, projection: Projection) -> list[tuple[Probe, Trace | None]]:
+        """Each probe with its point through all stages; None for a ray."""
+        probes = self._state.probes
+        traces = iter(_traced(projection, tuple(p.point for p in probes if p.point is not None)))
+        return [
+            (
+                probe,
+                _traced_at_infinity(projection, probe.direction)
+                if probe.direction is not None
+                else None if probe.point is None else next(traces),
+            )
+            for probe in probes
+        ]  # fmt: skip
 
-        `origin` is the origin of the pane's actors, `drawn` the distances at which near and far are
-        drawn.
-        """
-        near, far = drawn
+
+class WorldProbes(Probes):
+    _state: WorldState
+
+    def marks(self) -> list[ProbeMark]:
+        projection, origin = self._state.projection, self._state.origin
+        sight, (near, far) = self._state.sight, self._state.planes_drawn
         has_near = projection.frustum_sign != 0
         marks = []
-        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
+        for probe, trace in self._traced(projection):
             line = projector(projection, probe, (near, far, min(0.0, near)))
             if probe.point is None or trace is None:
                 if line is None:  # under a free matrix that has no inverse, or it is all behind
@@ -106,12 +132,21 @@ class Probes:
             marks.append(ProbeMark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
 
-    def in_ndc(
-        self, projection: Projection, display_from_ndc: Array, sight: Sight
-    ) -> list[ProbeMark]:
-        """The marks of the NDC pane; its `sight` takes world points."""
+    def core(self) -> list[Array]:
+        points = [probe.point for probe in self._state.probes if probe.point is not None]
+        return [self._state.framed(np.reshape(points, (-1, 3)) - self._state.origin)]
+
+
+class StageProbes(Probes):
+    _state: StageState
+
+    def marks(self) -> list[ProbeMark]:
+        projection, sight = self._state.seen_projection, self._state.sight
+        display_from_ndc = self._state.display_from_ndc
+        if not display_from_ndc.any():
+            return []
         marks = []
-        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
+        for probe, trace in self._traced(projection):
             z = projection.depth_range
             spot, solid = None, True
             if trace is None:
@@ -135,29 +170,19 @@ class Probes:
             marks.append(ProbeMark(probe.number, spot, solid, line))
         return marks
 
-    def in_image(self, projection: Projection, pane_from_image: ArrayLike) -> list[ProbeMark]:
-        """The marks of the image pane, by an affine (3, 3) from the image's pixels."""
-        matrix = np.asarray(pane_from_image, dtype=np.float64)
-        marks = []
-        for probe, trace in zip(self.probes, self._traces(projection), strict=True):
-            if trace is None:
-                spot, solid = np.array(probe.pixel), True
-            else:
-                spot, solid = trace.image, not trace.outside.any()
-            marks.append(ProbeMark(probe.number, matrix[:2] @ (*spot.tolist(), 1.0), solid))
-        return marks
 
-    def _traces(self, projection: Projection) -> list[Trace | None]:
-        """Each probe's point through all stages; None for a ray."""
-        traces = iter(
-            _traced(projection, tuple(p.point for p in self.probes if p.point is not None))
-        )
-        return [
-            _traced_at_infinity(projection, probe.direction)
-            if probe.direction is not None
-            else None if probe.point is None else next(traces)
-            for probe in self.probes
-        ]  # fmt: skip
+class ImageProbes(Probes):
+    _state: ImageState
+
+    def marks(self) -> list[ProbeMark]:
+        marks = []
+        for probe, trace in self._traced(self._state.projection):
+            if trace is None:
+                pixel, solid = np.array(probe.pixel), True
+            else:
+                pixel, solid = trace.image, not trace.outside.any()
+            marks.append(ProbeMark(probe.number, self._state.scale @ pixel, solid))
+        return marks
 
 
 @lru_cache(maxsize=2)  # of one step: with the depth range at hand, and with the one the cube has
@@ -232,20 +257,13 @@ def _place(spot_px: Array | None, height_px: int) -> tuple[float, float] | None:
 
 
 def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0) -> vtkActor2D:
-    points, cells = vtkPoints(), vtkCellArray()
-    for radius in (radius_px, hole_px) if hole_px else (radius_px,):
-        for i in range(corners):
-            turn = 2.0 * math.pi * i / corners
-            points.InsertNextPoint(radius * math.cos(turn), radius * math.sin(turn), 0.0)
-    if hole_px:
-        for i in range(corners):
-            after = (i + 1) % corners
-            cells.InsertNextCell(4, (i, after, corners + after, corners + i))
-    else:
-        cells.InsertNextCell(corners, range(corners))
-    disc = vtkPolyData()
-    disc.SetPoints(points)
-    disc.SetPolys(cells)
+    turns, here = 2.0 * math.pi * np.arange(corners) / corners, np.arange(corners)
+    ring = np.column_stack([np.cos(turns), np.sin(turns), 0.0 * turns])
+    after = np.roll(here, -1)
+    quads = np.stack([here, after, corners + after, corners + here], axis=1)
+    faces = quads if hole_px else here[None]
+    points = np.concatenate([radius_px * ring, hole_px * ring] if hole_px else [radius_px * ring])
+    disc = pv.PolyData.from_regular_faces(points, faces.tolist())
     actor = actor_2d(disc)
     actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
     actor.GetProperty().SetColor(*rgb(colour))

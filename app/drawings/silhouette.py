@@ -35,6 +35,13 @@ class Silhouette:
             points = points[:: max(1, -(-len(points) // _MOST_POINTS))]
             self.triangles = points.astype(np.float64)[:, None]
 
+    def ink_under(self, ground: Ground, rows: Array) -> None:
+        """`ink` under rows that give x w, y w and w in pixels, (3, 4)."""
+        with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+            x, y, w = np.moveaxis(self.triangles @ rows[:, :3].T + rows[:, 3], -1, 0)
+            spots = np.stack([x, y], axis=-1) / np.where(w > 0.0, w, np.nan)[..., None]
+        self.ink(ground, spots)
+
     def ink(self, ground: Ground, spots: Array) -> None:
         """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind."""
         if spots.shape[1] == 1:

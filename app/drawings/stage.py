@@ -18,42 +18,78 @@ depend at NDC on the depth range alone, and wait for it to change.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
-from app.document.naming import named_in
-from app.drawings.actors import PropGroup, fitting, lift_lines, make_pale
-from app.drawings.drawing import Drawing, Rectangle, light_of_labels
-from app.drawings.frustum import CUBE
+from app.drawings.actors import fitting, lift_lines, make_pale
+from app.drawings.drawing import Drawing, light_of_labels
 from app.drawings.label_placement import Ground
-from app.drawings.labels import Board, room
-from app.drawings.marks import MarksDrawing, Placing
-from app.drawings.moved_vertices import MovedVertices
-from app.drawings.names import Names
+from app.drawings.layer import FacesLayer, Layers
+from app.drawings.marks import MarksDrawing
 from app.drawings.pane_view import Pose
-from app.drawings.pointing import Emphasis, Segment, Spot, pointed_at, volume_edges
 from app.drawings.precision import ModelActors, least_tolerance
-from app.drawings.probes import ProbeMark, Probes
-from app.drawings.rasterising import textured
-from app.drawings.silhouette import Silhouette
-from app.drawings.stage_box import StageBox, volume_ends
+from app.drawings.probes import StageProbes
+from app.drawings.prop_group import PropGroup
+from app.drawings.stage_box import StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
-from app.drawings.style import TITLE_EM, Style
-from app.lecture.highlight import AXES, CORNERS, NOTHING, Highlight
-from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW, WORLD, Morph, morph_of
-from app.model.projection import Array, Camera, Projection
-from app.picking.picking import Probe
-from app.picking.sight import Sight
+from app.drawings.style import Style
+from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW
+from app.model.projection import Array, Projection
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.marks import Marks
 from app.scenes.scene import Scene
 
-_FARTHEST_MARK = 1e3  # where lines toward infinity end
-_BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
+
+class SceneAtStage(FacesLayer):
+    """The scene under the stage's matrix, cut by the planes of the view volume."""
+
+    _state: StageState
+
+    def __init__(self, state: StageState, tolerance_px: float) -> None:
+        scene, style = state.scene, state.style
+        # Left, right, bottom, top, far, near of the view volume, normals inwards.
+        self.planes = [vtkPlane() for _ in range(6)]
+        self.model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self.planes)
+        drawn = self.model.actors
+        if state.pane in scene.pale:
+            make_pale(drawn, style)
+        for drawing in (drawn.dots, drawn.lines, drawn.ground):
+            if drawing is not None:
+                lift_lines(drawing)
+        state.canvas.add(*drawn)
+        super().__init__(state, drawn, "projected")
+        self._placed: object = None
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        self.model.show_detail(fewer)
+
+    def show(self) -> None:
+        state = self._state
+        if state.placed != self._placed:
+            self._placed = state.placed
+            planes = state.morph.planes_display(state.position).tolist()
+            for plane, (*normal, offset) in zip(self.planes, planes, strict=True):
+                plane.SetNormal(*normal)
+                plane.SetOrigin(*(-offset * part for part in normal))
+        if state.position == NDC:  # only the volume's content is shown, as precisely as it needs
+            to_display = state.display_from_ndc
+            matrices = [to_display @ m for m in self.model.show_projection(state.seen_projection)]
+        else:
+            display_from_local = state.morph.display_from_local(state.position)
+            of_object = display_from_local @ self.model.show_placed(state.projection.placement)
+            matrices = [of_object, of_object, of_object, display_from_local]
+        for space, matrix in zip(self.actors.spaces, matrices, strict=True):
+            space.set_projective(matrix)
+        super().show()
+
+    def ink(self, ground: Ground) -> None:
+        state = self._state
+        shown = state.own.pane_from_display @ state.display_from_object
+        rows = np.stack([shown[0], state.size_px[1] * shown[3] - shown[1], shown[3]])
+        state.silhouette.ink_under(ground, rows)
 
 
 class StageDrawing(Drawing):
@@ -64,6 +100,8 @@ class StageDrawing(Drawing):
     """
 
     pane = "ndc"
+    state: StageState
+    own: StageView
 
     def __init__(
         self,
@@ -73,243 +111,73 @@ class StageDrawing(Drawing):
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
     ) -> None:
-        self._scene, self._words, self._style = scene, words, style
-        self._canvas = PropGroup(screen, style, self._layout)
-        self.own = StageView(self._canvas, scene.start.camera, scene.cube_side)
-        self._position = float(NDC)
-        self._placed: tuple[float, object] | None = None
-        """The position of the box on the strip, and the projection or depth range it depends on."""
-        # Left, right, bottom, top, far, near of the view volume, normals inwards.
-        self._planes = [vtkPlane() for _ in range(6)]
-        self._model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self._planes)
-        if self.pane in scene.pale:
-            make_pale(self._model.actors, style)
-        drawn = self._model.actors
-        for drawing in (drawn.dots, drawn.lines, drawn.ground):
-            if drawing is not None:
-                lift_lines(drawing)
-        self._canvas.add(*drawn)
-        self.names = Names(named_in(self.pane, scene))
-        self.board = Board(self._canvas)
-        self._silhouette = Silhouette(scene, style.font_size)
-        self.box = StageBox(self._canvas, words, self.names, self.board)
-        self._emphasis = Emphasis(self._canvas)
-        self.box.make_emphasis(self._emphasis)
-        self._probes = Probes(self._canvas, self.board)
-        self._marks: MarksDrawing | None = None
-        self._rasterisers = textured(scene, self._canvas, (drawn.surface, drawn.spaces[0]))
-        self._moved = MovedVertices(scene, "projected", drawn.surface)
-        self._illustration: Illustration | None = None
-        self._is_gliding = False
-        """Whether `glide` will show and place everything, once for each frame."""
-        self._take(scene.start)
+        canvas = PropGroup(screen, style, self._layout)
+        self.state = state = StageState(canvas, scene, words)
+        self.names, self.board, self.own = state.names, state.board, state.own
+        self._scene = SceneAtStage(state, tolerance_px)
+        self.box = StageBox(state)
+        self._marks = MarksDrawing(state, clip=self._scene.planes, lifts_copies=True)
+        # The scene stands in the box.
+        self.layers = Layers(state, StageProbes(state), self.box, self._scene, self._marks)
+        self._show()
         self.reset_view()
 
     @property
     def precision(self) -> Precision:
-        return self._model.precision
+        return self._scene.model.precision
 
     # -- the model, and where it is on the strip
 
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        before = self._projection
+        state, before = self.state, self.state.projection
         reshaped = projection.image_size != before.image_size
         reshaped |= projection.lens.has_pyramid != before.lens.has_pyramid
-        self._illustration = illustration
-        self._take(projection)
-        self._rasterise()
-        if self._is_gliding:
+        state.take(projection, illustration)
+        if state.is_gliding:
             return
-        self._show_marks()
+        self._show()
         # Before the cube the display is scaled to the volume, which may be another one now.
-        if (reshaped or self._position < CANONICAL_PERSPECTIVE) and not self.own.was_moved:
+        if (reshaped or state.position < CANONICAL_PERSPECTIVE) and not self.own.was_moved:
             self.reset_view()
 
-    def _take(self, projection: Projection) -> None:
-        self._projection = projection
-        self._made: Morph | None = None
-        if not self._is_gliding:
-            self._show_moment()
-
-    @property
-    def _morph(self) -> Morph:
-        """Created on demand: most steps at the NDC stop do not need it."""
-        if self._made is None:
-            scene = self._scene
-            corners = scene.reach(self._projection.placement)
-            self._made = morph_of(self._projection, scene.origin, corners)
-        return self._made
-
     def show_layers(self, hidden: frozenset[str]) -> None:
-        if ("grid" in hidden) != ("grid" in self._canvas.hidden):
-            self._model.show_grid("grid" not in hidden)
-        self._canvas.show_layers(hidden)
-
-    def show_detail(self, fewer: Scene | None) -> None:
-        self._model.show_detail(fewer)
-        if self._marks is not None:
-            self._marks.show_detail(fewer)
+        if ("grid" in hidden) != ("grid" in self.state.canvas.hidden):
+            self._scene.model.show_grid("grid" not in hidden)
+        self.state.canvas.show_layers(hidden)
 
     def show_stage(self, position: float) -> None:
-        if position == self._position:
+        state = self.state
+        if position == state.position:
             return
-        was_moved = self.own.was_moved
-        self._position = position
-        if self._is_gliding:
+        was_moved, state.position = self.own.was_moved, position
+        if state.is_gliding:
             return
-        self._show_moment()
-        self._show_marks()
+        self._show()
         if not was_moved:
             self.reset_view()
 
-    def _show_moment(self) -> None:
+    def _show(self) -> None:
         """Set the matrices, planes and words of the position on the strip."""
-        position, projection = self._position, self._projection
-        at_ndc = position == NDC
-        placed = position, projection.depth if at_ndc else projection
-        if placed != self._placed:
-            self._placed, morph = placed, self._morph
-            self.box.show(morph, position)
-            planes = morph.planes_display(position).tolist()
-            for plane, (*normal, offset) in zip(self._planes, planes, strict=True):
-                plane.SetNormal(*normal)
-                plane.SetOrigin(*(-offset * part for part in normal))
-            self._emphasis.show_names(self.names)
-            self._show_highlighted()
-            self._place_texts()
-        if at_ndc:  # only the volume's content is shown, in the precision that it needs
-            to_display = self._display_from_ndc
-            matrices = [to_display @ m for m in self._model.show_projection(self._seen)]
-        else:
-            display_from_local = self._morph.display_from_local(position)
-            of_object = display_from_local @ self._model.show_placed(projection.placement)
-            matrices = [of_object, of_object, of_object, display_from_local]
-        for space, matrix in zip(self._model.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
-        if self._probes.probes:
-            self._place_probes()
-            self._place_texts()
-
-    @property
-    def _seen(self) -> Projection:
-        """The projection with OpenGL's depth range; the displayed cube differs in depth only."""
-        return self._projection.with_depth("opengl")
-
-    @property
-    def _display_from_ndc(self) -> Array:
-        """From OpenGL's cube; 0 without a volume, so that nothing can be pointed at."""
-        display: Array = self.box.display_from_box @ _BOX_FROM_NDC
-        return display
-
-    @property
-    def _display_from_object(self) -> Array:
-        origin, seen = self._scene.origin, self._seen
-        if self._position == NDC:
-            return self._display_from_ndc @ seen.clip_from_local(origin, "object")
-        placed = seen.placement.local_from(origin, origin)
-        return self._morph.display_from_local(self._position) @ placed
-
-    # -- a phenomenon, probes
-
-    def _rasterise(self) -> None:
-        illustration = self._illustration
-        if illustration is not None and illustration.rendering is not None:
-            for rasteriser in self._rasterisers:
-                rasteriser.show(illustration.rendering, self._seen)
-        self._moved.show(None if illustration is None else illustration.vertices)
-
-    def _show_marks(self) -> None:
-        if self._marks is None:
-            if self._illustration is None:
-                return
-            self._marks = MarksDrawing(
-                self._canvas, self._scene, self._words, clip=self._planes, lifts_copies=True,
-                names=self.names, board=self.board,
-            )  # fmt: skip
-        marks, illustration = self._marks, self._illustration
-        if illustration is None or self._position != NDC:
-            marks.show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
-            marks.show_copies(())
-            return
-        shown = self._morph.display_from_stage(NDC)
-        marks.show(illustration.ndc, Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK))
-        copies = [copy for copy in illustration.copies if "ndc" in copy.panes]
-        marks.show_copies(copies)
-        if copies:
-            clip_from_local = self._seen.clip_from_world_at(self._scene.origin)
-            display_from_local = self._display_from_ndc @ clip_from_local
-            marks.place_copies(lambda _: display_from_local)
-        self._place_texts()
-
-    def _place_texts(self, *, afresh: bool = False) -> bool:
-        """Place the labels; return whether one has changed its place."""
-        if self._is_gliding or not self._canvas.labels_light:
-            return False
-        width_px, height_px = self.own.size_px
-        rows, em = self.own.pane_from_display, self._style.font_size
-
-        def seen(points: Array) -> list[Spot]:
-            x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
-            return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
-
-        def ink(ground: Ground) -> None:
-            self.box.ink(ground, seen)
-            faces = self._silhouette.triangles
-            shown = rows @ self._display_from_object
-            with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-                x, y, _, w = np.moveaxis(faces @ shown[:, :3].T + shown[:, 3], -1, 0)
-                spots = (
-                    np.stack([x, height_px * w - y], axis=-1)
-                    / np.where(w > 0.0, w, np.nan)[..., None]
-                )
-            self._silhouette.ink(ground, spots)
-            if self._marks is not None:
-                self._marks.ink(ground, seen)
-
-        ground = Ground(room(width_px, height_px - TITLE_EM * em, em), em, ink)
-        self._probes.want(ground)
-        self.box.want_words(ground, seen)
-        if self._marks is not None:
-            self._marks.want_texts(ground, seen)
-        return self.board.settle(ground, afresh=afresh)
-
-    def refit(self) -> bool:
-        return self._place_texts(afresh=True)
-
-    def show_probes(self, probes: Sequence[Probe]) -> None:
-        self._probes.probes = probes
-        self._place_probes()
-        self._place_texts()
-
-    def _place_probes(self) -> None:
-        marks: Sequence[ProbeMark] = ()
-        if self._display_from_ndc.any():
-            marks = self._probes.in_ndc(self._seen, self._display_from_ndc, self.sight)
-        self._probes.show(marks, self._canvas.window.GetSize())
-
-    @property
-    def picture_rectangle_px(self) -> Rectangle:
-        return Rectangle(0, 0, *self.own.size_px)
+        before, emphasis = self.box.placed, self.state.emphasis
+        self.layers.show()
+        if self.box.placed != before:
+            emphasis.show_names(self.names)
+            emphasis.show(self.names.pointed - self.state.strangers)
+        if self.box.placed != before or self.state.probes or not self._marks.is_empty:
+            self.layers.settle()
+            self.layers.place_labels()
 
     def spots_of(self, places: Array) -> Array:
-        shown = self.own.pane_from_display @ self._display_from_ndc
+        shown = self.own.pane_from_display @ self.state.display_from_ndc
         x, y, _, w = shown[:, :3] @ places.T + shown[:, 3:]
         return np.stack([x, y], axis=1) / np.where(w > 0.0, w, np.nan)[:, None]
-
-    @property
-    def sight(self) -> Sight:
-        projection = self._seen
-        clip = projection.clip_from_eye
-        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
-        rows = self.own.pane_from_display @ self._display_from_ndc @ clip
-        return Sight(np.array(projection.camera.eye), rows, limits)
 
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        self.own.reset(self._position, self._projection, self._framed)
+        self.own.reset(self.state.position, self.state.projection, self._framed)
         self.reset_clipping_range()
 
     def _framed(self, stop: int) -> Array:
@@ -318,9 +186,9 @@ class StageDrawing(Drawing):
         These are the objects, the eye, the named axes and the near plane. Far belongs to them if it
         is named; else it may leave the pane, as the grid does.
         """
-        morph, origin = self._morph, np.array(self._scene.origin)
-        objects = self._projection.placement.placed(self._scene.objects_box).world - origin
-        local = np.vstack([objects, np.array(self._projection.camera.eye) - origin])
+        state, origin, morph = self.state, self.state.origin, self.state.morph
+        objects = state.projection.placement.placed(state.scene.objects_box).world - origin
+        local = np.vstack([objects, np.array(state.projection.camera.eye) - origin])
         shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
         points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
         if morph.has_volume(stop):
@@ -337,40 +205,28 @@ class StageDrawing(Drawing):
 
     def reset_clipping_range(self) -> None:
         self.own.fit_range()
-        self._place_probes()
-        self._place_texts(afresh=True)
-
-    @property
-    def view(self) -> Camera | None:
-        return self.own.view
-
-    @property
-    def pose(self) -> Pose:
-        return self.own.pose
+        self.layers.settle()
+        self.layers.place_labels(afresh=True)
 
     def begin_glide(self, start: Pose) -> None:
-        self.own.begin_glide(start)
-        self._is_gliding = True
+        super().begin_glide(start)
+        self.state.is_gliding = True
 
     def glide(self, part: float) -> None:
-        self._show_moment()
-        self._show_marks()
-        self._is_gliding = False
+        state = self.state
+        self._show()
+        state.is_gliding = False
         if self.own.is_turned:
             self.own.go_to_goal()
         else:
-            self.own.reset(self._position, self._projection, self._framed)
+            self.own.reset(state.position, state.projection, self._framed)
         if part < 1.0:
             self.own.glide(part)
         else:
             self.own.is_turned = False
-        self._canvas.fade_labels(light_of_labels(part))
+        state.canvas.fade_labels(light_of_labels(part))
         self.reset_clipping_range()
-        self._is_gliding = part < 1.0
-
-    def show_view(self, view: Camera) -> None:
-        self.own.show(view)
-        self.reset_clipping_range()
+        state.is_gliding = part < 1.0
 
     def _layout(self, _width_px: int, _height_px: int) -> None:
         if not (self.own.was_moved or self.own.is_turned):  # keep all of it in view
@@ -378,60 +234,15 @@ class StageDrawing(Drawing):
         else:
             self.reset_clipping_range()
 
-    def remove(self) -> None:
-        self._canvas.remove()
-
-    # -- pointing
-
-    def show_highlight(self, highlighted: Highlight) -> bool:
-        before, self.names.pointed = self.names.pointed, highlighted
-        of_scene = self._marks is not None and self._marks.show_highlight(highlighted)
-        is_new = self._show_highlighted() or of_scene
-        if before != highlighted and not self.names.all:
-            self._name_anew()
-        return is_new
+    # -- names
 
     def show_names(self, names: frozenset[str] | None) -> None:
         if names != self.names.wanted:
             was_moved, self.names.wanted = self.own.was_moved, names
-            self._name_anew()
-            if self._position < CANONICAL_PERSPECTIVE and not was_moved:
+            self._show_named()
+            if self.state.position < CANONICAL_PERSPECTIVE and not was_moved:
                 self.reset_view()
 
-    def _name_anew(self) -> None:
-        self._placed = None
-        self._show_moment()
-        if self._marks is not None:
-            self._marks.show_names()
-            self._place_texts()
-
-    def _show_highlighted(self) -> bool:
-        return self._emphasis.show(self.names.pointed - self._strangers)
-
-    @property
-    def _strangers(self) -> frozenset[str]:
-        """At the world's stop the axes are x, y and z of the world, not the camera's."""
-        return frozenset(AXES) if self.box.stop == WORLD else NOTHING
-
-    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        names = self._emphasis.label_at(x_px, y_px)
-        if not names:
-            pane = self.own.pane_from_display
-            corners = _spots(CUBE, pane @ self.box.display_from_box)
-            points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-            # Of two equally near lines the first counts: an axis is drawn over the edge it is on.
-            segments: list[Segment] = []
-            for name, ends in zip(AXES, self.box.axes[:, 1:], strict=True):
-                start, tip = _spots(ends, pane)
-                segments.append((frozenset((name,)), start, tip))
-            segments += volume_edges(corners)
-            names = pointed_at((x_px, y_px), self._style.font_size, points, segments, corners)
-        return names - self._strangers
-
-
-def _spots(points: Array, pane: Array) -> list[Spot]:
-    """Pixels and depth of points (n, 3) in the pane; NaN for points at infinity or beyond."""
-    homogeneous = points @ pane[:, :3].T + pane[:, 3]
-    w = homogeneous[:, 3:]
-    spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)
-    return list(map(tuple, spots.tolist()))
+    def _show_named(self) -> None:
+        self.box.placed = None
+        self._show()

@@ -8,8 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from functools import partial
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 import pyvista as pv
@@ -17,7 +16,6 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
     CUBE_EDGES,
-    PropGroup,
     Space,
     face_actor,
     fitting,
@@ -28,14 +26,23 @@ from app.drawings.actors import (
 )
 from app.drawings.frustum import CUBE
 from app.drawings.label import SceneLabel
-from app.drawings.label_placement import Ground, beyond
-from app.drawings.labels import AXIS, NUMBER, PLANE, Board, vector, want_plane
-from app.drawings.names import Names
+from app.drawings.label_placement import Ground
+from app.drawings.labels import NUMBER, PLANE, vector, want_plane
+from app.drawings.layer import Layer, PaneState, Placing
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Emphasis, outline
-from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT
+from app.drawings.pointing import (
+    FACES,
+    FAR_FACE,
+    NEAR_FACE,
+    Segment,
+    Targets,
+    outline,
+    volume_edges,
+)
+from app.drawings.prop_group import PropGroup
+from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, SIDES
+from app.lecture.highlight import AXES, CORNERS, NOTHING, SIDES
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -43,11 +50,18 @@ from app.lecture.stages import (
     NDC,
     RADIUS,
     VIEW,
+    WORLD,
     Morph,
+    morph_of,
 )
-from app.model.projection import Array
+from app.model.projection import Array, Projection
+from app.picking.sight import Sight
+from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.scene import Scene
 
+_FARTHEST_MARK = 1e3  # where lines toward infinity end
+_BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
 _PALER = 0.6  # of the near plane's tint in the world, where it is smaller
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
 _SHORT = 0.28  # of an edge of the cube: its axes
@@ -55,23 +69,99 @@ _SMALL_HEAD = 0.5  # of an arrow's head: before the cube the pane shows less of 
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
 
-class StageBox:
+class StageState(PaneState):
+    """What the layers of the stage pane share: the position on the strip, and the volume there.
+
+    `stop` is the one whose axes and words are shown; `display_from_box` is where the volume is
+    shown, (4, 4), 0 without one.
+    """
+
+    pane = "ndc"
+
+    def __init__(self, canvas: PropGroup, scene: Scene, words: Mapping[str, str]) -> None:
+        super().__init__(canvas, scene, words)
+        self.own = StageView(canvas, scene.start.camera, scene.cube_side)
+        self.position = float(NDC)
+        self.stop, self.display_from_box = NDC, np.zeros((4, 4))
+        self.is_gliding = False
+        """Whether `glide` will show and place everything, once for each frame."""
+        self._morph: Morph | None = None
+
+    def take(self, projection: Projection, illustration: Illustration | None) -> None:
+        self.projection, self.illustration, self._morph = projection, illustration, None
+
+    @property
+    def placed(self) -> tuple[float, object]:
+        """The position, and the projection or depth range that the volume depends on there."""
+        projection = self.projection
+        return self.position, projection.depth if self.position == NDC else projection
+
+    @property
+    def morph(self) -> Morph:
+        """Created on demand: most steps at the NDC stop do not need it."""
+        if self._morph is None:
+            corners = self.scene.reach(self.projection.placement)
+            self._morph = morph_of(self.projection, self.scene.origin, corners)
+        return self._morph
+
+    @property
+    def marked(self) -> Illustration | None:
+        return self.illustration if self.position == NDC else None
+
+    @property
+    def places_labels(self) -> bool:
+        return not self.is_gliding and super().places_labels
+
+    @property
+    def display_from_ndc(self) -> Array:
+        """From OpenGL's cube; 0 without a volume, so that nothing can be pointed at."""
+        display: Array = self.display_from_box @ _BOX_FROM_NDC
+        return display
+
+    @property
+    def display_from_object(self) -> Array:
+        origin, seen = self.scene.origin, self.seen_projection
+        if self.position == NDC:
+            return self.display_from_ndc @ seen.clip_from_local(origin, "object")
+        placed = seen.placement.local_from(origin, origin)
+        return self.morph.display_from_local(self.position) @ placed
+
+    def seen(self, points: Array) -> list[Spot]:
+        rows, height_px = self.own.pane_from_display, self.size_px[1]
+        x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
+        return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
+
+    def placing(self) -> Placing:
+        shown = self.morph.display_from_stage(NDC)
+        return Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK)
+
+    def copies_from_local(self, times: float) -> Array:
+        return self.display_from_ndc @ self.seen_projection.clip_from_local(self.scene.origin)
+
+    @property
+    def sight(self) -> Sight:
+        projection = self.seen_projection
+        clip = projection.clip_from_eye
+        limits = np.concatenate([clip[3] - clip[:3], clip[3] + clip[:3]])
+        rows = self.own.pane_from_display @ self.display_from_ndc @ clip
+        return Sight(np.array(projection.camera.eye), rows, limits)
+
+
+class StageBox(Layer):
     """The view volume at a position of the strip.
 
     Attributes
     ----------
-    stop : int
-        Whose axes and words are shown.
-    display_from_box : (4, 4) array
-        Where the volume is shown; 0 without one.
+    placed : tuple, optional
+        The state's `placed` that is shown.
     axes : (3, 3, 3) array
         Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
     """
 
-    def __init__(
-        self, canvas: PropGroup, words: Mapping[str, str], names: Names, board: Board
-    ) -> None:
-        self._canvas, self._words, self._names, self._board = canvas, words, names, board
+    def __init__(self, state: StageState) -> None:
+        self._state, self._canvas, self._words = state, state.canvas, state.words
+        self._names, self._board = state.names, state.board
+        self.placed: tuple[float, object] | None = None
         self._space = Space()
         self._at: dict[SceneLabel, Array] = {}
         self._written: set[SceneLabel] = set()
@@ -79,6 +169,7 @@ class StageBox:
         self._add_volume()
         self._add_axes()
         self._add_words()
+        self._make_emphasis()
 
     def _add_volume(self) -> None:
         style = self._canvas.style
@@ -133,7 +224,8 @@ class StageBox:
             **{pair[i]: (name, i) for name, pair in self._numbers.items() for i in range(2)},
         }  # fmt: skip
 
-    def make_emphasis(self, emphasis: Emphasis) -> None:
+    def _make_emphasis(self) -> None:
+        emphasis = self._state.emphasis
         for face in emphasis.volume(self._space, CUBE):
             put_behind(face)
         for name, line in self._outlines.items():
@@ -147,12 +239,19 @@ class StageBox:
 
     # -- at a position of the strip
 
-    def show(self, morph: Morph, position: float) -> None:
-        """Move there; `place_words` then writes the words. Draw nothing yet."""
+    def show(self) -> None:
+        """Move there, if it depends on what has changed."""
+        state = self._state
+        if state.placed == self.placed:
+            return
+        self.placed = state.placed
+        morph, position = state.morph, state.position
         stop, drawn = morph.stop_at(position), morph.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
-        self.stop, self.display_from_box = stop, box
+        state.stop, state.display_from_box = stop, box
+        # At the world's stop the axes are x, y and z of the world, not the camera's.
+        state.strangers = frozenset(AXES) if stop == WORLD else NOTHING
         self._space.set(box)
         for actor in self._volume:
             actor.SetVisibility(drawn)
@@ -224,13 +323,14 @@ class StageBox:
 
     def _shown(self, points: object) -> Array:
         points = np.asarray(points, dtype=np.float64)
-        homogeneous = points @ self.display_from_box[:, :3].T + self.display_from_box[:, 3]
+        box = self._state.display_from_box
+        homogeneous = points @ box[:, :3].T + box[:, 3]
         shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
         return shown
 
     def _place_words(self, morph: Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
-        box, lens, words = self.display_from_box, morph.projection.lens, self._words
+        box, lens, words = self._state.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         is_pyramid = lens.has_pyramid
@@ -268,52 +368,65 @@ class StageBox:
                 number.set_text(text)
                 self._at[number] = _edge(box, across, up, limit, along)
 
-    def want_words(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Ask for a place for every word.
-
-        In a small pane the numbers give way to the names. `seen` converts points of display space,
-        (n, 3).
-        """
+    def want(self, ground: Ground) -> None:
+        """Ask for a place for every word; in a small pane the numbers give way to the names."""
         if not self._at:
             return
+        board, seen = self._board, self._state.seen
         spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
-        corners = self._corners_seen(seen)
+        corners = self._corners_seen()
         middle = np.nanmean(corners[:, :2], axis=0) if np.isfinite(corners).any() else np.zeros(2)
         for label, face in ((self.near, corners[:4]), (self.far, corners[4:])):
             if label in self._written:
                 key = self._keys[label]
                 if np.isfinite(face).all():
-                    want_plane(self._board, ground, key, [(x, y, 1.0) for x, y in face.tolist()])
+                    want_plane(board, ground, key, [(x, y, 1.0) for x, y in face.tolist()])
                 else:
-                    self._board.want_beside(key, spots[label], PLANE)
-        starts = seen(self.axes[:, 0])
-        for letter, (from_x, from_y, _) in zip(self._letters, starts, strict=True):
-            if letter in self._written:
-                x, y, _ = spots[letter]
-                way = x - from_x, y - from_y
-                places = partial(beyond, (x, y), way, letter.size_px, ground.em)
-                self._board.want(self._keys[letter], [(x, y)], places, AXIS)
+                    board.want_beside(key, spots[label], PLANE)
+        starts = zip(self._letters, seen(self.axes[:, 0]), strict=True)
+        arrows = [(letter, start) for letter, start in starts if letter in self._written]
+        ends = [spot for letter, start in arrows for spot in (start, spots[letter])]
+        board.want_beyond([self._keys[letter] for letter, _ in arrows], ends)
         finite = corners[np.isfinite(corners).all(axis=1), 0]
         across = np.ptp(finite) if len(finite) else 0.0
         for number in itertools.chain(*self._numbers.values()):
             if number in self._written and across >= _NUMBERS_FROM_EM * ground.em:
                 x, y, _ = spots[number]
                 way = x - float(middle[0]), y - float(middle[1])
-                self._board.want_beside(self._keys[number], spots[number], NUMBER, way)
+                board.want_beside(self._keys[number], spots[number], NUMBER, way)
 
-    def ink(self, ground: Ground, seen: Callable[[Array], Sequence[Spot]]) -> None:
-        """Tell the ground where the volume and its axes are."""
-        corners = self._corners_seen(seen)
+    def ink(self, ground: Ground) -> None:
         edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
-        ground.ink_lines(corners[edges])
-        ground.ink_lines(np.array(seen(self.axes[:, ::2].reshape(-1, 3)))[:, :2].reshape(-1, 2, 2))
+        ground.ink_lines(self._corners_seen()[edges])
+        axes = self._state.seen(self.axes[:, ::2].reshape(-1, 3))
+        ground.ink_lines(np.array(axes)[:, :2].reshape(-1, 2, 2))
 
-    def _corners_seen(self, seen: Callable[[Array], Sequence[Spot]]) -> Array:
+    def targets(self) -> Targets:
+        """Of two equally near lines the first counts: an axis is drawn over the edge it is on."""
+        pane = self._state.own.pane_from_display
+        corners = _spots(CUBE, pane @ self._state.display_from_box)
+        points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+        segments: list[Segment] = []
+        for name, ends in zip(AXES, self.axes[:, 1:], strict=True):
+            start, tip = _spots(ends, pane)
+            segments.append((frozenset((name,)), start, tip))
+        return Targets(points, segments + volume_edges(corners), corners)
+
+    def _corners_seen(self) -> Array:
         """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
-        spots: Array = np.array(seen(np.where(np.isfinite(corners), corners, np.nan)))[:, :2]
+        seen = self._state.seen(np.where(np.isfinite(corners), corners, np.nan))
+        spots: Array = np.array(seen)[:, :2]
         return spots
+
+
+def _spots(points: Array, pane: Array) -> list[Spot]:
+    """Pixels and depth of points (n, 3) in the pane; NaN for points at infinity or beyond."""
+    homogeneous = points @ pane[:, :3].T + pane[:, 3]
+    w = homogeneous[:, 3:]
+    spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)
+    return list(map(tuple, spots.tolist()))
 
 
 def _signed(z: float) -> str:

@@ -10,8 +10,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from app.drawings.actors import CUBE_CORNERS, PropGroup, axes_of
+from app.drawings.actors import CUBE_CORNERS, axes_of
 from app.drawings.pane_view import PaneCamera
+from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW, WORLD
 from app.model.projection import Array, Camera, Projection
@@ -50,6 +51,9 @@ class StageView(PaneCamera):
     ) -> None:
         super().__init__(canvas)
         self._start, self._cube_side = start, cube_side
+        self._pane: Array = np.zeros((4, 4))
+        self._pane_of: object = None
+        """The camera's state and the pane's size that `pane_from_display` is of."""
 
     def _looked_from(self, stop: int) -> tuple[float, float]:
         if stop == NDC and self._cube_side is not None:
@@ -146,8 +150,10 @@ class StageView(PaneCamera):
     @property
     def pane_from_display(self) -> Array:
         """From display space to pixels from the pane's top left, and depth, (4, 4)."""
-        camera = self._camera
-        width_px, height_px = self.size_px
+        camera, (width_px, height_px) = self._camera, self.size_px
+        of = camera.GetMTime(), width_px, height_px
+        if of == self._pane_of:
+            return self._pane
         right, up, toward = axes_of(camera)
         px = height_px / (2.0 * camera.GetParallelScale())
         position = np.array(camera.GetPosition())
@@ -156,6 +162,7 @@ class StageView(PaneCamera):
             pane[row] = *axis, middle / 2.0 - axis @ position
         pane[2] = *toward, -toward @ position
         pane[3, 3] = 1.0
+        self._pane_of, self._pane = of, pane
         return pane
 
 

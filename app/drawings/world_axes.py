@@ -11,60 +11,59 @@ from itertools import compress
 import numpy as np
 
 from app.document.naming import FRAMES
-from app.drawings.actors import PropGroup, SceneActors
+from app.drawings.actors import SceneActors
 from app.drawings.frame import ObjectAxes
-from app.drawings.labels import Labels
-from app.drawings.names import Names
-from app.drawings.pointing import Emphasis
+from app.drawings.label_placement import Ground
+from app.drawings.labels import EYE
+from app.drawings.layer import Layer
+from app.drawings.pointing import Segment, Targets
+from app.drawings.world_state import WorldState
+from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array
-from app.scenes.scene import Scene
 
 
-class WorldAxes:
+class WorldAxes(Layer):
     """The axes of object and world, made when they are first shown; scene-local.
 
-    Parameters
-    ----------
-    drawn : SceneActors
-        The object, which shows its axes while it is moved.
+    `drawn` is the object, which shows its axes while it is moved.
     """
 
-    def __init__(
-        self,
-        canvas: PropGroup,
-        scene: Scene,
-        drawn: SceneActors,
-        names: Names,
-        emphasis: Emphasis,
-        labels: Labels,
-    ) -> None:
-        self._canvas, self._scene, self._drawn, self._names = canvas, scene, drawn, names
-        self._emphasis, self._labels = emphasis, labels
+    def __init__(self, state: WorldState, drawn: SceneActors) -> None:
+        self._state, self._names, self._drawn = state, state.names, drawn
         self._object: ObjectAxes | None = None
         self._world: ObjectAxes | None = None
+        self._placed: object = None
         self.is_wanted = False
         """Whether the object shows its axes although it is not moved."""
 
-    def show(self, local_from_object: Array) -> None:
+    def show(self) -> None:
+        if self._state.local_from_object is not self._placed:
+            self._placed = self._state.local_from_object
+            self.show_names()
+
+    def show_names(self) -> None:
         """Show the axes that are wanted where they belong, and hide the others."""
+        state = self._state
         if self._object is None and self.has_object:
             self._object = self._make()
         if self._object is not None:
             is_shown = self.has_object and self._frames != {"frame-w"}
-            self._object.show(local_from_object, is_shown)
+            self._object.show(state.local_from_object, is_shown)
         if self._world is None and "frame-w" in self._frames:
             self._world = self._make()
         if self._world is not None:
             local_from_world = np.eye(4)
-            local_from_world[:3, 3] = -np.array(self._scene.origin, dtype=np.float64)
+            local_from_world[:3, 3] = -state.origin
             self._world.show(local_from_world, "frame-w" in self._frames)
 
     def _make(self) -> ObjectAxes:
-        axes = ObjectAxes(self._canvas, self._scene.size)
+        state, emphasis = self._state, self._state.emphasis
+        axes = ObjectAxes(state.canvas, state.scene.size)
         for name, shaft in axes.shafts.items():
-            self._emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
-            self._emphasis.label(self._labels.add_arrow(name, axes.colours[name]), name)
-        self._emphasis.show(self._names.pointed)
+            emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
+            label = state.board.label(name, state.words[name], axes.colours[name])
+            emphasis.label(label, name)
+        emphasis.show(self._names.pointed)
         return axes
 
     @property
@@ -85,16 +84,40 @@ class WorldAxes:
         """The axes that x, y and z name: the world's if its frame is named, else the object's."""
         return self._world if "frame-w" in self._frames else self.of_object
 
-    def origins(self, eye: Array) -> dict[str, Array]:
+    def _origins(self) -> dict[str, Array]:
         """Where the letters of the named frames stand; axes with letters have none of their own."""
-        origins = {"frame-e": eye}
+        origins = {"frame-e": self._state.standing.eye}
         for name, axes in (("frame-o", self._object), ("frame-w", self._world)):
             if axes is not None and not (axes is self._lettered and "x" in self._names):
                 origins[name] = axes.origin
         return {name: origins[name] for name in FRAMES if name in self._frames & origins.keys()}
 
+    def want(self, ground: Ground) -> None:
+        state, (arrows, ends) = self._state, self._named
+        if arrows:
+            state.board.want_beyond(arrows, state.seen(ends.reshape(-1, 3)))
+        for name, origin in self._origins().items():
+            state.board.label(name).set_text(FRAMES[name])
+            state.board.want_beside(name, state.seen(origin[None])[0], EYE, (-1.0, -1.0))
+
+    def ink(self, ground: Ground) -> None:
+        arrows, ends = self._named
+        if arrows:
+            ground.ink_lines(self._state.own.pane.spots(ends))
+
+    def targets(self) -> Targets:
+        axes = self.of_object
+        if axes is None:
+            return Targets()
+        pane = self._state.own.pane
+        origin, *ends = pane.pointed(np.vstack([axes.origin, axes.ends]))
+        segments: list[Segment] = [
+            (frozenset((name,)), origin, end) for name, end in zip(axes.shafts, ends, strict=True)
+        ]
+        return Targets([(frozenset((OBJECT_AXES[3],)), origin)], segments)
+
     @property
-    def named(self) -> tuple[tuple[str, ...], Array]:
+    def _named(self) -> tuple[tuple[str, ...], Array]:
         """The axes that are named, and where each starts and ends, (n, 2, 3)."""
         axes, names = self._lettered, self._names
         if axes is None:
@@ -104,8 +127,7 @@ class WorldAxes:
         ends = np.stack([start, axes.ends], axis=1)
         return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
-    @property
-    def framed(self) -> list[Array]:
+    def core(self) -> list[Array]:
         """The points of the named frames and axes, (n, 3) each."""
         wanted = self._names.wanted or frozenset()
         whole = [
@@ -117,4 +139,4 @@ class WorldAxes:
             )
             if axes is not None and is_named
         ]
-        return [*whole, self.named[1].reshape(-1, 3)]
+        return [*whole, self._named[1].reshape(-1, 3)]

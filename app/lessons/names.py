@@ -39,7 +39,6 @@ Besides the settings of the scene, `state` sets {0}.
 
 
 def page() -> Iterator[str]:
-    """Yield the page in pieces."""
     opened = {name: load(name) for name in BUILT_IN}
     documents = {name: Document(name, scene.start) for name, scene in opened.items()}
     drawn = {

@@ -494,7 +494,6 @@ class FormulaWriter:
 
 
 def decimal_of(number: Fraction) -> str:
-    """A decimal fraction with all its digits."""
     places = 0
     while (number * 10**places).denominator != 1:
         places += 1

@@ -173,7 +173,6 @@ def shown(
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
-    """The handle nearest to a pixel within a distance, or None."""
     away, best = within_px, None
     for handle, spot in handles:
         distance = math.dist(spot, pixel)

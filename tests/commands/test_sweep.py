@@ -98,7 +98,7 @@ def test_an_orbit_goes_round_in_equal_steps_and_shows_all_of_the_world(tmp_path:
     spots: list[Any] = []
 
     def seen(drawing: Any, factor: int) -> None:
-        lens = drawing.spots_of(drawing.frustum.corners + scene.origin)
+        lens = drawing.spots_of(drawing.state.volume.corners + scene.origin)
         spots.append(lens / factor)
 
     for number, state in enumerate(states):

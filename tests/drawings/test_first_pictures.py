@@ -116,7 +116,7 @@ def faces_of(screen: OffScreen) -> Any:
 def drawn_px(screen: OffScreen, name: str) -> tuple[int, int]:
     """The extent of a drawing without its labels."""
     drawing = opened(screen, name, live=False, own=True)
-    assert drawing.handles is None
+    assert not drawing.handles.shown
     for prop in screen.renderer.GetViewProps():
         if isinstance(prop, vtkActor2D):
             prop.SetVisibility(False)
@@ -203,7 +203,7 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     scene = load("letter-f")
     drawing = opened(off_screen(*LARGE), "letter-f")
     drawing.show_projection(replace(scene.start, lens=scene.start.lens.replaced(far=far)))
-    reach = drawing.frustum.reach
+    reach = drawing.state.volume.depths
     corner = np.array((-1.5, 0.0, -0.5)) - scene.start.camera.eye
     assert reach.high == pytest.approx(1.5 * float(-corner @ scene.start.camera.frame[2]))
     assert (reach.far_break is not None) == is_broken

@@ -14,9 +14,9 @@ from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
-from app.drawings.dimensions import half_of
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor
+from app.drawings.lengths import half_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
@@ -151,7 +151,6 @@ def test_from_the_eye_no_handle_lies_under_the_title(off_screen: MakeScreen) -> 
     """The title's buttons are two letters high; a handle reaches half a letter from its middle."""
     drawing = made(off_screen(443, 269), load("clipping").start, "clipping")
     drawing.show_fixed("eye")
-    assert drawing.handles is not None
     assert min(y for _, (_, y) in drawing.handles.shown) >= 2.5 * LIGHT.font_size
 
 
@@ -278,7 +277,7 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_cover_nothing(
     screen.pixels()
     boxes = boxes_of(screen)
     assert DIMENSIONS[view] <= boxes.keys() or not has_all
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     assert (spots >= 0.0).all() and (spots <= size_px).all()
     assert overlapping(boxes) == []
     for left, bottom, right, top in boxes.values():
@@ -333,7 +332,7 @@ def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: Make
     drawing.reset_clipping_range()
     screen.pixels()
     assert drawing.fixed == "side"
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     assert (spots[4:, 0] > SIZE_PX[0]).all() and (spots[:4, 0] < SIZE_PX[0]).all()
     written = texts_of(screen).keys()
     assert "near n = 4" in written and "f tan(fov/2)" not in written
@@ -378,7 +377,7 @@ def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
         drawing.show_fixed("")
         drawing.show_fixed(view)
         screen.pixels()
-        window = np.array(drawing.frustum.corners)
+        window = np.array(drawing.state.volume.corners)
         spots = pixel_of(drawing, window)
         for face in (spots[:4], spots[4:]):
             x, low, high = face[:, 0].mean(), face[:, 1].min(), face[:, 1].max()
@@ -410,7 +409,7 @@ def test_along_the_axis_no_measure_is_written_over_the_picture(
     drawing = made(screen, start, name)
     drawing.show_fixed("axis")
     screen.pixels()
-    spots = pixel_of(drawing, drawing.frustum.corners)
+    spots = pixel_of(drawing, drawing.state.volume.corners)
     (near_left, near_top), (near_right, near_bottom) = spots[:4].min(axis=0), spots[:4].max(axis=0)
     (far_left, far_top), (far_right, far_bottom) = spots[4:].min(axis=0), spots[4:].max(axis=0)
     for text, (left, bottom, right, top) in boxes_of(screen).items():
@@ -539,8 +538,10 @@ def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
     """From the side the target follows the hand along n and v."""
     drawing = made(off_screen(*SIZE_PX))
     drawing.show_fixed("side")
-    x, y = dict(drawing.handles.shown)[TARGET] if drawing.handles else (0.0, 0.0)
-    change = dragged(START, TARGET, drawing.planes_drawn, drawing.sight, (x + 30.0, y - 20.0))
+    x, y = dict(drawing.handles.shown)[TARGET]
+    change = dragged(
+        START, TARGET, drawing.handles.planes_drawn, drawing.sight, (x + 30.0, y - 20.0)
+    )
     target = np.array(change["target"])
     (spot,) = pixel_of(drawing, [target])
     assert spot == pytest.approx((x + 30.0, y - 20.0), abs=0.2)
@@ -606,7 +607,6 @@ def test_names_and_handles_go_with_what_they_are_of(
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
     drawing.show_fixed(view)
-    assert drawing.handles is not None
     screen.pixels()
     before, handles = texts_of(screen).keys(), list(drawing.handles.shown)
     assert names <= before
@@ -628,7 +628,6 @@ def test_names_and_handles_go_with_what_they_are_of(
 
 def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
     drawing = made(off_screen(*SIZE_PX))
-    assert drawing.handles is not None
     (handle, spot), *_ = drawing.handles.shown
     assert drawing.handle_at(spot, 5.0) == handle
     drawing.show_layers(frozenset({"handles"}))
@@ -711,7 +710,7 @@ def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScr
     screen.pixels()
     boxes = boxes_of(screen)
     assert {"l = −1", "r = 3", "−1", "1", "−0.5"} <= boxes.keys()
-    window = pixel_of(drawing, drawing.frustum.corners[:4])[:, 0]
+    window = pixel_of(drawing, drawing.state.volume.corners[:4])[:, 0]
     left, right = float(window.min()), float(window.max())
     middle = {text: (box[0] + box[2]) / 2.0 for text, box in boxes.items()}
     assert middle["l = −1"] <= left < middle["−0.5"] < right <= middle["r = 3"]

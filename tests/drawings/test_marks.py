@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from app.drawings import WORDS, DrawingWords
 from app.drawings.image import ImageDrawing
-from app.drawings.marks import DOT, MarksDrawing
+from app.drawings.marks import DOT
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, tone
 from app.drawings.world import WorldDrawing
@@ -573,13 +573,7 @@ def test_the_world_pane_is_framed_with_its_marks_but_not_with_what_is_far(
 # --------------------------------------------------------------------------- in a pane
 
 
-def test_a_scene_without_a_phenomenon_builds_nothing(
-    shown: Callable[..., Shown], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def refuse(*_: Any, **__: Any) -> None:
-        raise AssertionError("marks were built")
-
-    monkeypatch.setattr(MarksDrawing, "__init__", refuse)
+def test_a_scene_without_a_phenomenon_builds_nothing(shown: Callable[..., Shown]) -> None:
     for pane in PANES:
         one = shown(pane)
         count = actors_of(one)

@@ -16,6 +16,7 @@ from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
+from app.lecture.highlight import AXES, WINDOW
 from app.model.object_transform import ObjectTransform
 from app.picking.handles import Handle
 from app.scenes.scene import BUILT_IN, load
@@ -78,8 +79,8 @@ def test_only_the_handle_in_the_hand_is_drawn(off_screen: MakeScreen) -> None:
     screen = off_screen(*PANE_PX)
     drawing = opened(screen, live=True)
     untouched = screen.pixels()
-    near = next(handle for handle, _ in drawing.handles_shown if handle.name == "near")
-    assert len(drawing.handles_shown) > 4  # they can be found
+    near = next(handle for handle, _ in drawing.handles.shown if handle.name == "near")
+    assert len(drawing.handles.shown) > 4  # they can be found
     drawing.show_layers(frozenset({"handles"}))
     assert (screen.pixels() == untouched).all()
     drawing.show_layers(frozenset())
@@ -108,7 +109,7 @@ def test_where_a_hand_takes_hold_of_the_target_the_target_is_pointed_at(
 ) -> None:
     """And not the side of the volume before it."""
     drawing = opened(off_screen(*PANE_PX), live=True)
-    x, y = dict(drawing.handles_shown)[Handle("target")]
+    x, y = dict(drawing.handles.shown)[Handle("target")]
     assert drawing.highlight_at(x, y) == {"target"}
 
 
@@ -144,15 +145,15 @@ def test_the_letters_picture_shows_eye_near_and_letter_large(
     """The far plane may leave the pane: whole, it would make the rest small."""
     drawing = opened(off_screen(*size_px))
     scene = load("letter-f")
-    points = [scene.start.camera.eye, *scene.objects_box, *drawing.frustum.corners[:4]]
+    points = [scene.start.camera.eye, *scene.objects_box, *drawing.state.volume.corners[:4]]
     seen = drawing.sight.seen(np.array(points))
     assert (seen > 0.0).all() and (seen < size_px).all()
     across, up = np.ptp(seen, axis=0) / size_px
     assert max(across, up) >= 0.6
-    whole = drawing.sight.seen(drawing.frustum.corners[4:])
+    whole = drawing.sight.seen(drawing.state.volume.corners[4:])
     assert ((whole < 0.0) | (whole > size_px)).any()
     drawing.show_names(None)
-    whole = drawing.sight.seen(drawing.frustum.corners[4:])
+    whole = drawing.sight.seen(drawing.state.volume.corners[4:])
     assert (whole > 0.0).all() and (whole < size_px).all()
 
 
@@ -190,7 +191,8 @@ def test_the_flat_view_frames_the_triangle(off_screen: MakeScreen) -> None:
 
 def test_an_unnamed_label_is_not_written(off_screen: MakeScreen) -> None:
     drawing = opened(off_screen(*PANE_PX))
-    labels = drawing.labels.named
+    names = "eye", "target", "near", "far", *AXES, *WINDOW
+    labels = {name: drawing.board.label(name) for name in names}
     shown = {name for name, label in labels.items() if label.is_visible}
     assert shown == {"eye", "near", "far"}
     drawing.show_names(frozenset({"near"}))

@@ -20,11 +20,12 @@ from app.document.document import Document
 from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings import hidden, vectors
-from app.drawings.actors import PropGroup, face_actor, identity_camera, line_actor, put_in_front
+from app.drawings.actors import face_actor, identity_camera, line_actor, put_in_front
 from app.drawings.figure import Figure
 from app.drawings.occlusion import Points, ScreenCell
 from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
+from app.drawings.prop_group import PropGroup
 from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg

@@ -15,12 +15,12 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
-from app.drawings.camera import view_matrices
 from app.drawings.frustum import matrices_between
 from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
+from app.drawings.world_state import view_matrices
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
     OBLIQUE_PRESETS,
@@ -168,7 +168,7 @@ def test_the_frustum_is_the_unprojected_cube(make_view: MakeView) -> None:
     for projection in random_projections(120):
         drawing.show_projection(projection)
         matrix = to_array(drawing.frustum.space.matrix)
-        reach = drawing.frustum.reach
+        reach = drawing.state.volume.depths
         if reach.near_break is not None:
             continue
         if reach.far_break is not None:  # what is drawn is the frustum of a nearer far plane
@@ -365,7 +365,7 @@ def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) 
         near = 10.0 ** (step / 40.0 - 4.0)
         lens = Perspective(45.0, near, 2e7)
         view.drawing.show_projection(Projection(Camera(eye, (0.0, 2.0, 0.0)), lens))
-        reach = view.drawing.frustum.reach
+        reach = view.drawing.state.volume.depths
         now = np.array([reach.high, min(reach.near, 100.0), reach.far])
         if last is not None:
             assert (np.abs(now - last) < 0.07 * np.abs(last) + 0.05).all(), step
@@ -699,11 +699,11 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
         view.hide_labels()
         pane = view.drawing.own.pane
         turned_away = pane._replace(axes=pane.axes * [[-1.0], [1.0], [-1.0]])
-        for corners in np.split(view.drawing.frustum.corners, 2):
+        for corners in np.split(view.drawing.state.volume.corners, 2):
             assert turned_away.covered(corners) == []
         for tint, corners in zip(
             view.drawing.frustum.tints.values(),
-            np.split(view.drawing.frustum.corners, 2),
+            np.split(view.drawing.state.volume.corners, 2),
             strict=True,
         ):
             for actor in view.plotter.renderer.GetActors():
@@ -723,7 +723,7 @@ def test_what_a_plane_covers_of_the_pane_is_what_is_painted(make_view: MakeView)
 def test_what_is_covered_does_not_depend_on_the_unit(make_view: MakeView) -> None:
     view = make_view("letter-f", 400, 300)
     view.drawing.show_projection(with_lens(fov_y_deg=170.0))
-    pane, corners = view.drawing.own.pane, view.drawing.frustum.corners[4:]
+    pane, corners = view.drawing.own.pane, view.drawing.state.volume.corners[4:]
     near = np.array(pane.covered(corners))
     far = np.array(pane._replace(eye=pane.eye * 1e99).covered(corners * 1e99))
     assert len(near) > 3
@@ -957,7 +957,7 @@ def test_the_volume_of_a_free_matrix_is_the_cube_unprojected(
     view.drawing.show_projection(free)
     assert {"near", "far"} <= set(texts_of(view.plotter))
     drawing = view.drawing
-    corners = drawing.frustum.corners + view.scene.origin
+    corners = drawing.state.volume.corners + view.scene.origin
     assert np.allclose(corners, corners_world(free)[:, :3], rtol=1e-9, atol=1e-9)
     clip = applied(free.clip_from_world, corners)
     z_near, z_far = free.depth_range

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 import app.measure.run
-from app.drawings.label_placement import beside
+from app.drawings.curve_names import beside
 from app.measure import chart, measuring
 from app.measure.meaning import meaning
 from app.measure.measuring import TRADES

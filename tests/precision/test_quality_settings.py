@@ -28,7 +28,7 @@ from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_drag
 from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
-from widgets.panes import adaptive, pane
+from widgets.panes import adaptive, canvas
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
@@ -116,9 +116,9 @@ def test_the_document_writes_what_is_not_automatic_and_nothing_else() -> None:
 
 def test_the_names_are_those_of_the_measurements() -> None:
     assert set(SMOOTHINGS) == {"auto", *(one.name for one in smoothing.SMOOTHINGS)}
-    assert set(pane.SMOOTHINGS) < set(SMOOTHINGS)
-    assert {one.name: one.scale for one in smoothing.SMOOTHINGS if one.name in pane.SCALES} == (
-        pane.SCALES
+    assert set(canvas.SMOOTHINGS) < set(SMOOTHINGS)
+    assert {one.name: one.scale for one in smoothing.SMOOTHINGS if one.name in canvas.SCALES} == (
+        canvas.SCALES
     )
 
 
@@ -156,7 +156,7 @@ def test_a_smoothing_is_used_in_every_pane_and_kept_during_a_drag(window: MainWi
     before = pictures(window)
     window.quality.use({"smoothing": "none"})
     rough = pictures(window)
-    for name in pane.SMOOTHINGS:
+    for name in canvas.SMOOTHINGS:
         window.quality.use({"smoothing": name})
         chosen = pictures(window)
         others = {"none": before, "FXAA": rough}.get(name, rough)
@@ -166,7 +166,7 @@ def test_a_smoothing_is_used_in_every_pane_and_kept_during_a_drag(window: MainWi
         for part in window.panes.values():
             sides = np.array(part.canvas.render_window.GetSize())
             shown = np.array([part.canvas.width(), part.canvas.height()])
-            assert np.abs(sides - pane.SCALES.get(name, 1.0) * shown).max() <= 1.0, name
+            assert np.abs(sides - canvas.SCALES.get(name, 1.0) * shown).max() <= 1.0, name
         window.store.begin_gesture()
         window.store.set_projection(replace(window.store.document.projection, depth="direct3d"))
         settle()

@@ -45,8 +45,8 @@ from tests.support.window import (
     seen,
     settle,
 )
-from widgets.panes.canvas import CANVASES
-from widgets.panes.pane import REST_MS, SCALES
+from widgets.panes.canvas import CANVASES, SCALES
+from widgets.panes.pane import REST_MS
 from widgets.window.main_window import MainWindow
 
 pytestmark = pytest.mark.smooth

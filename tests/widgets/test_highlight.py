@@ -14,7 +14,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document.view import EVERYTHING
-from app.drawings.pointing import pointed_at, volume_edges
+from app.drawings.pointing import Targets, pointed_at, volume_edges
 from app.lecture.highlight import CORNERS, NOTHING, OBJECT_AXES, corner_at, made_of
 from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
@@ -143,6 +143,7 @@ def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, 
 def test_the_nearest_point_then_line_then_face() -> None:
     corners = box()
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
+    targets = Targets(points, volume_edges(corners), corners)
     for place, named in (
         ((101.0, 58.0), {"near_right_bottom"}),
         ((50.0, 61.0), {"near"}),  # its lower edge
@@ -150,25 +151,27 @@ def test_the_nearest_point_then_line_then_face() -> None:
         ((85.0, 10.0), {"right", "top"}),
         ((200.0, 200.0), set()),
     ):
-        assert pointed_at(place, 13.0, points, volume_edges(corners), corners) == named
+        assert pointed_at(place, 13.0, [targets]) == named
 
 
 @pytest.mark.parametrize("order", [1, -1])
 def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
     points = [(frozenset((name,)), (x, 0.0, 0.0)) for name, x in (("u", 2.0), ("v", -5.0))]
-    assert pointed_at((0.0, 0.0), 13.0, points[::order], [], []) == {"u"}
+    assert pointed_at((0.0, 0.0), 13.0, [Targets(points[::order])]) == {"u"}
 
 
 def test_a_point_without_a_place_is_not_highlighted() -> None:
     nowhere = [(math.nan, math.nan, math.nan)] * 8
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
-    assert pointed_at((5.0, 5.0), 13.0, points, volume_edges(nowhere), nowhere) == NOTHING
+    assert (
+        pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere), nowhere)]) == NOTHING
+    )
 
 
 def test_the_frontmost_face_by_its_depth_there() -> None:
     corners = box()
     behind = [(x, y, 2.0 - order) for x, y, order in corners]  # now the far face is in front
-    assert pointed_at((50.0, 30.0), 13.0, (), (), behind) == {"far"}
+    assert pointed_at((50.0, 30.0), 13.0, [Targets(corners=behind)]) == {"far"}
 
 
 # -- from a control to the panes
@@ -269,7 +272,9 @@ def test_the_world_knows_what_is_under_the_mouse(
     assert at(camera.target) == {"target"}
     assert at(corners[0]) == {"near_left_bottom"} or at(corners[3]) == {"near_left_top"}
     assert at((corners[0] + corners[3]) / 2.0) == {"near"}
-    far = drawing.frustum.corners[4:] + load("letter-f").origin  # where the break lets it be drawn
+    far = (
+        drawing.state.volume.corners[4:] + load("letter-f").origin
+    )  # where the break lets it be drawn
     assert at(far[1]) == {"far_right_bottom"}
     assert at((far[2] + far[3]) / 2.0) == {"far"}
     assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
@@ -281,7 +286,7 @@ def test_the_world_knows_what_is_under_the_mouse(
 def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted) -> None:
     for text in ["near", "far"]:
         drawing: Any = window.panes["world"].drawing
-        label = drawing.labels.named[text]
+        label = drawing.board.label(text)
         canvas = window.panes["world"].canvas
         left, right, bottom, top = label.box_px
         point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)

@@ -241,7 +241,7 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     observer = canvas.render_window.AddObserver("EndEvent", lambda *_: counts.append(1))
     for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
         move(window, "world", point_of(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
-    assert len(counts) == 1 and world(window).held == handle
+    assert len(counts) == 1 and world(window).handles.held == handle
     assert "near plane" in hand.handle_text and "Near = 1" in hand.handle_text
     assert canvas.toolTip() == hand.handle_text != tip
     assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
@@ -253,13 +253,13 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     away = point_of((before.shape[1] - 3.0, 3.0))  # beside the far plane
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
-    assert len(counts) == 1 and world(window).held is None
+    assert len(counts) == 1 and world(window).handles.held is None
     assert (hand.handle_text, canvas.toolTip()) == ("", tip)
     assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
     assert (pixels(window, "world") == before).all()
     move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
-    assert world(window).held is None
+    assert world(window).handles.held is None
     canvas.render_window.RemoveObserver(observer)
 
 
@@ -319,7 +319,7 @@ def test_the_text_about_a_handle_disappears_with_its_drawing(
         window.guide.choose("cube")
     else:
         window.look.set_presenting(True)
-    assert world(window).held is None
+    assert world(window).handles.held is None
     assert (hand.handle_text, pane.canvas.toolTip(), held_line(window).isVisible()) == (
         "",
         tip,
@@ -405,7 +405,7 @@ def test_escape_cancels_a_drag(window: MainWindow) -> None:
     move(window, "world", point_of(spot) + QPoint(30, 12))
     assert model(window) != start
     move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)  # late, from before
-    assert world(window).held == TARGET
+    assert world(window).handles.held == TARGET
     assert QApplication.focusWidget() is field
     QTest.keyClick(field, Qt.Key.Key_Escape)
     assert model(window) == start
@@ -459,7 +459,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
             drawing.hold(EYE)
         assert props.GetNumberOfItems() == first
         counts.append(first)
-        assert (drawing.held is not None) == live
+        assert (drawing.handles.held is not None) == live
         spot = drawing.sight.seen([scene.start.camera.eye])[0].tolist()
         assert drawing.handle_at(tuple(spot), 9.0) == (EYE if live else None)
         drawing.remove()

@@ -33,7 +33,7 @@ from tests.support.shown import show
 from tests.support.window import settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
-from widgets.panes.pane import SMOOTHINGS
+from widgets.panes.canvas import SMOOTHINGS
 from widgets.parts import palette
 from widgets.parts.diagram import HIT_PX
 from widgets.window.main_window import MainWindow

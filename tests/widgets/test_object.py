@@ -164,7 +164,7 @@ def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWind
         return {each.setting: at for each, at in dict(shown).items() if each.name == "object"}
 
     first = pixels(window, "world")
-    assert not held() and not drawing.has_object_axes
+    assert not held() and not drawing.handles.has_object
     section.set_open(True)
     settle()
     assert {"origin", "x", "y", "z"} <= {*held()}
@@ -199,6 +199,6 @@ def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWind
     settle()
     assert held()
     show_scene(window, "eye-plane")  # whose objects are fixed
-    assert not held() and not window.panes["world"].drawing.has_object_axes
+    assert not held() and not window.panes["world"].drawing.handles.has_object
     show_scene(window, "cube")
     assert held()

@@ -494,9 +494,14 @@ def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
     before = trace(window)
     for _ in range(2):
         begin(window)
+        window.slots.show_slide(("world", "image"))
+        window.slots.show_slide(())
         press(window, Qt.Key.Key_F5)
         give_room(window, QRect(*ORDINARY))
         assert trace(window) == before
+    across, small = window.slots.sizes(), window.slots.widget(1).sizes()
+    window.slots.make_large("ndc")
+    assert (window.slots.sizes(), window.slots.widget(1).sizes()) == (across, small)
 
 
 @pytest.mark.undrawn
@@ -577,7 +582,7 @@ def test_a_flat_view_stays_flat_and_its_planes_can_be_dragged_anywhere(window: M
     settle()
     drawing = pane.drawing
     assert isinstance(drawing, WorldDrawing)
-    corners = np.array(drawing.own.pane.pointed(drawing.frustum.corners))[:, :2]
+    corners = np.array(drawing.own.pane.pointed(drawing.state.volume.corners))[:, :2]
     upper, lower = sorted((corners[4:].min(axis=0), corners[4:].max(axis=0)), key=lambda at: at[1])
     on_far = QPoint(*(upper + 0.37 * (lower - upper)).astype(int).tolist())
     middle = QPoint(*corners.mean(axis=0).astype(int).tolist()) + QPoint(0, 35)

@@ -15,7 +15,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 
-import app.drawings.stage as stage_drawing
+import app.drawings.stage_box as stage_box
 from app.drawings import WORDS
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
@@ -220,7 +220,7 @@ def test_at_ndc_no_other_stage_is_computed(
         return made[-1]
 
     screen = shown()
-    monkeypatch.setattr(stage_drawing, "morph_of", counted)
+    monkeypatch.setattr(stage_box, "morph_of", counted)
     for far in (30.0, 31.0):
         screen.drawing.show_projection(
             replace(screen.scene.start, lens=Perspective(45.0, 1.0, far))
@@ -231,26 +231,19 @@ def test_at_ndc_no_other_stage_is_computed(
     assert len(made) == 1  # one per projection, however far the strip is moved
 
 
-def test_at_ndc_the_cube_waits_for_another_depth_range(
-    shown: Callable[..., Shown], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    placed: list[float] = []
+def test_at_ndc_the_cube_waits_for_another_depth_range(shown: Callable[..., Shown]) -> None:
     screen = shown()
     drawing, start = screen.drawing, screen.scene.start
-    show = drawing.box.show
-
-    def counted(morph: Morph, position: float) -> None:
-        placed.append(position)
-        show(morph, position)
-
-    monkeypatch.setattr(drawing.box, "show", counted)
-    drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))
-    assert placed == []
+    other_lens = replace(start, lens=Perspective(30.0, 2.0, 31.0))
+    placed = drawing.box.placed
+    drawing.show_projection(other_lens)
+    assert drawing.box.placed is placed
     drawing.show_projection(replace(start, depth="direct3d"))
-    assert placed == [NDC]
+    assert drawing.box.placed is not placed
     drawing.show_stage(2.0)
-    drawing.show_projection(replace(start, lens=Perspective(30.0, 2.0, 31.0)))
-    assert placed == [NDC, 2.0, 2.0]
+    placed = drawing.box.placed
+    drawing.show_projection(other_lens)
+    assert drawing.box.placed is not placed
 
 
 @pytest.mark.parametrize("depth", ["opengl", "reversed"])

@@ -874,7 +874,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
 ) -> None:
     for is_walk in (True, False):
         window = make_window(everything)
-        player = window.controls.animation if is_walk else window.controls.card.players["turn"]
+        player = window.controls.animation if is_walk else window.controls.card.motions["turn"]
         window.store.begin_gesture()
         edit(window)
         player.play()
@@ -1179,7 +1179,7 @@ def test_windows_opened_and_closed_leave_nothing_behind(
 
 
 def test_changes_do_not_pile_up(window: MainWindow) -> None:
-    """A leak shows in every round; what else the process allocates does not."""
+    """The same changes again and again: the first round fills all caches."""
     window.resize(940, 420)  # quickly drawn
     window.store.begin_gesture()
     sizes = []
@@ -1193,7 +1193,7 @@ def test_changes_do_not_pile_up(window: MainWindow) -> None:
             QApplication.processEvents()
         gc.collect()
         sizes.append(resident())
-    assert min(after - before for before, after in itertools.pairwise(sizes)) < 1e6
+    assert sizes[-1] - sizes[0] < 2e6
     window.store.end_gesture()
 
 
@@ -1403,7 +1403,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: MakeWindow, everything: Document
 ) -> None:
     window = make_window(everything)
-    player = window.controls.card.players["turn"]
+    player = window.controls.card.motions["turn"]
     player.play()
     for _ in range(5):
         player.advance(0.25)

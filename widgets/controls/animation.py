@@ -101,12 +101,8 @@ class Motion:
 def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
     """Return the camera some seconds after it stood at `start`.
 
-    The walk goes round the target of `start` at a constant distance from the vertical.
-
-    Raises
-    ------
-    Refusal
-        If there is no such camera: one straight above its target cannot look level.
+    The walk goes round the target of `start` at a constant distance from the vertical. A `Refusal`
+    if there is no such camera: one straight above its target cannot look level.
     """
     turn = math.radians(math.remainder(motion.speed_deg_s * elapsed_s, 360.0))
     cos, sin = math.cos(turn), math.sin(turn)

@@ -59,15 +59,9 @@ _ALL = tuple(PARTS.values())
 class Controls(Dock, RowHolder):
     """The dock.
 
-    Attributes
-    ----------
-    rows : dict of str to Row
-        Every row of the projection by the name of its parameter, or of a component: ``"eye_x"``.
-    sections : dict of str to Section
-        The folding parts: ``"more_lens"``, ``"more_camera"``, ``"image"``, ``"object"``,
-        ``"animation"``.
-    animation : AnimationBar
-        `edited` emits its cameras too; its gestures are not passed on.
+    `rows` has every row of the projection by the name of its parameter, or of a component
+    (``"eye_x"``); `sections` has the folding parts. `edited` also emits the cameras of `animation`,
+    whose gestures are not passed on.
     """
 
     concerns = EVERYTHING
@@ -221,12 +215,8 @@ class Controls(Dock, RowHolder):
     def set_scene(self, size: float, defaults: Projection) -> None:
         """Fit the sliders to a scene, and set the defaults.
 
-        Parameters
-        ----------
-        size : float
-            Diagonal of the scene's bounds, world units.
-        defaults : Projection
-            The camera and lens with which the scene opens.
+        `size` is the diagonal of the scene's bounds in world units. The scene opens with
+        `defaults`.
         """
         self._size, self._defaults = size, defaults
         camera = defaults.camera
@@ -260,13 +250,8 @@ class Controls(Dock, RowHolder):
     def bring_to_front(self, paths: Collection[str], replaced: Collection[str] = ()) -> None:
         """Show the controls that matter for the scene in its card.
 
-        Parameters
-        ----------
-        paths : collection of str
-            Part and key of each row: ``lens.near``, ``camera.distance``. Rows of another lens
-            appear when it is chosen.
-        replaced : collection of str
-            Rows that the scene's own settings replace.
+        `paths` are part and key of each row, ``lens.near``; rows of another lens appear when it is
+        chosen. The scene's own settings replace the rows in `replaced`.
         """
         lifted = tuple(path.rpartition(".")[2] for path in paths)
         if (lifted, replaced) == (self._lifted, self._replaced):

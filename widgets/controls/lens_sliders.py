@@ -35,16 +35,7 @@ class LensSliders(QObject):
         return row
 
     def fit(self, projection: Projection, size: float, defaults: Projection) -> None:
-        """Set the sliders and the defaults of the rows of this kind of lens.
-
-        Parameters
-        ----------
-        projection : Projection
-        size : float
-            Diagonal of the scene's bounds, world units.
-        defaults : Projection
-            The camera and lens with which the scene opens.
-        """
+        """Set the sliders and the defaults of the rows of this lens; see `Controls.set_scene`."""
         self._projection, self._size = projection, size
         self._reach = 0.0
         kind = projection.lens.kind

@@ -67,7 +67,6 @@ class MatrixBox(QWidget):
 
     @property
     def views(self) -> tuple[MatrixView, ...]:
-        """The views of the matrix and of its factors."""
         return (self.view, *self.factor_views)
 
     def _unfold(self, unfolded: bool) -> None:

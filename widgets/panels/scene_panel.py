@@ -71,7 +71,6 @@ class ScenePanel(DiagramPanel):
         self.show_illustration(shown.illustration)
 
     def show_illustration(self, illustration: Illustration | None) -> None:
-        """Show the diagrams of an illustration."""
         if illustration is self._illustration:
             return
         anew = self._illustration is None

@@ -22,9 +22,10 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QCloseEvent,
+    QColor,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -37,6 +38,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
 from widgets.parts.focus import FocusRing
+from widgets.parts.layouts import in_column
 from widgets.parts.plain import set_tip
 
 if TYPE_CHECKING:
@@ -56,6 +58,17 @@ ARROWS = {
 """Right and down."""
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """On many keyboards plus is on the key of =."""
+
+SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
+"""Drawn pixels for one pixel of the screen, along each side, where it is not one."""
+SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
+"""The smoothings of a pane. Qt averages four pixels of a larger picture at the most."""
+
+
+def multisamples(smoothing: str) -> int:
+    """Return the samples a pixel that one of `SMOOTHINGS` needs from OpenGL."""
+    kind, _, samples = smoothing.partition(" ")
+    return int(samples) if kind == "MSAA" else 0
 
 
 class _Canvas(QWidget):
@@ -246,6 +259,60 @@ class RasterCanvas(_Canvas):
             self._screen.give_back()
             self._screen = None
         super().closeEvent(event)
+
+
+class CanvasHolder(QWidget):
+    """Holds a canvas so that its edges are on whole pixels of the screen.
+
+    At a fractional scale of the screen Qt otherwise leaves a black line at an edge, and stretches
+    the picture by the rest of a pixel.
+    """
+
+    def __init__(self, canvas: QWidget) -> None:
+        super().__init__()
+        self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
+        self._room: QRect | None = None
+        self.beside: QColor | None = None
+        """Colour of the part without canvas; None for the window's."""
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        if self._room is not None and self.beside is not None:
+            painter = QPainter(self)
+            painter.fillRect(event.rect(), self.beside)
+            painter.end()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.fit()
+
+    def set_room(self, room: QRect | None) -> None:
+        """Give the canvas a part of the surface, or None for all of it."""
+        if room != self._room:
+            self._room = room
+            self.fit()
+
+    def fit(self) -> None:
+        """Move the edges inwards to the next whole pixels."""
+        place, ratio = self.mapTo(self.window(), QPoint()), self.devicePixelRatioF()
+        room = self._room or self.rect()
+        left, top = place.x() + room.x(), place.y() + room.y()
+        self._margins.setContentsMargins(
+            room.x() + _to_whole(left, 1, ratio),
+            room.y() + _to_whole(top, 1, ratio),
+            self.width() - room.x() - room.width() + _to_whole(left + room.width(), -1, ratio),
+            self.height() - room.y() - room.height() + _to_whole(top + room.height(), -1, ratio),
+        )
+        self._margins.invalidate()
+        self._margins.activate()
+
+
+def _to_whole(edge: int, inwards: int, ratio: float) -> int:
+    """Return the steps from an edge to a whole pixel of the screen; 0 if there is none near."""
+    for away in range(8):
+        at = (edge + inwards * away) * ratio
+        if abs(at - round(at)) < 1e-6:
+            return away
+    return 0
 
 
 AnyCanvas: TypeAlias = GlCanvas | RasterCanvas

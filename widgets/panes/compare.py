@@ -258,7 +258,6 @@ class Compare(QObject):
             pane.turned.connect(self.refresh)
 
     def move_to(self, pane: Pane) -> None:
-        """Compare in another pane from now on."""
         if pane is self._pane:
             return
         pictures, dividers = self.pictures, self.dividers

@@ -202,7 +202,7 @@ class Cursor(QObject):
         drawing = self._pane.drawing
         if self._name == "world" and drawing is not None:
             drawing.hold(None)  # the held handle would be the first in the list
-            things = [handle for handle, _ in drawing.handles_shown]
+            things = [handle for handle, _ in drawing.handles.shown]
         elif self._name == "image":
             followed = [Followed(probe.number) for probe in self._pane.probes if probe.number]
             things = [each for each in followed if self._seen(each) is not None]
@@ -274,7 +274,7 @@ class Cursor(QObject):
         if drawing is None:
             return None
         if isinstance(thing, Handle):
-            x, y = dict(drawing.handles_shown).get(thing, (x, y))
+            x, y = dict(drawing.handles.shown).get(thing, (x, y))
         elif place is not None:
             ((x, y),) = drawing.sight.seen([place]).tolist()
         size, ratio = self._pane.canvas.size(), self._pane.canvas.pixel_ratio

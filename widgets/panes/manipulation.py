@@ -124,9 +124,9 @@ class Manipulation(Gestures, QObject):
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drop()  # another scene while dragging
         drawing = self._world.drawing
-        if drawing is not None and drawing.held is not None:
-            if self.now(drawing.held):
-                self._describe_handle(drawing.held)
+        if drawing is not None and drawing.handles.held is not None:
+            if self.now(drawing.handles.held):
+                self._describe_handle(drawing.handles.held)
             else:
                 self._point_out(drawing, None)
 
@@ -149,7 +149,7 @@ class Manipulation(Gestures, QObject):
 
     def _point_out(self, drawing: Drawing, handle: Handle | None) -> None:
         said_of_another = handle is None and self.handle_text  # of an earlier drawing
-        if handle == drawing.held and not said_of_another:
+        if handle == drawing.handles.held and not said_of_another:
             return
         drawing.hold(handle)
         self._world.request_repaint()
@@ -176,7 +176,7 @@ class Manipulation(Gestures, QObject):
         projection = self._projection
         if handle.name == "object":
             drawing = self._world.drawing
-            is_gone = drawing is None or not drawing.has_object_axes
+            is_gone = drawing is None or not drawing.handles.has_object
         else:
             is_gone = not projection.has_camera
             if handle.face:
@@ -227,7 +227,7 @@ class Manipulation(Gestures, QObject):
         if handle is None:
             return
         self._point_out(drawing, handle)
-        sight, drawn = drawing.sight, drawing.planes_drawn
+        sight, drawn = drawing.sight, drawing.handles.planes_drawn
         held = self._grips.get(handle.setting)
         at = place(self._projection, handle, drawn) if held is None else held.point
         ((x_px, y_px),) = sight.seen([at]).tolist()
@@ -295,11 +295,11 @@ class Manipulation(Gestures, QObject):
         self._drop()
         self._image.canvas.unsetCursor()
         drawing = self._world.drawing
-        if drawing is not None and drawing.held is not None:
+        if drawing is not None and drawing.handles.held is not None:
             self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
         self._finish()
-        if drawing is not None and drawing.held is not None:
-            self._describe_handle(drawing.held)  # instead of a refusal
+        if drawing is not None and drawing.handles.held is not None:
+            self._describe_handle(drawing.handles.held)  # instead of a refusal
 
     def _drop(self) -> None:
         """Forget the drag, and tell the hand."""

@@ -196,7 +196,6 @@ class StageStrip(QWidget, Playing, Gestures):
             set_tip(button, tip)
 
     def _title(self) -> str:
-        """Return the stage at this position."""
         titles = (
             self.tr("World"),
             self.tr("View"),

@@ -24,20 +24,11 @@ def tool_button(
     checkable: bool = False,
     by_click: bool = False,
 ) -> QToolButton:
-    """Make a tool button.
+    """Make a tool button; `act` is a function or a signal.
 
-    Parameters
-    ----------
-    act : callable or signal, optional
-        Called at a click.
-    icon : str
-        Name in `widgets.parts.icons`; shown beside the text.
-    name : str
-        For screen readers, if the text does not say it.
-    flat : bool
-        Whether it has a frame only under the mouse.
-    by_click : bool
-        Whether a click gives it the keyboard's focus, as Tab does.
+    `icon` is a name in `widgets.parts.icons`, and `name` is for screen readers, if the text does
+    not say it. A `flat` button has a frame only under the mouse. With `by_click` a click gives it
+    the keyboard's focus, as Tab does.
     """
     made = QToolButton(autoRaise=flat)
     if icon:

@@ -13,7 +13,7 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
-from app.drawings.label_placement import GAP_PX, beside, beside_curve
+from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.diagram import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
@@ -35,14 +35,8 @@ _CENTRED = Qt.AlignmentFlag.AlignHCenter
 class DiagramPainter:
     """Lays out a diagram in a size, and paints it there.
 
-    Attributes
-    ----------
-    frame : QRectF
-        The place of the diagram's window.
-    names : dict of str to (4,) array
-        Places of the curves' names (left, top, right, bottom), kept where possible.
-    spot_names : dict of str to QRectF
-        Places of the spots' names.
+    `frame` is the place of the diagram's window. `names` are the places of the curves' names (left,
+    top, right, bottom), kept where possible; `spot_names` are those of the spots.
     """
 
     def __init__(

@@ -89,12 +89,8 @@ class _FocusedCombo(Combo):
 class Row(TintedWidget, QWidget, Gestures):
     """The name, the reset, the error line and the gestures that all rows share.
 
-    Parameters
-    ----------
-    name : str
-        Translated name, shown and read aloud.
-    tip : str
-        Translated sentence about the effect of the value, in the lectures' terms.
+    Both texts are translated; `tip` is a sentence about the effect of the value in the lectures'
+    terms.
     """
 
     edited = Signal(object)
@@ -258,16 +254,9 @@ class Option(NamedTuple):
 
 
 class ChoiceRow(Row):
-    """A row to choose one of a few options: a combo box, or buttons side by side.
+    """A row to choose one of a few options: a combo box, or `buttons` side by side.
 
-    Parameters
-    ----------
-    name, tip : str
-        See `Row`.
-    buttons : bool
-        Buttons instead of a combo box: one click instead of two.
-    none : str
-        Text of a combo box while no option is chosen.
+    Buttons take one click instead of two. A combo box shows `none` while no option is chosen.
     """
 
     def __init__(

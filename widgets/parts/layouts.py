@@ -33,16 +33,9 @@ def in_row(
     margins: tuple[int, int, int, int] | None = None,
     gap: int | None = None,
 ) -> QHBoxLayout:
-    """Lay out parts side by side.
+    """Lay out parts side by side; the row fills the widget `on`.
 
-    Parameters
-    ----------
-    on : QWidget, optional
-        The widget that the row fills.
-    margins : (int, int, int, int), optional
-        Left, above, right, below; Qt's if not given.
-    gap : int, optional
-        Between the parts; Qt's if not given.
+    `margins` are left, above, right, below. They and the `gap` between parts are Qt's if not given.
     """
     return _filled(QHBoxLayout(), parts, on, margins, gap)
 

@@ -115,5 +115,4 @@ class MessageBar(QFrame):
 
     @property
     def choices(self) -> tuple[QPushButton, ...]:
-        """The buttons of the message shown."""
         return tuple(self._choices)

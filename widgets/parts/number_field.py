@@ -28,7 +28,6 @@ def refusal(sentence: str) -> str:
 
 
 def _may_edit(event: QEvent) -> bool:
-    """Whether this event edits the text of a field."""
     if isinstance(event, QKeyEvent):
         return event.type() == QEvent.Type.KeyPress and event.key() not in _LEAVE_TEXT
     if isinstance(event, QInputMethodEvent):
@@ -38,17 +37,10 @@ def _may_edit(event: QEvent) -> bool:
 
 
 class NumberField(QLineEdit):
-    """One number as text, with all its digits.
+    """One number as text, with all its digits; its `unit` may follow it.
 
     A text that is being typed or was refused stays until it is read or discarded. The field passes
     Undo and Esc to the window when it does not need them.
-
-    Parameters
-    ----------
-    name : str
-        Name of the number, for a refusal and for screen readers.
-    unit : str
-        Unit that may follow the number.
     """
 
     def __init__(self, name: str, unit: str = "") -> None:

@@ -186,15 +186,6 @@ class NumberRow(_TypedRow):
 
     The slider offers round numbers. The field accepts any number exactly as typed, even beyond the
     slider's ends.
-
-    Parameters
-    ----------
-    name, tip : str
-        See `Row`.
-    unit : str
-        Shown behind the field.
-    unit_tip : str
-        Explanation of the unit.
     """
 
     def __init__(

@@ -22,18 +22,8 @@ _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False) -> float:
     """Read a number as typed: decimal point or comma, ``1/3``, ``inf``, perhaps with its unit.
 
-    Parameters
-    ----------
-    name : str
-        Name of the number, for the refusal.
-    infinite : bool
-        Whether the refusal mentions infinity. Infinity is always read: the model decides whether
-        it is allowed.
-
-    Raises
-    ------
-    Refusal
-        For any other text, and for digits that float64 can only keep as infinity or as 0.
+    A `Refusal` for any other text, and for digits that float64 can only keep as infinity or as 0.
+    It mentions infinity only if `infinite`, but infinity is always read: the model decides.
     """
     typed = text.strip()
     bare = plain(typed.removesuffix(unit))

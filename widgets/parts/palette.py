@@ -143,11 +143,8 @@ def drawing_style(*, dark: bool, screen_px: float, device_pixel_ratio: float) ->
 def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     """Set colours, font and style sheet of the application.
 
-    Parameters
-    ----------
-    screen_px : float
-        Height of the screen that a class looks at, to which the text is scaled; 0 for the
-        desktop's own size.
+    The text is scaled to `screen_px`, the height of the screen that a class looks at; 0 for the
+    desktop's own size.
     """
     worn = application.property("frustumLabDress")
     if worn == [dark, screen_px, application.font().toString(), application.styleSheet()]:

@@ -33,14 +33,8 @@ STEPS = 3
 class Readable(QObject):
     """Decides when a widget shows changed values: never while it is hidden.
 
-    Parameters
-    ----------
-    widget : QWidget
-        Its showEvent must call `settle`, as that of a `ReadablePanel` does.
-    show : callable
-        Shows the current values.
-    is_seen : callable, optional
-        Whether the values can be seen; by default, whether the widget is visible.
+    The widget's showEvent must call `settle`, as that of a `ReadablePanel` does. `is_seen` says
+    whether the values can be seen; by default, whether the widget is visible.
     """
 
     def __init__(

@@ -66,16 +66,10 @@ class Scale(ABC):
 
 @dataclass(frozen=True)
 class Linear(Scale):
-    """Even steps with short decimal values.
+    """Even steps with short decimal values; the ends are rounded to multiples of the step.
 
-    Parameters
-    ----------
-    low, high : float
-        The ends, rounded to multiples of the step.
-    step : float
-        Step of an arrow key; preferably 1, 2 or 5 times a power of ten.
-    parts : int
-        Positions in a step, which a drag with Shift reaches.
+    An arrow key makes a `step`, preferably 1, 2 or 5 times a power of ten. A drag with Shift
+    reaches the `parts` of a step.
     """
 
     step: float

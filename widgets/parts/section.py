@@ -75,7 +75,6 @@ class TitledRows(Rows):
 
 
 def quiet(label: PlainLabel) -> None:
-    """Make a label a quiet title."""
     label.setObjectName("quietTitle")  # for the application's style sheet
 
 

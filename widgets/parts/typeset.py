@@ -65,16 +65,8 @@ _IS_FORMULA = re.compile(  # not the powers of ten of a number
 class Typeset:
     """A laid-out formula; coordinates are in pixels from the left end of its line.
 
-    Attributes
-    ----------
-    ascent, descent : float
-        Height above and below the line.
-    letters : QPainterPath
-        The outlines of formulas.
-    runs : tuple of (float, float, str, QFont)
-        Numbers with their left end, their shift below the line, and their font.
-    cells : tuple of QRectF
-        The cells of a matrix, row by row.
+    `letters` are the outlines of formulas. `runs` are numbers with their left end, their shift
+    below the line, and their font. `cells` are those of a matrix, row by row.
     """
 
     width: float
@@ -353,18 +345,10 @@ def in_line(text: str) -> str:
 
 
 class TypesetLabel(MarkedLabel):
-    """Words or a formula; copying an abbreviated number copies all digits.
+    """Words or a `formula`; the keyboard or the right mouse button copies its `exact` text.
 
-    Attributes
-    ----------
-    formula : str
-        The formula, if it is one; `text` is the same as plain text.
-    exact : str
-        The text to copy by the keyboard or the right mouse button, if any.
-    shrinks : bool
-        Whether a formula that is too wide is drawn smaller.
-    cell : int or None
-        The cell of a matrix, counted row by row, that is marked instead of the whole.
+    A formula that `shrinks` is drawn smaller if it is too wide. `cell` is the cell of a matrix,
+    counted row by row, that is marked instead of the whole.
     """
 
     def __init__(self) -> None:

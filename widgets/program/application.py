@@ -176,30 +176,11 @@ def run_window(
     scene: Scene | None = None,
     lesson: Path | None = None,
 ) -> int:
-    """Open the window on a document, and return when it is closed.
+    """Open the window on a document; return 0 when it is closed, 1 if a part of it stayed empty.
 
-    Parameters
-    ----------
-    saved : Document
-        The document in its file, without the changes of the command line.
-    path : Path or None
-        The file that was opened; if it is a document, it is saved there.
-    scene : Scene, optional
-        The document's scene, if it is already loaded.
-    lesson : Path, optional
-        A lesson or a talk to open.
-
-    Returns
-    -------
-    int
-        0; 1 if an exception left a part of the window empty.
-
-    Raises
-    ------
-    DisplayError
-        If no window can be opened.
-    Refusal
-        If the document's scene cannot be loaded, or the screenshot cannot be taken or written.
+    `saved` is the document in its file, without the changes of the command line; `path` is the file
+    that was opened. A DisplayError if no window can be opened. A `Refusal` if the document's scene
+    cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
     graphics = _probe(options)

@@ -131,7 +131,6 @@ def text(
 
 
 def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageBlock:
-    """A figure, and blocks below each other beside it."""
     right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
 
     def paint(painter: QPainter, part: QRectF) -> None:
@@ -169,7 +168,6 @@ def ruled(width: float, height: float) -> PageBlock:
 
 
 def picture(image: QImage, width: float) -> PageBlock:
-    """A picture across the page."""
     place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
 
     def paint(painter: QPainter, _part: QRectF) -> None:

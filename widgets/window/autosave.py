@@ -33,14 +33,8 @@ class Autosave(QObject):
     """Keeps one file for a document of this window, locked while the window lives.
 
     A file without a lock belongs to a window that died, or to an unsaved document that another one
-    replaced. It is offered, never opened automatically.
-
-    Parameters
-    ----------
-    folder : Path
-        Created if it does not exist.
-    current : callable
-        Returns the document to keep, or None when everything is saved.
+    replaced. It is offered, never opened automatically. `current` returns the document to keep, or
+    None when everything is saved.
     """
 
     failed = Signal(str)

@@ -28,19 +28,10 @@ _PAUSE_MS = 300  # after the last change, before the preview is drawn
 
 
 class ExportDialog(QDialog):
-    """Asks how a figure is drawn, and for the ending of its file.
+    """Asks how the figure of the window is drawn, and for the ending of its file.
 
-    Parameters
-    ----------
-    titles : dict
-        Translated pane titles by name.
-    shown : Figure
-        What the window shows.
-    draw : callable, optional
-        Returns the preview of a figure, at most as large as a size in pixels, and tells its
-        progress; a `Refusal` if there is none.
-    kept : mapping, optional
-        The last choice, as `kept` returned it.
+    `draw` returns the preview of a figure, at most as large as a size in pixels; a `Refusal` if
+    there is none. `kept` is the last choice, as the property returned it.
     """
 
     def __init__(
@@ -300,13 +291,7 @@ class ExportDialog(QDialog):
 
 
 def _whole(text: str) -> int:
-    """Parse a whole number, without Python's own forms such as 1_800 and other scripts' digits.
-
-    Raises
-    ------
-    ValueError
-        If the text is not a whole number.
-    """
+    """Parse a whole number in plain digits, unlike Python's 1_800, or raise ValueError."""
     if not re.fullmatch(r"\s*[-+]?[0-9]+\s*", text):
         raise ValueError(text)
     return int(text)

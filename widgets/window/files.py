@@ -74,13 +74,8 @@ class Files(QObject):
     def scene(self, name: str, mesh: str = "") -> Scene:
         """Return the scene of a name or mesh path, with `mesh` in place of its objects.
 
-        It is loaded once. All scenes of the undo history stay in memory, so that undo does not
-        depend on a file that may have been removed.
-
-        Raises
-        ------
-        Refusal
-            If it cannot be loaded; `Cancelled` if the user cancels it.
+        It is loaded once, or a `Refusal` says why not. All scenes of the undo history stay in
+        memory, so that undo does not depend on a file that may have been removed.
         """
         if (name, mesh) not in self._scenes:
             self._scenes[name, mesh] = self._load(name, mesh)

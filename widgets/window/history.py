@@ -17,12 +17,8 @@ from widgets.window.actions import Actions
 class History(QObject):
     """The store's history for one window; its title shows whether there is unsaved work.
 
-    Parameters
-    ----------
-    start : callable
-        Returns the projection that the current scene opens with.
-    players : sequence of callables
-        Each stops an animation, or a drag by the keyboard.
+    `start` returns the projection that the current scene opens with. Each of `players` stops an
+    animation, or a drag by the keyboard.
     """
 
     rested = Signal()

@@ -18,7 +18,8 @@ from app.model.parameters import TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
-from widgets.panes.pane import SCALES, Pane
+from widgets.panes.canvas import SCALES
+from widgets.panes.pane import Pane
 from widgets.parts import icons, palette
 from widgets.parts.messages import TranslatedWords, field_name, plane_name
 from widgets.parts.panel import EVERYTHING, Changed, ShownData

@@ -42,12 +42,12 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.scene_panel import ScenePanel
-from widgets.panes.canvas import CANVASES
+from widgets.panes.canvas import CANVASES, SMOOTHINGS
 from widgets.panes.counting import Counting
 from widgets.panes.cursor import Cursor
 from widgets.panes.drawings import DRAWINGS
 from widgets.panes.manipulation import Manipulation
-from widgets.panes.pane import SMOOTHINGS, Pane
+from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
 from widgets.parts.focus import focus_next
@@ -105,25 +105,9 @@ LONGEST_UNSEEN_MS = 100
 class MainWindow(QMainWindow):
     """One document in three linked panes.
 
-    Parameters
-    ----------
-    saved : Document, optional
-        The content of the document's file, if it differs.
-    settings : Settings
-        The user's own: theme, recent files, window geometry.
-    software_rendering : bool
-        Whether OpenGL runs without a GPU; antialiasing then waits while a control is dragged.
-    path : Path, optional
-        The file that was opened.
-    scene : Scene, optional
-        The document's scene, if it is already loaded.
-    canvas : {"raster", "opengl"}
-        How the panes draw.
-
-    Raises
-    ------
-    Refusal
-        If the document's scene cannot be loaded.
+    `saved` is the content of the document's file, if it differs; `path` is the file that was
+    opened. Without a GPU (`software_rendering`) antialiasing waits while a control is dragged. A
+    `Refusal` if the document's scene cannot be loaded.
     """
 
     first_painted = Signal()

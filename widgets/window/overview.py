@@ -34,18 +34,9 @@ LONGEST = 60
 class Overview(QDialog):
     """A window that lists what was practised, and leads there.
 
-    Parameters
-    ----------
-    topics : mapping
-        The lesson of each topic, and lessons of one's own by the names of their files.
-    known : mapping
-        By lesson and ``step/block``.
-    ideas : mapping
-        By lesson and name of the idea.
-    review : str
-        The text of the button for what has come back.
-    problem : str
-        Why a part of the record could not be read.
+    `topics` are the lessons of the topics, and one's own by the names of their files. `known` is by
+    lesson and ``step/block``, `ideas` by lesson and name. `problem` says why a part of the record
+    could not be read.
     """
 
     lesson_wanted = Signal(object)

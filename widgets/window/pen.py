@@ -66,16 +66,9 @@ def paint_strokes(
 class Pen(QWidget):
     """Lies over the slide, and takes the mouse while it draws.
 
-    Attributes
-    ----------
-    strokes : dict of str to list of Stroke
-        By the names of the steps.
-    pictures : dict of str to QImage
-        The slides with the strokes that were drawn since the talk was opened, by the same names.
-    is_on : bool
-        Whether the mouse draws.
-    erases : bool
-        Whether the mouse removes the strokes that it touches.
+    `strokes` are by the names of the steps; so are `pictures`, the slides with the strokes that
+    were drawn since the talk was opened. If it `erases`, the mouse removes the strokes that it
+    touches.
     """
 
     kept = Signal()

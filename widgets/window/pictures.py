@@ -45,20 +45,8 @@ def image_of(pixels: Pixels) -> QImage:
 class Pictures(QObject):
     """Exports and copies pictures for one window.
 
-    Every PNG contains the document that it shows. The message bar reports failures.
-
-    Parameters
-    ----------
-    seen : callable
-        Returns the document with its current view.
-    scene : callable
-        Returns the loaded scene of a name and a mesh.
-    titles : dict
-        The panes' translated titles by name.
-    words : mapping
-        The drawings' words in the window's language.
-    settings : Settings
-        Keeps the last choice.
+    Every PNG contains the document that it shows. The message bar reports failures. `seen` returns
+    the document with its current view; `words` are the drawings', in the window's language.
     """
 
     exported = Signal(str)

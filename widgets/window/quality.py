@@ -23,7 +23,8 @@ from app.drawings.scene_bounds import bounds_px
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality
 from app.scenes.scene import Scene
-from widgets.panes.pane import SMOOTHINGS, Pane
+from widgets.panes.canvas import SMOOTHINGS
+from widgets.panes.pane import Pane
 from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, PROJECTION, Changed, ShownData
 from widgets.window.look import Look
@@ -34,14 +35,8 @@ from widgets.window.status_line import StatusLine
 class DrawnQuality(QObject):
     """Applies the user's choices between speed and accuracy, and reports them in the status line.
 
-    Parameters
-    ----------
-    shown : callable
-        Returns the current snapshot.
-    scene : callable
-        Returns the loaded scene of a name.
-    refuse : callable
-        Shows a sentence that says what is impossible.
+    `shown` returns the current snapshot, `scene` the loaded scene of a name. `refuse` shows a
+    sentence that says what is impossible.
     """
 
     concerns = EVERYTHING

@@ -38,11 +38,8 @@ EDGE_SHARE = 0.02
 class QuestionOverlay(QFrame):
     """Lies over a slide where it hides the least; what does not fit is reached by the wheel.
 
-    Parameters
-    ----------
-    named : callable
-        Returns for each picture what it should not hide, and where all that is named lies, in the
-        slide's pixels.
+    `named` returns for each picture what it should not hide, and where all that is named lies, in
+    the slide's pixels.
     """
 
     def __init__(

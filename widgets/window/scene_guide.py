@@ -24,12 +24,8 @@ from widgets.window.drawer import Panels
 class SceneGuide(QObject):
     """Presents each new scene, and takes over the settings that the user edits.
 
-    Parameters
-    ----------
-    image : Pane
-        Its drawing finds out whether OpenGL refuses a shader of the scene.
-    choose : callable
-        Changes to the scene with a name, or says why it cannot.
+    The drawing of `image` finds out whether OpenGL refuses a shader of the scene. `choose` changes
+    to the scene with a name, or says why it cannot.
     """
 
     concerns = frozenset({"scene", "view", "quality"})

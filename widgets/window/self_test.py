@@ -33,15 +33,7 @@ def exercises_text(count: int) -> str:
 
 
 class SelfTestDialog(QDialog):
-    """Asks for topics and for the number of a test.
-
-    Parameters
-    ----------
-    topics : mapping
-        Title and number of exercises of each topic, by its name.
-    number : int
-        The proposed number.
-    """
+    """Asks for topics (title and number of exercises by name) and for the number of a test."""
 
     def __init__(
         self, topics: Mapping[str, tuple[str, int]], number: int, parent: QWidget | None = None

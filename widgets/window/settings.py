@@ -9,7 +9,7 @@ import logging
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -18,6 +18,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 from app import __version__
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.lessons.player import Progress
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from app.strangers import open_regular
@@ -126,26 +127,6 @@ def _paths(text: str) -> list[str]:
     return _valid(paths, all(are_paths))
 
 
-@dataclass(frozen=True)
-class Progress:
-    """A student's progress in a lesson.
-
-    Attributes
-    ----------
-    step : str
-        Name of the step to continue at; empty for the first.
-    answers : mapping of str to str
-        By ``step/block``: the number of a choice, from 1, the typed text, or a task's result.
-    done, of : int
-        The number of finished steps, and of all steps.
-    """
-
-    step: str = ""
-    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
-    done: int = 0
-    of: int = 0
-
-
 def _progress(text: str) -> dict[str, Progress]:
     tree: dict[str, Any] = _json(text, dict)
     return {name: _one_progress(kept) for name, kept in tree.items()}
@@ -203,12 +184,8 @@ class Settings:
     """The user's settings; the default replaces an invalid value.
 
     QSettings writes the file, but all values are checked here: it reports no error for a file that
-    is not INI, and reads 0 from an invalid number.
-
-    Parameters
-    ----------
-    path : Path or None
-        The INI file; None keeps the settings in memory only. A broken file is renamed to ``.bak``.
+    is not INI, and reads 0 from an invalid number. A broken file is renamed to ``.bak``. Without a
+    path the settings are in memory only.
     """
 
     def __init__(self, path: Path | None) -> None:
@@ -365,13 +342,7 @@ def _is_ini(content: bytes) -> bool:
 
 
 def delete_settings() -> str:
-    """Delete the user's settings and return a sentence that says so.
-
-    Raises
-    ------
-    OSError
-        If they cannot be deleted.
-    """
+    """Delete the user's settings and return a sentence that says so, or raise an OSError."""
     path = settings_path()
     try:
         path.unlink()

@@ -44,20 +44,9 @@ def panes_of_slide(asked: tuple[str, ...], large: str) -> tuple[str, ...]:
 class Slots(QSplitter):
     """The panes, docked or floating, in the order of their columns and of their keys.
 
-    Attributes
-    ----------
-    layout_name : str
-        One of `LAYOUTS`.
-    large : str
-        The pane in the large slot.
-    leading : str
-        The pane that the scene is about.
-    whole : str
-        The pane that fills the window, or "".
-    asked : tuple of str
-        The `app.document.view.SLIDES` that a document asks for.
-    is_for_class : bool
-        Whether a class sees the slide instead of all panes.
+    `large` is the pane in the large slot, `leading` the pane that the scene is about, and `whole`
+    the pane that fills the window, or "". A class sees the slide instead, by default that of
+    `given`, the `app.document.view.SLIDES` that a document asks for.
     """
 
     concerns = frozenset({"scene"})
@@ -138,14 +127,9 @@ class Slots(QSplitter):
         self.arrange(self.layout_name, name, name if fills else "")
 
     def arrange(self, layout: str, large: str, whole: str = "") -> None:
-        """Give every docked pane its place.
+        """Give every docked pane its place in a layout; `whole` fills the window, "" for none.
 
-        Parameters
-        ----------
-        large : str
-            The pane for the large slot; "" for the one that the scene is about.
-        whole : str
-            The pane that fills the window; "" for none.
+        `large` is the pane for the large slot; "" for the one that the scene is about.
         """
         large = large or self.leading
         if (layout, large, whole) == (self.layout_name, self.large, self.whole):

@@ -51,12 +51,8 @@ _PIECE = re.compile(r"\$\$.+?\$\$|\$.+?\$\S*|\S+", re.DOTALL)
 class TalkBand(QFrame):
     """A step's title and what it says in two lines at the most.
 
-    Attributes
-    ----------
-    left_out : str
-        The words of the step that are not shown; the speaker says them.
-    is_cut : bool
-        Whether no part of them fits: smaller letters show one, or only its beginning is shown.
+    The speaker says the words that are `left_out`. It `is_cut` if no part of them fits: smaller
+    letters show one, or only its beginning is shown.
     """
 
     concerns = frozenset({"scene", "view"})

@@ -53,12 +53,7 @@ class _Old(QWidget):
 class Transition(QObject):
     """Moves the panes' cameras between two steps, or fades the slide if the scene changes.
 
-    Parameters
-    ----------
-    slide : QWidget
-        It holds the panes.
-    is_for_class : callable
-        Whether a class looks on; otherwise nothing fades.
+    `is_for_class` says whether a class looks on; otherwise nothing fades.
     """
 
     def __init__(
@@ -115,7 +110,6 @@ class Transition(QObject):
         paint_now(self._slide.window())
 
     def go(self, part: float) -> None:
-        """Show a part of the way, 0 to 1."""
         if self._old.isVisible():
             self._old.fade(1.0 - part)
         self._look.glide(part)

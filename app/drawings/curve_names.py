@@ -1,0 +1,97 @@
+"""Names beside the points and the curves of a diagram, by the one placer of labels."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from app.drawings.label_placement import Floats, Ground, Wish, around, overlap, place
+
+GAP_PX = 3.0
+"""Between a curve and its name."""
+
+
+def beside(
+    points: Floats, sizes: Floats, frame: Floats, along: Floats, gaps: Floats, taken: Floats
+) -> list[Floats | None]:
+    """Place the names of points; None where a name has no free place.
+
+    Parameters
+    ----------
+    points, sizes : (n, 2) arrays
+        In pixels; the first ones choose first. A name without width gets no place.
+    frame, taken : (4,) and (k, 4) arrays
+        Left, low, right, high: where names may be, and boxes of other names; so is the result.
+    along : (m, 2) array
+        Places along curves, which no name hides.
+    gaps : (n,) array
+        From each point to its name.
+    """
+    em = float(sizes[:, 1].max())
+    ground = Ground(frame.tolist(), em)
+    for box in (*taken.tolist(), *np.hstack([along - 1.0, along + 1.0]).tolist()):
+        ground.keep_box(*box)
+    wishes = []
+    for i, (point, size, gap) in enumerate(zip(points, sizes, gaps.tolist(), strict=True)):
+        ground.keep([point.tolist()], 0.4 * gap)
+        if size[0] > 0.0:
+            wide, high = size.tolist()
+            places = partial(around, point, (wide, high), em, gap - 0.3 * em)
+            wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
+    placed = place(wishes, ground)
+    labels = (placed.get(i) for i in range(len(points)))
+    return [
+        None
+        if each is None
+        else np.concatenate([each.centre - size / 2.0, each.centre + size / 2.0])
+        for each, size in zip(labels, sizes, strict=True)
+    ]
+
+
+def beside_curve(
+    frame: Floats,
+    along: Floats,
+    half: float,
+    size: tuple[float, float],
+    taken: Floats,
+    lines: Floats,
+    kept: Floats | None = None,
+) -> Floats:
+    """Place a curve's name beside the curve, free of other names and of curves, if possible.
+
+    Without a free place the name goes into a list at the top left.
+
+    Parameters
+    ----------
+    frame : (4,) array
+        Left, top, right, bottom: where names may be; so are all boxes.
+    along : (n, 2) array
+        Places along the curve, which is `half` pixels wide on either side.
+    taken, lines : (m, 4) and (k, 4) arrays
+        Boxes of other names, and of pieces of all curves.
+    kept : (4,) array, optional
+        The name's last place, which is kept while it is free and beside its curve.
+    """
+    width, height = size
+    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
+        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
+        free = not overlap(kept[None], np.vstack([lines, taken])).any()
+        fits = (kept[:2] >= frame[:2]).all() and (kept[2:] <= frame[2:]).all()
+        if free and fits and overlap(near[None], np.hstack([along, along])).any():
+            return kept
+    right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
+    sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
+    corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
+    boxes = np.hstack([corners, corners + size])
+    costs = overlap(boxes, lines).sum(axis=1).astype(np.float64)
+    inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+    costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf
+    if len(costs) and costs.min() < np.inf:
+        best: Floats = boxes[int(costs.argmin())]
+        return best
+    left, top = frame[:2] + GAP_PX
+    box = np.array([left, top, left + width, top + height])
+    while overlap(box[None], taken).any() and box[3] < frame[3]:
+        box += (0.0, height, 0.0, height)
+    return box

@@ -1,0 +1,272 @@
+"""A pane is a list of layers, each of which shows one idea; `Layers` runs them.
+
+How a change reaches the screen::
+
+    PaneState             what the pane shows: projection, names, its own camera
+        |
+    layer.show()          each layer sets its matrices
+    layer.follow()        sizes and places that depend on the pane's own camera
+    layer.settle()        what depends on the depths that this camera sees
+    layer.want(), ink()   wishes for names, and what they should not hide; one placing
+        |
+    one repaint by the caller
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from app.document.naming import named_in
+from app.drawings.actors import Detail, SceneActors
+from app.drawings.label_placement import Ground
+from app.drawings.labels import Board, room
+from app.drawings.moved_vertices import MovedVertices
+from app.drawings.names import Names
+from app.drawings.pane_view import Spot
+from app.drawings.pointing import Emphasis, Targets, pointed_at
+from app.drawings.prop_group import PropGroup
+from app.drawings.rasterising import textured
+from app.drawings.silhouette import Silhouette
+from app.drawings.style import TITLE_EM
+from app.lecture.highlight import NOTHING, Highlight
+from app.model.projection import Array, Projection
+from app.picking.picking import Probe
+from app.picking.sight import Sight
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.scene import Scene
+
+NO_POINTS = np.empty((0, 3))
+
+
+class Placing(NamedTuple):
+    """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``."""
+
+    scale: Array
+    shift: Array
+    limit: float  # half the side of the box, about the actors' origin, that marks are cut to
+
+    def placed(self, points: Array) -> Array:
+        """Convert points (n, 3), or (n, 2) in a plane, to (n, 3)."""
+        if points.shape[1] == 2:
+            points = np.column_stack([points, np.zeros(len(points))])
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows is dropped
+            placed: Array = self.scale * points + self.shift
+        return placed
+
+
+class PaneState:
+    """What the layers of one pane share: where they draw, and what the pane shows."""
+
+    pane: ClassVar[str]
+    """One of `app.document.view.PANES`."""
+    objects = NO_POINTS
+    """The corners of the box round the objects, in the coordinates of the pane's actors."""
+    written: frozenset[str] = frozenset()
+    """The names that lengths write, and no other layer has to."""
+    strangers = NOTHING
+    """The things whose names mean others now."""
+
+    def __init__(
+        self, canvas: PropGroup, scene: Scene, words: Mapping[str, str], renderer: Any = None
+    ) -> None:
+        self.canvas, self.scene, self.words, self.renderer = canvas, scene, words, renderer
+        self.style, self.em = canvas.style, canvas.style.font_size
+        self.origin = np.array(scene.origin, dtype=np.float64)
+        self.names = Names(named_in(self.pane, scene))
+        self.board = Board(canvas, renderer)
+        self.emphasis = Emphasis(canvas)
+        self.silhouette = Silhouette(scene, self.em)
+        self.projection = scene.start
+        self.illustration: Illustration | None = None
+        self.probes: Sequence[Probe] = ()
+
+    @property
+    def marked(self) -> Illustration | None:
+        """The illustration, if its marks are shown."""
+        return self.illustration
+
+    @property
+    def seen_projection(self) -> Projection:
+        """The projection with OpenGL's depth range; the pane differs in depth only."""
+        return self.projection.with_depth("opengl")
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        width_px, height_px = self.canvas.window.GetSize()
+        return max(1, width_px), max(1, height_px)
+
+    @property
+    def room(self) -> tuple[float, float, float, float]:
+        """Where labels may be: left, low, right, high."""
+        width_px, height_px = self.size_px
+        return room(width_px, height_px - TITLE_EM * self.em, self.em)
+
+    @property
+    def places_labels(self) -> bool:
+        return bool(self.canvas.labels_light)
+
+    @property
+    def sight(self) -> Sight:
+        """How the pane looks at the world now, for picking."""
+        raise NotImplementedError
+
+    def renames(self, changed: Highlight, of_scene: bool) -> bool:
+        """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
+        return bool(changed) and not self.names.all
+
+    def seen(self, points: Array) -> Sequence[Spot]:
+        """Where points of the pane's actors, (n, 3), are in its renderer."""
+        raise NotImplementedError
+
+    def framed(self, points: Array) -> Array:
+        """The points, (n, 3), that are not too far away to be framed."""
+        return points
+
+    def placing(self) -> Placing:
+        """From the coordinates of this pane's marks to those of its actors."""
+        raise NotImplementedError
+
+    def copies_from_local(self, times: float) -> Array:
+        """The scene's own matrix in this pane, with lines so many times as far forward."""
+        raise NotImplementedError
+
+
+class Layer:
+    """One idea in a pane. A method without an override has nothing to do."""
+
+    def show(self) -> None:
+        """Set the matrices of what the state shows."""
+
+    def show_names(self) -> None:
+        """Show what is named, and the rest quietly."""
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        """Use the faces of a scene with fewer triangles; None for all."""
+
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        """Highlight what `Emphasis` does not know; return whether anything has changed."""
+        return False
+
+    def follow(self) -> None:
+        """Follow the pane's own camera and its size."""
+
+    def settle(self) -> None:
+        """Draw what also depends on the depths that the pane's own camera sees."""
+
+    def want(self, ground: Ground) -> None:
+        """Ask for the places of names, and keep labels off points."""
+
+    def ink(self, ground: Ground) -> None:
+        """Count as ink what is drawn."""
+
+    def label_at(self, x_px: float, y_px: float) -> Highlight:
+        """What a label that `Emphasis` does not know is about."""
+        return NOTHING
+
+    def targets(self) -> Targets:
+        """What can be pointed at."""
+        return Targets()
+
+    def reach(self) -> Array:
+        """The points that the pane's own camera has to reach, (n, 3)."""
+        return NO_POINTS
+
+    def core(self) -> list[Array]:
+        """The named points that have to be in view and large, (n, 3) each."""
+        return []
+
+    def beside(self) -> list[Array]:
+        """The points that come into view as far as the core stays large."""
+        return []
+
+
+class Layers:
+    """Runs the layers of a pane in the order in which their names are placed."""
+
+    def __init__(self, state: PaneState, *layers: Layer) -> None:
+        self._state, self._layers = state, layers
+
+    def show(self) -> None:
+        for layer in self._layers:
+            layer.show()
+
+    def show_names(self) -> None:
+        for layer in self._layers:
+            layer.show_names()
+        self._state.emphasis.show_names(self._state.names)
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        for layer in self._layers:
+            layer.show_detail(fewer)
+
+    def show_highlight(self, highlighted: Highlight) -> bool:
+        changes = [layer.show_highlight(highlighted) for layer in self._layers]
+        return any(changes)
+
+    def follow(self) -> None:
+        for layer in self._layers:
+            layer.follow()
+
+    def settle(self) -> None:
+        for layer in self._layers:
+            layer.settle()
+
+    def place_labels(self, *, afresh: bool = False) -> bool:
+        """Place the labels; return whether one has changed its place."""
+        state = self._state
+        if not state.places_labels:
+            return False
+        ground = Ground(state.room, state.em, self._ink)
+        for layer in self._layers:
+            layer.want(ground)
+        return state.board.settle(ground, afresh=afresh)
+
+    def _ink(self, ground: Ground) -> None:
+        for layer in self._layers:
+            layer.ink(ground)
+
+    def at(self, x_px: float, y_px: float) -> Highlight:
+        """Return the things at a pixel, counted from the pane's top left."""
+        labelled = self._state.emphasis.label_at(x_px, y_px)
+        for layer in self._layers:
+            labelled = labelled or layer.label_at(x_px, y_px)
+        if labelled:
+            return labelled
+        targets = [layer.targets() for layer in self._layers]
+        return pointed_at((x_px, y_px), self._state.em, targets)
+
+    def reach(self) -> Array:
+        return np.concatenate([layer.reach() for layer in self._layers])
+
+    def core(self) -> Array:
+        return np.concatenate([points for layer in self._layers for points in layer.core()])
+
+    def beside(self) -> Array:
+        return np.concatenate([points for layer in self._layers for points in layer.beside()])
+
+
+class FacesLayer(Layer):
+    """The scene once in a pane, with what a phenomenon changes about its faces.
+
+    `shows` says which vertices the pane shows: ``"stored"`` or ``"projected"``.
+    """
+
+    def __init__(self, state: PaneState, drawn: SceneActors, shows: str) -> None:
+        self._state, self.actors = state, drawn
+        self._detail = Detail(drawn.surface, drawn.dots)
+        faces = drawn.surface, drawn.spaces[0]
+        self._rasterisers = textured(state.scene, state.canvas, faces)
+        self._moved = MovedVertices(state.scene, shows, drawn.surface)
+
+    def show(self) -> None:
+        illustration = self._state.illustration
+        if illustration is not None and illustration.rendering is not None:
+            for rasteriser in self._rasterisers:
+                rasteriser.show(illustration.rendering, self._state.projection)
+        self._moved.show(None if illustration is None else illustration.vertices)
+
+    def show_detail(self, fewer: Scene | None) -> None:
+        self._detail.show(fewer)

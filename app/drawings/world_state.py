@@ -1,0 +1,235 @@
+"""What the world pane shows: the model's camera in the scene, and what is left out of it.
+
+Everything is scene-local, ``world - scene.origin`` subtracted in float64.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from app.drawings.layer import PaneState, Placing
+from app.drawings.lengths import written
+from app.drawings.own_view import OwnView
+from app.drawings.pane_view import Spot
+from app.drawings.prop_group import PropGroup
+from app.lecture.highlight import AXES, SIDES, WINDOW, Highlight
+from app.model.projection import Array, Camera, ObjectTransform, Projection
+from app.picking.sight import Sight
+from app.scenes.phenomena.illustration import Illustration
+from app.scenes.scene import Scene
+
+_FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
+WIDEST = 1e35
+"""Larger than any scene, and a float32."""
+
+
+class CameraPose(NamedTuple):
+    """How the model's camera stands in a scene; world units."""
+
+    camera: Camera
+    eye: Array
+    target: Array
+    view_from_local: Array
+    local_from_view: Array
+    depths: tuple[float, float]  # least and largest distance of anything from the eye plane
+    objects_depth: float  # the largest one of the scene's objects
+    extent: float  # the scene's size plus its distance
+
+
+class DrawnDepths(NamedTuple):
+    """The distances from the eye plane that are drawn to scale; world units."""
+
+    low: float  # the limits; low is negative, behind the eye, for a parallel lens
+    high: float
+    near: float  # where the planes are drawn, low <= near < far <= high
+    far: float
+    near_break: tuple[float, float] | None  # where edges are broken, if a plane is not at its own
+    far_break: tuple[float, float] | None  # distance
+
+    @property
+    def body(self) -> tuple[float, float]:
+        start, end = self.near, self.far
+        if self.near_break is not None and self.near_break[0] >= start:
+            start = self.near_break[1]
+        if self.far_break is not None and self.far_break[1] <= end:
+            end = self.far_break[0]
+        return start, end
+
+
+class DrawnVolume(NamedTuple):
+    """The frustum as drawn.
+
+    Its corners are (8, 3), near first; it has depths unless the matrix is a typed one, which may
+    have no frustum at all.
+    """
+
+    corners: Array
+    depths: DrawnDepths | None
+    exists: bool
+
+
+class WorldState(PaneState):
+    """What the layers of the world pane share.
+
+    `local_from_object` is another array when the objects are placed elsewhere, and `standing`
+    another pose when the camera or the objects move. `hidden` are the layers that the user hides;
+    `step` is the step of the frame's construction, and `light` how bright the frustum is meanwhile.
+    """
+
+    pane = "world"
+
+    def __init__(self, canvas: PropGroup, scene: Scene, words: Mapping[str, str]) -> None:
+        super().__init__(canvas, scene, words)
+        self.hidden: frozenset[str] = frozenset()
+        self.step: int | None = None
+        self.light = 1.0
+        self.is_live = False
+        """Whether a hand can take hold of the handles."""
+        self.nearest = 0.0
+        """The depth from which on the pane's own camera sees."""
+        self._place(scene.start.placement)
+        self.standing = self._stand(scene.start.camera)
+        self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)
+        self.own = OwnView(canvas, self.origin, self.objects.mean(axis=0))
+
+    def take(self, projection: Projection, illustration: Illustration | None) -> None:
+        """Show another value of the model."""
+        self.projection, self.illustration = projection, illustration
+        is_placed = projection.placement != self._placement
+        if is_placed:
+            self._place(projection.placement)
+        if is_placed or projection.camera is not self.standing.camera:
+            self.standing = self._stand(projection.camera)
+
+    def _place(self, placement: ObjectTransform) -> None:
+        scene, origin = self.scene, self.origin
+        self._placement = placement
+        self.local_from_object = placement.local_from(scene.origin, scene.origin)
+        self.objects: Array = placement.placed(scene.objects_box).world - origin
+        self.everything = np.concatenate([self.objects, scene.reach(placement) - origin])
+
+    def _stand(self, camera: Camera) -> CameraPose:
+        """What depends on the camera alone, and not on its lens."""
+        eye, target = (np.array(point) - self.origin for point in (camera.eye, camera.target))
+        depths = (eye - self.everything) @ camera.frame[2]
+        return CameraPose(
+            camera,
+            eye,
+            target,
+            *view_matrices(camera, self.origin),
+            (float(depths.min()), float(depths.max())),
+            float(((eye - self.objects) @ camera.frame[2]).max()),
+            self.scene.size + math.dist(camera.eye, self.scene.centre),
+        )
+
+    # -- what is seen and named
+
+    def seen(self, points: Array) -> Sequence[Spot]:
+        return self.own.pane.seen(points)
+
+    def placing(self) -> Placing:
+        limit = min(_FARTHEST_MARK * self.standing.extent, WIDEST)
+        return Placing(np.ones(3), -self.origin, limit)
+
+    def copies_from_local(self, times: float) -> Array:
+        return self.own.lifted(times)
+
+    @property
+    def size_px(self) -> tuple[int, int]:
+        return self.own.pane.size_px
+
+    @property
+    def sight(self) -> Sight:
+        return self.own.sight
+
+    @property
+    def places_labels(self) -> bool:
+        return "labels" not in self.canvas.hidden and super().places_labels
+
+    @property
+    def written(self) -> frozenset[str]:  # type: ignore[override]
+        return written(self, self.own.fixed)
+
+    @property
+    def planes_drawn(self) -> tuple[float, float]:
+        """Distances from the eye plane at which near and far are drawn; (0, 1) without planes."""
+        depths = self.volume.depths
+        return (0.0, 1.0) if depths is None else (depths.near, depths.far)
+
+    @property
+    def corners_seen(self) -> Array | None:
+        """The corners of the frustum, (8, 3); None without a frustum or its layer."""
+        is_seen = self.volume.exists and "frustum" not in self.canvas.hidden
+        return self.volume.corners if is_seen else None
+
+    def framed(self, points: Array) -> Array:
+        away = np.linalg.norm(points - self.standing.eye, axis=1)
+        near: Array = points[away <= _FARTHEST_MARK * self.standing.extent]
+        return near
+
+    def renames(self, changed: Highlight, of_scene: bool) -> bool:
+        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
+        if self.step is None:
+            drawn |= set(AXES)
+        wanted = drawn if self.names.wanted is None else self.names.wanted
+        return of_scene or bool(changed & drawn - wanted)
+
+    @property
+    def left_out(self) -> frozenset[str]:
+        """The layers that the scene leaves out now: nothing of what is named."""
+        names, left_out = self.names, self.scene.leaves_out
+        if not left_out or names.all or self.step is not None:
+            return frozenset()
+        if "near" in names or "far" in names:
+            left_out -= {"frustum", "near-picture"}
+        if any(name in names for name in ("eye", "target", *AXES)):
+            left_out -= {"camera"}
+        return left_out
+
+    @property
+    def hidden_now(self) -> frozenset[str]:
+        """The layers that are not drawn.
+
+        The pane looks through the camera, or it stands in front of the picture. From the eye the
+        flattened picture covers the scene, and its hidden edges would show through.
+        """
+        hidden = self.hidden | self.left_out
+        if self.own.sees_from_eye:
+            return hidden | {"camera", "near-picture"}
+        return hidden | {"camera"} if self.own.fixed == "axis" else hidden
+
+    @property
+    def unseen(self) -> frozenset[str]:
+        """The things without names and handles, because they are not drawn."""
+        unseen = set[str]()
+        if "frustum" in self.hidden or self.step is not None:
+            # They would cover the arrows of the construction.
+            unseen |= {"near", "far", "corner", *WINDOW}
+        if "camera" in self.hidden:
+            unseen |= {"eye", "target"}
+        elif "camera" in self.canvas.hidden:  # the pane looks through it, or from right behind it
+            unseen |= {"eye"}
+        return frozenset(unseen)
+
+    @property
+    def grips(self) -> dict[str, Array]:
+        """The points of the scene's settings that can be dragged, in the world."""
+        grips = () if self.illustration is None else self.illustration.grips
+        return {grip.setting: np.array(grip.point) for grip in grips}
+
+    def names_point(self, name: str) -> bool:
+        """Whether a thing has a name in the picture."""
+        return name in self.names and name not in self.unseen
+
+
+def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:
+    """View from scene-local coordinates and back, both (4, 4); the eye is subtracted first."""
+    eye = np.array(camera.eye) - origin
+    view_from_local, local_from_view = np.identity(4), np.identity(4)
+    view_from_local[:3, :3], view_from_local[:3, 3] = camera.frame, camera.frame @ -eye
+    local_from_view[:3, :3], local_from_view[:3, 3] = camera.frame.T, eye
+    return view_from_local, local_from_view
