@@ -685,7 +685,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(path) and messages.text == "An offer."
     assert not window.files.save_to(nowhere / "lesson.json")
-    assert "no such folder" in messages.text and messages.choices == ()
+    assert "no such folder" in messages.text and not messages.choices
     assert window.files.save_to(path) and messages.text == "An offer."
     messages.show_message("A refusal.")
     named(messages, QToolButton, "Dismiss this message").click()
