@@ -16,6 +16,7 @@ from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Cancelled, Refusal
+from widgets.parts.buttons import dialog_buttons
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
@@ -116,11 +117,7 @@ class ExportDialog(QDialog):
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._timer.timeout.connect(self.show_preview)
-        self._buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
-        )
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
+        self._buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Save)
         form = QFormLayout()
         form.addRow(self.tr("&Format"), self._combos["ending"])
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
