@@ -1020,6 +1020,7 @@ def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window.messages.choices[0].click()
     assert other.name in window.messages.text and not window.messages.choices
     window.recovery.offer()
+    window.messages.done()  # the offer waits until the warning is dismissed
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
 
