@@ -153,7 +153,7 @@ def summed(
         if origin is None:
             matrix = projection.clip_from_eye.astype(kind)
         else:
-            matrix = projection.clip_from_world_at(origin).astype(kind)
+            matrix = projection.clip_from_local(origin).astype(kind)
             columns = (columns - np.reshape(origin, (3, 1))).astype(kind)
     offset, product = np.empty_like(columns), np.empty(columns.shape[1], dtype=kind)
     done = np.empty((4, columns.shape[1]), dtype=kind)

@@ -70,39 +70,29 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 
 
 class Orbit(NamedTuple):
-    """The camera's position relative to its target.
-
-    Attributes
-    ----------
-    azimuth_deg : float
-        Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
-    elevation_deg : float
-        Angle above the target's horizon, from -90 to 90.
-    roll_deg : float
-        Rotation about the view direction, clockwise as the photographer sees it.
-    """
+    """The camera's position relative to its target."""
 
     azimuth_deg: float
+    """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
     elevation_deg: float
+    """Angle above the target's horizon, from -90 to 90."""
     distance: float
     roll_deg: float = 0.0
+    """Rotation about the view direction, clockwise as the photographer sees it."""
 
 
 @dataclass(frozen=True)
 class Camera:
     """The position and orientation of the camera.
 
+    Raises a `Refusal` for a coordinate that is not finite or larger than `LARGEST`, for
+    ``eye = target`` and ``up = 0``, and for up within `SMALLEST_UP_ANGLE` of the view direction.
+
     Parameters
     ----------
     eye, target, up : sequence of 3 floats
         World coordinates of the centre of projection and of the point looked at, and the
         direction that is vertical in the picture (any length, not parallel to the view).
-
-    Raises
-    ------
-    Refusal
-        For a coordinate that is not finite or larger than `LARGEST`, ``eye = target``,
-        ``up = 0``, or up within `SMALLEST_UP_ANGLE` of the view direction.
     """
 
     eye: Vector = (6.0, 5.0, 9.0)
@@ -208,11 +198,8 @@ class Camera:
     def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
         """Place the camera on an orbit about a target.
 
-        Raises
-        ------
-        Refusal
-            For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
-            distance too small for float64 to tell the eye from the target.
+        Raises a `Refusal` for ``distance <= 0``, an elevation outside -90..90, numbers that are not
+        finite, and a distance too small for float64 to tell the eye from the target.
         """
         target = finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (

@@ -41,21 +41,14 @@ _ROUNDINGS = 6.0
 
 
 class WorldPoints(NamedTuple):
-    """Points in the world with twice the digits of float64.
-
-    Attributes
-    ----------
-    world : (n, 3) array
-        The nearest float64.
-    rest : (n, 3) array or None
-        The rounding error; None if there is none.
-    lost : (n,) array
-        Bound on the error of their sum, added over the three coordinates.
-    """
+    """Points in the world with twice the digits of float64."""
 
     world: Array
+    """(n, 3): the nearest float64."""
     rest: Array | None
+    """(n, 3): the rounding error; None if there is none."""
     lost: Array
+    """(n,): bound on the error of their sum, added over the three coordinates."""
 
     @classmethod
     def at(cls, world: Array) -> WorldPoints:
@@ -132,6 +125,9 @@ FACTORS = {
 class ObjectTransform:
     """How the object is scaled, rotated and moved from its own space into the world.
 
+    Raises a `Refusal` for a number that is not finite or larger than `LARGEST`, a scale beyond
+    `LARGEST_SCALE`, or another order.
+
     Parameters
     ----------
     translate : sequence of 3 floats
@@ -142,12 +138,6 @@ class ObjectTransform:
         Along the object's own axes; 0 flattens it, a negative number mirrors it.
     order : {"trs", "rts"}
         Scale, rotate, move; or scale, move, rotate about the world's origin.
-
-    Raises
-    ------
-    Refusal
-        For a number that is not finite or larger than `LARGEST`, a scale beyond `LARGEST_SCALE`,
-        or another order.
     """
 
     translate: Vector = (0.0, 0.0, 0.0)

@@ -120,23 +120,14 @@ class Projection(Pipeline):
         """The perspective camera's K, or a `Refusal` for a lens without one."""
         return self.lens.intrinsics(self.image_size)
 
-    @property
-    def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)`` of an oblique lens, else 0 and 0."""
-        return self.lens.shear
-
     # -- matrices, with the eye subtracted first
 
-    def clip_from_world_at(self, origin: ArrayLike) -> Array:
-        """`clip_from_world` for points given relative to a world point `origin`, (4, 4).
+    def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
+        """The matrix to clip space from world or object points relative to `origin`, (4, 4).
 
         The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
         loses no digits.
         """
-        return self.clip_from_local(origin)
-
-    def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
-        """The matrix to clip space from world or object points relative to `origin`, (4, 4)."""
         return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
@@ -150,12 +141,10 @@ class Projection(Pipeline):
         return translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
 
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
-        """The inverse of `clip_from_world_at`, (4, 4).
+        """The inverse of `clip_from_local`, (4, 4).
 
-        Raises
-        ------
-        Refusal
-            For a typed matrix without an inverse, or with one that float64 cannot hold.
+        Raises a `Refusal` for a typed matrix without an inverse, or with one that float64 cannot
+        hold.
         """
         shift = translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
         return read_only(reduce(np.matmul, self.passage.eye_from_clip, shift))
@@ -175,10 +164,7 @@ class Projection(Pipeline):
     def trace(self, points: ArrayLike, space: Space = "world") -> Trace:
         """Follow points (..., 3) of a space through every stage, eye first and in closed form.
 
-        Raises
-        ------
-        Refusal
-            If a coordinate is not a finite number.
+        Raises a `Refusal` if a coordinate is not a finite number.
 
         Notes
         -----
@@ -198,12 +184,9 @@ class Projection(Pipeline):
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """World coordinates, (..., 3), of pixels x, y with a depth in [0, 1].
 
-        Raises
-        ------
-        Refusal
-            If a number is not finite, if a depth is outside [0, 1] or that of a far plane at
-            infinity (or farther than 1e250), where a pixel has a direction but no point, and for
-            a typed matrix without an inverse.
+        Raises a `Refusal` if a number is not finite, if a depth is outside [0, 1] or that of a far
+        plane at infinity (or farther than 1e250), where a pixel has a direction but no point, and
+        for a typed matrix without an inverse.
         """
         return self.passage.world_from_image(checked_pixels(points_image))
 
@@ -287,22 +270,11 @@ class Projection(Pipeline):
     def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
-        Parameters
-        ----------
-        intrinsics : (4,) or (3, 3) array_like
-            fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel; or K.
-
-        Returns
-        -------
-        Projection
-            Its lens is a `Perspective` if the pixels are square and the axis is in the middle of
-            the image, and a `Frustum` otherwise. Near and far stay.
-
-        Raises
-        ------
-        Refusal
-            For a focal length that is not above 0, a number that is not finite, a K with skew, and
-            a window that a `Frustum` refuses.
+        `intrinsics` are fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel;
+        or K, (3, 3). The lens is a `Perspective` if the pixels are square and the axis is in the
+        middle of the image, and a `Frustum` otherwise. Near and far stay. Raises a `Refusal` for a
+        focal length that is not above 0, a number that is not finite, a K with skew, and a window
+        that a `Frustum` refuses.
         """
         fx, fy, cx, cy = checked_intrinsics(intrinsics, self.image_size)
         width, height = self.image_size

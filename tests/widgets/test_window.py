@@ -874,7 +874,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
 ) -> None:
     for is_walk in (True, False):
         window = make_window(everything)
-        player = window.controls.animation if is_walk else window.controls.card.players["turn"]
+        player = window.controls.animation if is_walk else window.controls.card.motions["turn"]
         window.store.begin_gesture()
         edit(window)
         player.play()
@@ -1404,7 +1404,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: MakeWindow, everything: Document
 ) -> None:
     window = make_window(everything)
-    player = window.controls.card.players["turn"]
+    player = window.controls.card.motions["turn"]
     player.play()
     for _ in range(5):
         player.advance(0.25)

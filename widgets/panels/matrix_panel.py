@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
 from app.drawings.style import LIGHT, Style
-from app.lecture.copying import as_latex, as_numpy, as_text, cell_text
+from app.lecture.copying import as_latex, as_numpy, as_text
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import WrittenMatrix, cell_sign, has_own_signs, matrices
@@ -39,7 +39,7 @@ from app.model.formula import ARROW
 from app.model.limits import finite_matrix
 from app.model.matrix_text import read_matrix
 from app.model.projection import Projection
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
@@ -227,7 +227,7 @@ class MatrixPanel(ReadablePanel):
             return
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
-            self.adjusted.emit(taken.format(text.strip(), cell_text(value)))
+            self.adjusted.emit(taken.format(text.strip(), format_value(value)))
         cells: Any = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
         cells[into][of] = sign * value

@@ -30,12 +30,12 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.lecture.copying import cell_text
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.lecture.letters import Letters, stacked, written
 from app.lecture.notation import WrittenMatrix, letters_in
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
+from app.model.refusal import format_value
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
@@ -356,7 +356,7 @@ class MatrixView(QWidget):
             return
         self.abandon()
         self.place = (row, column)
-        self.field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
+        self.field = field = _CellField(format_value(self._matrix.values[row][column]), self)
         place = self.tr("{0}, row {1}, column {2}")
         field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")

@@ -9,7 +9,7 @@ import logging
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -18,6 +18,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 from app import __version__
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.lessons.player import Progress
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from app.strangers import open_regular
@@ -121,20 +122,6 @@ def _paths(text: str) -> list[str]:
     paths: list[str] = _json(text, list)
     are_paths = (isinstance(path, str) and path and "\0" not in path for path in paths)
     return _valid(paths, all(are_paths))
-
-
-@dataclass(frozen=True)
-class Progress:
-    """A student's progress in a lesson; `step` is the one to continue at, empty for the first.
-
-    An answer is stored by ``step/block``: the number of a choice, from 1, the typed text, or a
-    task's result. `done` is the number of finished steps, `of` that of all steps.
-    """
-
-    step: str = ""
-    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
-    done: int = 0
-    of: int = 0
 
 
 def _progress(text: str) -> dict[str, Progress]:

@@ -27,6 +27,7 @@ from app.document.document import Document
 from app.document.view import View
 from app.drawings.figure import Figure
 from app.lessons.lesson import head_of, is_lesson
+from app.lessons.player import Progress
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, load
 from widgets.parts.buttons import tool_button
@@ -36,7 +37,6 @@ from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 from widgets.window.pictures import image_of
-from widgets.window.settings import Progress
 
 log = logging.getLogger(__name__)
 

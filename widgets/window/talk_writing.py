@@ -63,18 +63,19 @@ class TalkWriter(QObject):
 
     def write_step(self, title: str, panes: bool) -> bool:
         """Write the current state into the open file as a new step; return False if that fails."""
-        lesson, step = self._lessons.lesson, self._lessons.step
-        assert lesson is not None and step is not None
-        if self._is_gone(lesson):
+        player = self._lessons.player
+        assert player is not None
+        path = player.lesson.path
+        if self._is_gone(player.lesson):
             return False
         try:
-            added = add_step(lesson.path, step.name, title, self._store.seen, panes=panes)
+            added = add_step(path, player.step.name, title, self._store.seen, panes=panes)
         except Refusal as error:
             self._messages.show_message(sentence(error))
             return False
         self._messages.done()
         self._lessons.read_again(added.name)
-        text = self.tr("Added as step {0} of {1}").format(added.place + 1, lesson.path.name)
+        text = self.tr("Added as step {0} of {1}").format(added.place + 1, path.name)
         self._window.statusBar().showMessage(text, MESSAGE_MS)
         return True
 

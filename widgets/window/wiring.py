@@ -103,9 +103,9 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
-    card.hidden.connect(window.hiding.hide)
-    card.hidden.connect(window.pane_words.hide)
-    card.aimed.connect(window.pointing.aim)
+    card.page.hidden.connect(window.hiding.hide)
+    card.page.hidden.connect(window.pane_words.hide)
+    card.page.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
     card.handles_called.connect(partial(window.panes["world"].request, "handles"))

@@ -228,7 +228,7 @@ def _readings(
 
 def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
     """From the subject's corners (8, 3), in the world and in view space, to the near plane."""
-    cot_alpha, cot_beta = projection.shear
+    cot_alpha, cot_beta = projection.lens.shear
     near = projection.lens.near
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth
