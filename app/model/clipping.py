@@ -48,29 +48,21 @@ _TIE = 1e-15
 
 
 class ClippedSegments(NamedTuple):
-    """The visible parts of segments; ``...`` is the segments' shape.
-
-    Attributes
-    ----------
-    visible : (...) bool
-        Whether any of it is inside; a segment that only touches counts, as one point.
-    t : (..., 2) float64
-        Where the visible part begins and ends, from 0 to 1; linear in clip space, and in the
-        world too if both ends have the same world w. NaN where nothing is visible.
-    points_clip : (..., 2, 4) float64
-        Its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is visible.
-    planes : (..., 2) int
-        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that passes an
-        edge of the volume outside (`outside` all false), the two planes that meet there.
-    outside : (..., 6) bool
-        Whether the whole segment lies beyond each of `PLANES`.
-    """
+    """The visible parts of segments; ``...`` is the segments' shape."""
 
     visible: NDArray[np.bool_]
+    """(...): whether any of it is inside; a segment that only touches counts, as one point."""
     t: Array
+    """(..., 2): where the visible part begins and ends, from 0 to 1; linear in clip space, and in
+    the world too if both ends have the same world w. NaN where nothing is visible."""
     points_clip: Array
+    """(..., 2, 4): its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is
+    visible."""
     planes: NDArray[np.intp]
+    """(..., 2): index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that
+    passes an edge of the volume outside (`outside` all false), the two planes that meet there."""
     outside: NDArray[np.bool_]
+    """(..., 6): whether the whole segment lies beyond each of `PLANES`."""
 
 
 class ClippedPolygon(NamedTuple):
@@ -83,18 +75,12 @@ class ClippedPolygon(NamedTuple):
 
 
 class EyeCut(NamedTuple):
-    """Segments after lecture 004's cut; ``...`` is their shape.
-
-    Attributes
-    ----------
-    case : (...) int
-        Lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind.
-    points_view : (..., 2, 3) float64
-        The drawn part; NaN in case 2.
-    """
+    """Segments after lecture 004's cut; ``...`` is their shape."""
 
     case: NDArray[np.intp]
+    """(...), lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind."""
     points_view: Array
+    """(..., 2, 3): the drawn part; NaN in case 2."""
 
 
 # --------------------------------------------------------------------------- checks
