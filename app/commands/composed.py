@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -10,8 +11,6 @@ from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
-from app.lessons.blocks.block import of_kind
-from app.lessons.blocks.exercise import Exercise
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal, counted
@@ -35,17 +34,14 @@ class Composed:
     """How many steps were drawn, and what is wrong with their pictures, a line each."""
 
     steps: int = 0
-    overlaps: int = 0
-    crowded: int = 0
-    empty: int = 0
-    hidden: int = 0
+    faulty: Counter[str] = field(default_factory=Counter)
+    """How many steps have each kind of fault."""
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        return (
-            f"{counted(self.overlaps, 'overlap')}, {self.crowded} crowded, {self.empty} empty,"
-            f" {self.hidden} hidden of {counted(self.steps, 'step')}"
-        )
+        counts = [f"{self.faulty[kind]} {kind}" for kind in ("crowded", "empty", "hidden")]
+        overlaps = counted(self.faulty["overlap"], "overlap")
+        return f"{', '.join([overlaps, *counts])} of {counted(self.steps, 'step')}"
 
     def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:
         """Draw a step's states, and add what is wrong with them."""
@@ -69,10 +65,7 @@ class Composed:
                         faults[f"{where}, {picture.pane}: {fault}"] = None
                         kinds.add(kind)
         self.wrong += faults
-        self.overlaps += "overlap" in kinds
-        self.crowded += "crowded" in kinds
-        self.empty += "empty" in kinds
-        self.hidden += "hidden" in kinds
+        self.faulty.update(kinds)
 
     def _missing(self, document: Document, panes: list[str]) -> list[str]:
         """The names of a view that none of these panes can draw; none if there is no pane."""
@@ -146,8 +139,7 @@ def states_of(course: Course, place: int) -> list[Document]:
     """What a step shows, then its predictions, and an exercise with its first numbers."""
     here = course.at(place)
     states = [part.show for part in here.step.parts if part.show is not None]
-    exercises = of_kind(here.step.blocks, Exercise)
-    drawn = [exercise.variant(here, 1).here.document for exercise in exercises]
+    drawn = [part.variant(here, 1).here.document for part in here.step.asked if part.varies]
     return [here.document, *map(here.shown_by, states), *drawn]
 
 

@@ -14,14 +14,10 @@ from pathlib import Path
 from app.document.naming import nameable
 from app.document.view import EVERYTHING, PANES
 from app.lecture.typesetting import outline
-from app.lessons.blocks.block import Asked, Here, Trial, of_kind
-from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.question import MarkedQuestion, Question
-from app.lessons.blocks.task import Task
+from app.lessons.blocks.block import Asked, Here, Trial
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
-from app.lessons.record import RIGHT, WRONG
 from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
@@ -40,10 +36,6 @@ TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
 )
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
-NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
-NO_RIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "is tried by no sample “{0}: ... -> right”, so a wrong value would not be noticed"
-)
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
 NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
 NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step can name")
@@ -119,7 +111,7 @@ def _check(course: Course, trial: Trial, progress: Progress | None) -> None:
 
 
 def _count(steps: Sequence[Step], trial: Trial) -> None:
-    practice = [step for step in steps if of_kind(step.blocks, Exercise)]
+    practice = [step for step in steps if step.varies]
     others = [step for step in steps if step not in practice]
     for some, most, said in (
         (others, MOST_STEPS, TOO_MANY),
@@ -194,22 +186,13 @@ def _bare(text: str) -> str:
 
 def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
     """Report a solution that cannot be typeset, and an answer or a wrong idea without a sample."""
-    question: Asked = part
-    words = {sample.verdict for sample in step.samples if sample.block == part.name}
-    if isinstance(part, Exercise):
-        variant = part.variant(here, 1)
-        question, here = variant.question, variant.here
-    if isinstance(question, Question):
-        for tex in formulas_in(question.solution(here)):
-            problem = _problem_of_tex(tex)
-            if problem:
-                trial.add_fault(refused(question.key[1], NOT_TEX, problem, value=tex))
-        if isinstance(question, MarkedQuestion) and RIGHT not in words:
-            trial.add_warning(refused(question.right_line, NO_RIGHT, part.name))
-    elif isinstance(question, Task):
-        for wrong in question.wrong:
-            if (wrong.idea or WRONG) not in words:
-                trial.add_fault(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
+    variant = part.variant(here, 1)
+    for tex in formulas_in(variant.question.solution(variant.here)):
+        problem = _problem_of_tex(tex)
+        if problem:
+            trial.add_fault(refused(variant.question.answer_line, NOT_TEX, problem, value=tex))
+    tried = {sample.verdict for sample in step.samples if sample.block == part.name}
+    variant.question.check_tried(tried, trial)
 
 
 def _problem_of_tex(tex: str) -> str:

@@ -20,9 +20,15 @@ from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
-from app.lessons.blocks.block import Asked, Block, ReadBlock, TextBlock, of_kind
-from app.lessons.blocks.note import Note
-from app.lessons.blocks.samples import Sample, Samples
+from app.lessons.blocks.block import (
+    Asked,
+    Block,
+    ReadBlock,
+    Sample,
+    SpeakerNote,
+    StepContent,
+    TextBlock,
+)
 from app.lessons.blocks.shown import ShownState
 from app.lessons.lines import (
     LONG_LINE,
@@ -108,30 +114,42 @@ class Step:
     blocks: tuple[Block, ...] = ()
 
     @cached_property
-    def parts(self) -> tuple[ReadBlock, ...]:
-        """Return the parts that the student reads and answers."""
-        return of_kind(self.blocks, ReadBlock)
-
-    @cached_property
-    def words(self) -> tuple[TextBlock, ...]:
-        return of_kind(self.blocks, TextBlock)
-
-    @cached_property
-    def asked(self) -> tuple[Asked, ...]:
-        return of_kind(self.blocks, Asked)
-
-    @cached_property
-    def state(self) -> State | None:
-        """Return the step's state; None if it shows the previous step's."""
-        return next((block.state for block in of_kind(self.blocks, ShownState)), None)
-
-    @cached_property
-    def note(self) -> Note | None:
-        return next(iter(of_kind(self.blocks, Note)), None)
+    def _content(self) -> StepContent:
+        content = StepContent()
+        for block in self.blocks:
+            block.add_to(content)
+        return content
 
     @property
-    def samples(self) -> tuple[Sample, ...]:
-        return tuple(each for block in of_kind(self.blocks, Samples) for each in block.samples)
+    def parts(self) -> Sequence[ReadBlock]:
+        """Return the parts that the student reads and answers."""
+        return self._content.parts
+
+    @property
+    def words(self) -> Sequence[TextBlock]:
+        return self._content.words
+
+    @property
+    def asked(self) -> Sequence[Asked]:
+        return self._content.asked
+
+    @property
+    def varies(self) -> bool:
+        """Whether it has an exercise, with other numbers for each seed."""
+        return any(part.varies for part in self.asked)
+
+    @property
+    def state(self) -> State | None:
+        """Return the step's state; None if it shows the previous step's."""
+        return self._content.state
+
+    @property
+    def note(self) -> SpeakerNote | None:
+        return self._content.note
+
+    @property
+    def samples(self) -> Sequence[Sample]:
+        return self._content.samples
 
 
 @dataclass(frozen=True)
@@ -421,15 +439,7 @@ class _StepReader:
         if ShownState.kind in self._lacking:
             return None
         names = [part.name for part in step.asked]
-        return replace(
-            step,
-            blocks=tuple(
-                replace(block, samples=tuple(s for s in block.samples if s.block in names))
-                if isinstance(block, Samples)
-                else block
-                for block in step.blocks
-            ),
-        )
+        return replace(step, blocks=tuple(block.only_for(names) for block in step.blocks))
 
     def _heading(self) -> tuple[str, str, int]:
         heading = self._tokens[0]
@@ -479,7 +489,7 @@ class _StepReader:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
             raise refused(line, NO_BLOCK, kind, near)
         cls = KINDS[kind]
-        if cls.once and of_kind(self._blocks, cls):
+        if cls.once and kind in [block.kind for block in self._blocks]:
             raise refused(line, ONLY_ONCE, kind)
         name = self._name(given, kind, line) if cls.needs_answer else ""
         return cls, Body(kind, name, line, self._body(token))

@@ -16,8 +16,8 @@ from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
-from app.lessons.blocks.block import Asked, Here, TextBlock, of_kind
-from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
+from app.lessons.blocks.block import Asked, Here, TextBlock, Variant
+from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import CONTENT, AtStep, Course, ShownStep, contained, file_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
@@ -34,17 +34,16 @@ class PlacedExercise(NamedTuple):
 
     course: Course
     place: int
-    exercise: Exercise
+    exercise: Asked
 
     @property
     def here(self) -> AtStep:
         return self.course.at(self.place)
 
     @property
-    def words(self) -> tuple[TextBlock, ...]:
-        """Return the texts of the step before the exercise, which may define its letters."""
-        blocks = self.here.step.blocks
-        return of_kind(blocks[: blocks.index(self.exercise)], TextBlock)
+    def words(self) -> Sequence[TextBlock]:
+        """Return what the step says before the exercise, whose letters it may define."""
+        return [each for each in self.here.step.words if each.line < self.exercise.line]
 
     @property
     def key(self) -> tuple[str, str]:
@@ -122,7 +121,7 @@ def exercises_of(course: Course) -> Iterator[PlacedExercise]:
     """Yield the exercises of a lesson in order."""
     for place, step in enumerate(course.lesson.steps):
         for part in step.asked:
-            if isinstance(part, Exercise):
+            if part.varies:
                 yield PlacedExercise(course, place, part)
 
 
@@ -161,7 +160,7 @@ def hints_of(key: tuple[str, str]) -> int:
     """Return how many hints an exercise of the program has; 0 for a user's own lesson."""
     courses = (course for course in topics().values() if course.name == key[0])
     exercises = (each for course in courses for each in exercises_of(course) if each.key == key)
-    return next((len(each.exercise.first.hints) for each in exercises), 0)
+    return next((len(each.exercise.hints) for each in exercises), 0)
 
 
 def course_named(name: str) -> Course | None:

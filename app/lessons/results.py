@@ -15,13 +15,7 @@ from typing import NamedTuple
 from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lessons.blocks.block import Asked, Here
-from app.lessons.blocks.choices import Choices
-from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import Question, Reply
-from app.lessons.blocks.task import Task
 from app.lessons.course import Course, idea_named
-from app.lessons.marking import digits_shown
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, corrected, one_line
 from app.lessons.text import plain_of
@@ -167,7 +161,8 @@ class Marker:
         question, here = posed
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        return RemarkedAnswer(attempt, word, _right(question, here), _response_text(question, word))
+        right = question.right_sample(here)
+        return RemarkedAnswer(attempt, word, right, _response_text(question, word))
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:
         """Whether the student had another version of a lesson."""
@@ -190,42 +185,16 @@ def _posed(course: Course, exercise: str, seed: int) -> tuple[Asked, Here] | Non
     step, _, name = exercise.rpartition("/")
     for place, each in enumerate(course.lesson.steps):
         part = course.at(place).asked.get(name) if each.name == step else None
-        if isinstance(part, Exercise):
+        if part is not None and (seed or not part.varies):
             try:
-                variant = part.variant(course.at(place), seed) if seed else None
+                variant = part.variant(course.at(place), seed)
             except Refusal:
-                variant = None
-            return (variant.question, variant.here) if variant is not None else None
-        if part is not None:
-            return part, course.at(place)
+                return None
+            return variant.question, variant.here
     return None
 
 
 def _response_text(question: Asked, word: str) -> str:
     if idea_named(word) is not None:
         return ""
-    replies: Sequence[Reply] = ()
-    if isinstance(question, Task):
-        replies = question.wrong
-    elif isinstance(question, Question):
-        replies = question.replies
-    return next((plain_of(each.says) for each in replies if each.idea == word), "")
-
-
-def _right(question: Asked, here: Here) -> str:
-    """Return the right answer as in a sample; empty if it has no value."""
-    if isinstance(question, Choices):
-        return str(question.right + 1)
-    if isinstance(question, Task):
-        return ", ".join(condition.text for _, condition in question.until)
-    assert isinstance(question, Question)
-    try:
-        texts = [
-            f"{value:.{digits_shown(value, 5)}g}" for value in question.values(here, *question.key)
-        ]
-    except Refusal:
-        return ""
-    if not isinstance(question, MatrixQuestion):
-        return " ".join(texts)
-    wide = question.columns
-    return "; ".join(" | ".join(texts[at : at + wide]) for at in range(0, len(texts), wide))
+    return plain_of(question.response_to(word))

@@ -258,7 +258,7 @@ def in_a_window(folder: Path) -> None:
         if is_open and window.lessons.course is not None:
             for place in range(len(window.lessons.course.lesson.steps)):
                 settled(window.lesson_card.go_to, place)
-                for block in window.lesson_card.blocks:
+                for block in window.lesson_card.page.blocks:
                     block.give_hint()
                 settled(int)
             if window.lessons.course.lesson.is_talk:

@@ -345,7 +345,7 @@ def _try_part(part: ReadBlock, here: Any) -> None:
                 part.mark(here, typed)
     if isinstance(part, Task):
         part.is_done(here, here.document)
-        part.mistaken(here, here.document)
+        part.mistaken_in(here, here.document)
 
 
 def _try_results(path: Path) -> None:

@@ -81,7 +81,7 @@ def faults_of(variant: Variant) -> Iterator[str]:
     if isinstance(question, Task):
         if question.right is not None:
             own = here.shown_by(question.right)
-            if not question.is_done(here, own) or question.mistaken(here, own) is not None:
+            if not question.is_done(here, own) or question.mistaken_in(here, own) is not None:
                 yield "the right state is not done, or is a wrong idea's"
         return
     if isinstance(question, Choices):

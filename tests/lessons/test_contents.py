@@ -14,7 +14,7 @@ import pytest
 from mpmath import mp
 
 from app.document.settings import set_values
-from app.lessons.blocks.block import Here, of_kind
+from app.lessons.blocks.block import Here
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import MarkedQuestion, Question
@@ -160,7 +160,7 @@ def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:
     for path in contained():
         for step in read(path).steps:
             tried = {(sample.block, sample.verdict) for sample in step.samples}
-            tasks = [part.name for part in of_kind(step.blocks, Task)]
+            tasks = [part.name for part in step.asked if isinstance(part, Task)]
             wanted = {(name, verdict) for name in tasks for verdict in ("done", "open")}
             assert wanted <= tried, (path.name, step.name)
 

@@ -305,7 +305,10 @@ def test_what_lacks_only_digits_is_told_apart_from_what_is_wrong() -> None:
         ("0.5", 2.0, "1 divided by"), ("1.60", 91.4928, "degrees and radians"),
         ("183", 91.4928, "too large, by a factor of about 2."),
         ("30", 91.4928, "too small, by a factor of about 3."),
-        ("92.5", 91.4928, "not exact enough"),
+        ("92.5", 91.4928, "not exact enough"), ("95", 91.4928, "not exact enough"),
+        ("97", 91.4928, "too large, by a factor of about 1.1."),
+        ("130", 91.4928, "too large, by a factor of about 1.4."),
+        ("87", 91.4928, "too small, by a factor of about 1.1."),
     ],
 )  # fmt: skip
 def test_a_wrong_number_is_told_how_it_is_wrong(text: str, value: float, said: str) -> None:

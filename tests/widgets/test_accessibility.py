@@ -101,11 +101,11 @@ def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
         heard = said(canvas, SAID.Description)
         assert heard.startswith("World: the scene from a free viewpoint. The eye is at (6, 5, 9)")
         assert "Home resets." in heard and heard.count("World:") == 1
-        window.lesson_card.hidden.emit(frozenset({"numbers", "image"}))
+        window.lesson_card.page.hidden.emit(frozenset({"numbers", "image"}))
         heard = said(canvas, SAID.Description)
         assert heard.startswith("World: the scene from a free viewpoint. Arrow keys")
         assert said(window.panes["image"].canvas, SAID.Description).startswith("Arrow keys move")
-        window.lesson_card.hidden.emit(frozenset())
+        window.lesson_card.page.hidden.emit(frozenset())
         assert "near 2.5" in said(window.panes["image"].canvas, SAID.Description)
     finally:
         QAccessible.setActive(False)

@@ -127,25 +127,25 @@ def with_test(window: MainWindow) -> MainWindow:
 
 def answer(window: MainWindow) -> tuple[str, str]:
     """Answer the exercise on the card, "wide" wrongly; return its name and what was typed."""
-    (view,) = window.lesson_card.blocks
-    if view.block.name == "wide":
-        here, question = view.variant.here, view.variant.question
+    (view,) = window.lesson_card.page.blocks
+    if view.played.block.name == "wide":
+        here, question = view.played.variant.here, view.played.variant.question
         typed = f"{question.values(here, question.replies[0].formulas, 1)[0]:.4g}"
         keyboard().selectAll()
         QTest.keyClicks(keyboard(), typed)
-    elif view.block.name == "choose":
+    elif view.played.block.name == "choose":
         typed = "2"
         press(KEY.Key_Down)
     else:
-        wanted = float(view.variant.numbers["wanted"])
+        wanted = float(view.played.variant.numbers["wanted"])
         enter(window.controls.rows["near"].field, str(wanted))
         come_to_rest(window)
         typed = f"lens.near={wanted:g}"
-        assert view.is_open, "nothing says that it is right"
+        assert view.played.is_open, "nothing says that it is right"
         buttons(window.lesson_card)["Hand it in"].setFocus()
     press(KEY.Key_Return)
     settle()
-    return view.block.name, typed
+    return view.played.block.name, typed
 
 
 def test_a_test_is_chosen_by_keyboard_alone(window: MainWindow) -> None:
@@ -175,24 +175,24 @@ def test_a_test_helps_with_nothing_and_says_nothing_of_right_and_wrong(
     assert not card.hint.isVisible() and not card.anew.isVisible()
     assert not menus.hint.isEnabled() and not menus.anew.isEnabled()
     for place in range(3):
-        (view,) = card.blocks
+        (view,) = card.page.blocks
         assert "Angles go from bottom to top." in texts(card), "what the step says before it"
-        assert with_test.store.document == view.variant.here.document
-        assert not view.hints and view.seed.isHidden() is False and not view.seed.isVisible()
+        assert with_test.store.document == view.played.variant.here.document
+        assert not view.played.hints and view.seed.isHidden() is False and not view.seed.isVisible()
         assert place or view.visibleRegion().boundingRect() == view.rect(), "it makes room"
-        if view.block.name == "wide":
+        if view.played.block.name == "wide":
             assert isinstance(keyboard(), QLineEdit)
             QTest.keyClicks(keyboard(), "what")
             press(KEY.Key_Return)
             assert "cannot be read" in texts(card) or "neither" in texts(card)
-        elif view.block.name == "choose":
+        elif view.played.block.name == "choose":
             assert isinstance(keyboard(), QRadioButton)
         else:
             buttons(card)["Hand it in"].click()
             settle()
             assert "Nothing is changed yet." in texts(card)
         answer(with_test)
-        assert not view.is_open and "Your answer is kept until the end." in texts(card)
+        assert not view.played.is_open and "Your answer is kept until the end." in texts(card)
         assert not any(sign.icon == "check" for sign in card.findChildren(Sign)), "it may be wrong"
         assert "✓" not in "".join(mark.text() for mark in card.findChildren(QToolButton))
         assert "Right" not in texts(card) and "idea" not in texts(card)
@@ -211,8 +211,8 @@ def test_a_test_that_is_left_is_gone_on_with(with_test: MainWindow) -> None:
     (go_on,) = with_test.messages.choices
     go_on.click()
     come_to_rest(with_test)
-    (view,) = card.blocks
-    assert not view.is_open and "Your answer is kept" in texts(card)
+    (view,) = card.page.blocks
+    assert not view.played.is_open and "Your answer is kept" in texts(card)
     assert with_test.lessons.place == 0 and keyboard() is card.next
 
 
@@ -276,8 +276,8 @@ def test_what_was_not_solved_alone_comes_back_with_new_numbers(window: MainWindo
     assert of_start_card(window) == ["&Review: 1 exercise, about 2 minutes"]
     menu.review.trigger()
     come_to_rest(window)
-    (view,) = window.lesson_card.blocks
-    assert view.block.name == "choose" and view.variant_seed == 2 and view.seed.isVisible()
+    (view,) = window.lesson_card.page.blocks
+    assert view.played.block.name == "choose" and view.played.seed == 2 and view.seed.isVisible()
     press(KEY.Key_Down)
     press(KEY.Key_Return)
     assert "Right." in texts(window.lesson_card)
@@ -367,7 +367,7 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_
         if "exercise 2" in keyboard().accessibleName():
             break
     press(KEY.Key_Space)
-    assert window.lessons.step is not None and window.lessons.step.name == "practise"
+    assert window.lessons.player is not None and window.lessons.player.step.name == "practise"
     assert not any(
         isinstance(w, Overview) and w.isVisible() for w in QApplication.topLevelWidgets()
     )

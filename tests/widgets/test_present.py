@@ -494,9 +494,14 @@ def test_dragged_sizes_of_the_slots_come_back(window: MainWindow) -> None:
     before = trace(window)
     for _ in range(2):
         begin(window)
+        window.slots.show_slide(("world", "image"))
+        window.slots.show_slide(())
         press(window, Qt.Key.Key_F5)
         give_room(window, QRect(*ORDINARY))
         assert trace(window) == before
+    across, small = window.slots.sizes(), window.slots.widget(1).sizes()
+    window.slots.make_large("ndc")
+    assert (window.slots.sizes(), window.slots.widget(1).sizes()) == (across, small)
 
 
 @pytest.mark.undrawn

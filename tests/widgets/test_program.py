@@ -28,6 +28,7 @@ from app.document.codec import to_json
 from app.document.document import Document
 from app.document.files import read, write
 from app.document.store import Store
+from app.lessons.player import Progress
 from app.model.projection import Projection
 from app.scenes.scene import load as load_scene
 from tests import PATIENCE_S
@@ -36,7 +37,7 @@ from tests.support.commands import comma_locale, refused, refused_by_a_process, 
 from tests.support.window import MakeWindow
 from widgets.program import application, logs, opengl, report
 from widgets.program import display as screen
-from widgets.window.settings import Progress, Settings, data_folder, log_path, settings_path
+from widgets.window.settings import Settings, data_folder, log_path, settings_path
 
 __all__ = ["comma_locale"]
 

@@ -35,7 +35,7 @@ from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
 from tests.support.window import enter, show_scene
-from widgets.controls.parameter_rows import Player, make_row, scale_of
+from widgets.controls.parameter_rows import SettingMotion, make_row, scale_of
 from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
 from widgets.parts import palette
@@ -200,12 +200,12 @@ def test_a_free_matrix_disables_the_settings_and_a_tooltip_says_why(
     start = EVERYTHING.start
     cells = tuple(map(tuple, np.eye(4).tolist()))
     free = replace(start, lens=FreeMatrix(cells))
-    card.players["turn"].play()
+    card.motions["turn"].play()
     card.show_illustration(
         EVERYTHING.illustration(free, owner.settings, SUBJECT), owner.settings, free
     )
     assert not any(row.isEnabled() for row in card.rows.values())
-    assert not card.players["turn"].playing and not card.players["turn"].button.isEnabled()
+    assert not card.motions["turn"].playing and not card.motions["turn"].button.isEnabled()
     assert card.use_mesh.isEnabled() and "choose a lens" in card.warning.text()
     row = number_row(card, "gap")
     for part in (row.slider, row.field, row.name_label):
@@ -214,7 +214,7 @@ def test_a_free_matrix_disables_the_settings_and_a_tooltip_says_why(
         EVERYTHING.illustration(start, owner.settings, SUBJECT), owner.settings, start
     )
     assert all(row.isEnabled() for row in card.rows.values())
-    assert card.players["turn"].button.isEnabled()
+    assert card.motions["turn"].button.isEnabled()
     assert "choose a lens" not in tip_of(row.field)
 
 
@@ -296,27 +296,27 @@ def test_during_a_gesture_only_the_edited_value_is_updated(
     card.gesture_finished.connect(card.end_gesture)
     owner.edited({"turn": 1.0})
     before = readings(card)
-    player = card.players["turn"]
-    player.play()
-    player.advance(1.0)
+    motion = card.motions["turn"]
+    motion.play()
+    motion.advance(1.0)
     assert turn.value() == 91.0 == owner.settings["turn"]
     owner.edited({"gap": 7.0})
     assert readings(card) == before and card.rows["gap"].value() == 2.0
-    player.pause()
+    motion.pause()
     assert readings(card)[0] == ("gap", "7", "mm") and card.rows["gap"].value() == 7.0
 
 
 def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    card, player = owner.card, owner.card.players["count"]
+    card, motion = owner.card, owner.card.motions["count"]
     owner.edited({"gap": 30.0, "count": 4.0})
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
     card.begin_gesture()
-    player.play()
+    motion.play()
     owner.edited({"turn": 5.0})
-    player.speed = -2.0
-    player.advance(1.0)
+    motion.speed = -2.0
+    motion.advance(1.0)
     card.end_gesture()
     assert "must be less than the count" in card.rows["count"].error
     assert card.rows["turn"].value() == 5.0
@@ -329,7 +329,7 @@ def test_another_scene_is_shown_at_once_during_a_gesture(
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
     card.begin_gesture()
     triangles = PHENOMENA["similar-triangles"]
-    card.show_scene("Similar triangles", triangles.tries, triangles)
+    card.show_scene("Similar triangles", triangles.words.tries, triangles)
     settings = triangles.checked({"distance": 3.0})
     card.show_illustration(
         triangles.illustration(triangles.start, settings, SUBJECT), settings, triangles.start
@@ -341,12 +341,12 @@ def test_another_scene_has_other_rows_and_none_of_the_old(
     owner: Owner, qtbot: QtBot, qapp: QApplication
 ) -> None:
     triangles = PHENOMENA["similar-triangles"]
-    owner.card.show_scene("Similar triangles", triangles.tries, triangles)
-    assert list(owner.card.rows) == ["distance", "point"] and not owner.card.players
+    owner.card.show_scene("Similar triangles", triangles.words.tries, triangles)
+    assert list(owner.card.rows) == ["distance", "point"] and not owner.card.motions
     qapp.processEvents()
     qapp.sendPostedEvents(None, 52)  # QEvent.DeferredDelete
     assert len(owner.card.findChildren(QSlider)) == 1
-    assert owner.card.tries.text() == "\n".join(triangles.tries)
+    assert owner.card.tries.text() == "\n".join(triangles.words.tries)
     owner.card.show_scene("Letter F", TRIES, None)
     assert not owner.card.rows and owner.card.title.text() == "Letter F"
     assert readings(owner.card) == []
@@ -375,38 +375,38 @@ def test_a_setting_without_ends_has_a_slider_about_its_default(qtbot: QtBot) -> 
 # -- playing
 
 
-def played(player: Player, *seconds: float) -> list[float]:
-    """Advance a player and return its values."""
+def played(motion: SettingMotion, *seconds: float) -> list[float]:
+    """Advance a motion and return its values."""
     values: list[float] = []
-    player.stepped.connect(values.append)
+    motion.stepped.connect(values.append)
     for step in seconds:
-        player.advance(step)
+        motion.advance(step)
     return values
 
 
 def test_a_number_runs_back_and_forth_between_the_ends(owner: Owner) -> None:
-    player = owner.card.players["turn"]
-    assert played(player, 1.0) == []  # it is not playing
-    player.play()
-    assert played(player, 1.0, 1.5, 0.5, 3.0, 1.0) == [90.0, 180.0, 135.0, -135.0, -180.0]
+    motion = owner.card.motions["turn"]
+    assert played(motion, 1.0) == []  # it is not playing
+    motion.play()
+    assert played(motion, 1.0, 1.5, 0.5, 3.0, 1.0) == [90.0, 180.0, 135.0, -135.0, -180.0]
     assert owner.edits[:2] == [{"turn": 90.0}, {"turn": 180.0}]
-    player.pause()
-    assert played(player, 1.0) == []
-    player.play()
-    assert played(player, 1.0) == [-90.0]
+    motion.pause()
+    assert played(motion, 1.0) == []
+    motion.play()
+    assert played(motion, 1.0) == [-90.0]
     enter(number_row(owner.card, "turn").field, "-30")  # a hand puts it elsewhere
-    player.advance(0.5)
+    motion.advance(0.5)
     assert owner.settings["turn"] == 15.0
 
 
 def test_playing_is_one_gesture(owner: Owner, qtbot: QtBot) -> None:
-    player = owner.card.players["turn"]
-    player.button.click()
-    assert player.playing and owner.gestures == ["started"]
+    motion = owner.card.motions["turn"]
+    motion.button.click()
+    assert motion.playing and owner.gestures == ["started"]
     qtbot.waitUntil(lambda: len(owner.edits) >= 3)  # by its own clock
     assert owner.gestures == ["started"]
-    player.button.click()
-    assert not player.playing and owner.gestures == ["started", "finished"]
+    motion.button.click()
+    assert not motion.playing and owner.gestures == ["started", "finished"]
     seen = len(owner.edits)
     QApplication.processEvents()
     assert len(owner.edits) == seen
@@ -414,7 +414,7 @@ def test_playing_is_one_gesture(owner: Owner, qtbot: QtBot) -> None:
 
 
 def test_one_number_plays_at_a_time_and_none_in_a_folded_panel(owner: Owner) -> None:
-    turn, count = owner.card.players["turn"], owner.card.players["count"]
+    turn, count = owner.card.motions["turn"], owner.card.motions["count"]
     turn.play()
     count.play()
     assert count.playing and not turn.playing
@@ -424,29 +424,29 @@ def test_one_number_plays_at_a_time_and_none_in_a_folded_panel(owner: Owner) -> 
 
 
 def test_a_count_counts_and_powers_run_evenly(qtbot: QtBot) -> None:
-    count = Player(Parameter("n", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
+    count = SettingMotion(Parameter("n", 1.0, 1.0, 64.0, whole=True, per_second=4.0))
     count.show_value(1.0)
     count.play()
     assert played(count, 0.1, 0.15, 0.25, 0.5) == [2.0, 3.0, 5.0]
-    power = Player(Parameter("e", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
+    power = SettingMotion(Parameter("e", 1.0, 0.01, 1e4, logarithmic=True, per_second=1.0))
     power.show_value(1.0)
     power.play()
     assert played(power, 1.0, 2.0, 5.0, 1.0) == [10.0, 1000.0, 10000.0, 1000.0]
-    for player in (count, power):
-        player.pause()
+    for motion in (count, power):
+        motion.pause()
 
 
 def test_playing_reports_a_refused_value_and_passes_over_it(owner: Owner) -> None:
     owner.edited({"gap": 30.0, "count": 4.0})
-    player, row = owner.card.players["count"], owner.card.rows["count"]
-    player.show_value(4.0)
-    player.speed = -2.0
-    player.play()
-    player.advance(1.0)  # 2: not above a tenth of the gap
+    motion, row = owner.card.motions["count"], owner.card.rows["count"]
+    motion.show_value(4.0)
+    motion.speed = -2.0
+    motion.play()
+    motion.advance(1.0)  # 2: not above a tenth of the gap
     assert "must be less than the count" in row.error and owner.settings["count"] == 4.0
-    player.speed = 2.0
-    player.advance(1.0)
-    player.advance(1.0)
+    motion.speed = 2.0
+    motion.advance(1.0)
+    motion.advance(1.0)
     assert row.error == "" and owner.settings["count"] == 6.0
 
 

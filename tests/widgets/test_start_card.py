@@ -14,13 +14,14 @@ from app.document.document import Document
 from app.document.files import write
 from app.lessons.course import contained
 from app.lessons.lesson import read
+from app.lessons.player import Progress
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_MS
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, click, settle
 from widgets.window import start_card
 from widgets.window.main_window import MainWindow
-from widgets.window.settings import Progress, Settings
+from widgets.window.settings import Settings
 from widgets.window.start_card import StartCard
 
 

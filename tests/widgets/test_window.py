@@ -685,7 +685,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(path) and messages.text == "An offer."
     assert not window.files.save_to(nowhere / "lesson.json")
-    assert "no such folder" in messages.text and messages.choices == ()
+    assert "no such folder" in messages.text and not messages.choices
     assert window.files.save_to(path) and messages.text == "An offer."
     messages.show_message("A refusal.")
     named(messages, QToolButton, "Dismiss this message").click()
@@ -874,7 +874,7 @@ def test_closing_in_the_middle_of_a_drag_and_of_a_play(
 ) -> None:
     for is_walk in (True, False):
         window = make_window(everything)
-        player = window.controls.animation if is_walk else window.controls.card.players["turn"]
+        player = window.controls.animation if is_walk else window.controls.card.motions["turn"]
         window.store.begin_gesture()
         edit(window)
         player.play()
@@ -1020,6 +1020,7 @@ def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window.messages.choices[0].click()
     assert other.name in window.messages.text and not window.messages.choices
     window.recovery.offer()
+    window.messages.done()  # the offer waits until the warning is dismissed
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
 
@@ -1403,7 +1404,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: MakeWindow, everything: Document
 ) -> None:
     window = make_window(everything)
-    player = window.controls.card.players["turn"]
+    player = window.controls.card.motions["turn"]
     player.play()
     for _ in range(5):
         player.advance(0.25)

@@ -1,4 +1,4 @@
-"""The row of a parameter, its slider's scale, and the player that animates its number."""
+"""The row of a parameter, its slider's scale, and the motion that animates its number."""
 
 from __future__ import annotations
 
@@ -194,11 +194,11 @@ def scale_of(parameter: Parameter) -> Scale:
     return Linear(float(first * fraction), float(last * fraction), step, parts)
 
 
-class Player(QObject, Playing):
+class SettingMotion(QObject, Playing):
     """Moves a number back and forth between the ends of its slider.
 
     The setting's `per_second` is in its unit, or in powers of ten if it is logarithmic. If
-    something else changes the number meanwhile, the player continues from there.
+    something else changes the number meanwhile, the motion continues from there.
     """
 
     stepped = Signal(float)

@@ -27,7 +27,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import Comparison
-from widgets.controls.parameter_rows import Player, make_row
+from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence
 from widgets.parts.buttons import tool_button
 from widgets.parts.fields import ChoiceRow, Row, RowHolder
@@ -51,11 +51,11 @@ TITLE = 1.25
 class SceneCard(QWidget, RowHolder):
     """Title, what to try, settings and readout of the scene, one below the other.
 
-    `rows` and `players` have the names of the settings as keys.
+    `rows` and `motions` have the names of the settings as keys.
     """
 
     settings_edited = Signal(object)
-    """The user or a player set these values, by the names of the settings."""
+    """The user or a motion set these values, by the names of the settings."""
     mesh_wanted = Signal()
     """The user wants to replace the scene's objects with a mesh."""
     mesh_removed = Signal()
@@ -83,10 +83,12 @@ class SceneCard(QWidget, RowHolder):
         self._is_guided = False
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
-        self.players: dict[str, Player] = {}
+        self.motions: dict[str, SettingMotion] = {}
         self._lent: set[str] = set()
         """Names of the settings whose rows are elsewhere."""
         self._readable = Readable(self, self._fill, lambda: self._is_seen)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
         all_digits.changed.connect(self._readable.changed)
 
         self.title, self.tries = Balanced(name=True), Balanced()
@@ -136,7 +138,7 @@ class SceneCard(QWidget, RowHolder):
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
             self._highlight_subject(())  # marks these rows
-            self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
+            self._offer_comparisons(() if phenomenon is None else phenomenon.words.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
             self.warning.show_text("")
@@ -222,8 +224,8 @@ class SceneCard(QWidget, RowHolder):
         self._highlight_subject(() if illustration is None else illustration.about)
         self._illustration, self._settings = illustration, settings
         self._projection = projection
-        for name, player in self.players.items():
-            player.show_value(float(settings[name]))  # type: ignore[arg-type]
+        for name, motion in self.motions.items():
+            motion.show_value(float(settings[name]))  # type: ignore[arg-type]
         if self._edits in settings and self._is_seen:
             self.rows[self._edits].setValue(settings[self._edits])
         self._readable.changed()
@@ -236,13 +238,6 @@ class SceneCard(QWidget, RowHolder):
         if about != self._about:
             self._about = about
             self.highlighted.emit("scene", about)
-
-    def begin_gesture(self) -> None:
-        """Begin a gesture: a control is dragged, or something plays."""
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
 
     def show_count(self, illustration: Illustration, share: float) -> None:
         """Show what was counted in the picture of an illustration, while it is shown."""
@@ -274,13 +269,13 @@ class SceneCard(QWidget, RowHolder):
         return Refusal(name, error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
-        for player in self.players.values():
-            player.pause()
+        for motion in self.motions.values():
+            motion.pause()
 
     # -- rows
 
     def _make_rows(self, settings: Iterable[Parameter]) -> None:
-        self.players.clear()
+        self.motions.clear()
         self.take_back()
         for row in self.rows.values():
             row.blockSignals(True)  # a number typed for the previous scene is not one of this one
@@ -325,16 +320,16 @@ class SceneCard(QWidget, RowHolder):
         self.readout.show_highlight(highlighted)
 
     def _add_player(self, setting: Parameter, row: NumberRow) -> None:
-        player = Player(setting, self)
-        self.players[setting.name] = player
-        player.stepped.connect(partial(self._played, setting.name))
-        player.started.connect(partial(self._play_started, player))
-        player.paused.connect(self.gesture_finished)
-        row.put_beside(player.button)
+        motion = SettingMotion(setting, self)
+        self.motions[setting.name] = motion
+        motion.stepped.connect(partial(self._played, setting.name))
+        motion.started.connect(partial(self._play_started, motion))
+        motion.paused.connect(self.gesture_finished)
+        row.put_beside(motion.button)
 
-    def _play_started(self, player: Player) -> None:
-        for other in self.players.values():
-            if other is not player:
+    def _play_started(self, motion: SettingMotion) -> None:
+        for other in self.motions.values():
+            if other is not motion:
                 other.pause()
         self.gesture_started.emit()
 
@@ -355,7 +350,7 @@ class SceneCard(QWidget, RowHolder):
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        if not event.spontaneous():  # nobody could stop a hidden player
+        if not event.spontaneous():  # nobody could stop a hidden motion
             self.pause()
 
     def _fill(self) -> None:
@@ -368,8 +363,8 @@ class SceneCard(QWidget, RowHolder):
                 row.clear_error()  # another value has made it possible
             is_choice = isinstance(row, ChoiceRow)
             row.setValue(self._settings[name] if value is None and not is_choice else value)
-            if name in self.players and isinstance(value, float):
-                self.players[name].show_value(value)
+            if name in self.motions and isinstance(value, float):
+                self.motions[name].show_value(value)
         illustration = self._illustration
         readings = () if illustration is None else illustration.readings
         self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
@@ -407,8 +402,8 @@ class SceneCard(QWidget, RowHolder):
                 for part in (row, *row.findChildren(QWidget)):
                     self._why_not[part] = why
                 row.setEnabled(not why)
-                if why and name in self.players:
-                    self.players[name].pause()
+                if why and name in self.motions:
+                    self.motions[name].pause()
         if without_effect != self._without_effect:
             self._without_effect = without_effect
             self.show_some(self._matches)

@@ -17,18 +17,14 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from app.document.document import Document
 from app.document.view import PANES
 from app.drawings.style import LIGHT
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.choices import LETTERS, Choices
-from app.lessons.blocks.click import PICTURE_PX, Click
-from app.lessons.blocks.exercise import Variant
-from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import MarkedQuestion, Question
+from app.lessons.blocks.block import Asked, Here, Variant
 from app.lessons.course import panes_of
 from app.lessons.lines import refused
 from app.lessons.text import escaped
 from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import FEW, figure_text
+from widgets.parts.typeset import paint_brackets
 from widgets.program import paper
 from widgets.program.paper import (
     BETWEEN_PT,
@@ -71,10 +67,8 @@ class Numbered(NamedTuple):
     sketch: Document | None = None
 
     @property
-    def question(self) -> Question:
-        question = self.variant.question
-        assert isinstance(question, Question), "a task has no answer on paper"
-        return question
+    def question(self) -> Asked:
+        return self.variant.question
 
     @property
     def drawn(self) -> Document:
@@ -84,7 +78,7 @@ class Numbered(NamedTuple):
     @property
     def panes(self) -> list[str]:
         """The panes to draw: that of the click, or those of the state that are not hidden."""
-        if isinstance(self.question, Click):
+        if self.question.pane:
             return [self.question.pane]
         wanted = panes_of(self.drawn)
         seen = [pane for pane in wanted if pane not in self.hides]
@@ -164,13 +158,8 @@ def key(
             first, last = (seeds[id(page.pieces[place].block)] for place in (0, -1))
             shown = f"{first}" if first == last else f"{first}–{last}"
             left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, shown)
-            yield partial(paint, page, left, f"{number} / {len(pages)}", width, height)
-
-    def paint(
-        page: paper.PaperPage, left: str, right: str, width: float, height: float, painter: QPainter
-    ) -> None:
-        paper.paint_page(painter, page, width, height, False)
-        paper.foot(painter, left, right, width, height)
+            right = f"{number} / {len(pages)}"
+            yield partial(paper.paint_page, page, left, right, width, height)
 
     return paper.pdf(title, lay_out)
 
@@ -180,40 +169,24 @@ def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock
     question, here = exercise.question, exercise.variant.here
     answer = answer_of(question, here)
     parts = [f"**{number}.** {question.with_answer(answer, others=False)}"]
-    if isinstance(question, Click):
+    place = question.marked_place(here)
+    if place is not None:
         parts.append(f"**{answer}**")
-    if isinstance(question, MarkedQuestion):
-        parts.append(question.solution(here))
-    texts = "\n\n".join(filter(None, (*parts, question.why, _mistaken(question, here))))
-    if not isinstance(question, Click):
+    parts += question.reasons(here)
+    texts = "\n\n".join(filter(None, (*parts, _mistaken(question, here))))
+    if place is None:
         yield paper.text(texts, width, TEXT_PT)
         return
-    mark = paper.MarkedPlace(question.answer(here), question.within_px / PICTURE_PX)
+    mark = paper.MarkedPlace(*place)
     figure = paper.figure(here.document, width, IN_KEY * width, exercise.panes, mark)
     left = figure.wide + NOTE_INDENT_PT
     yield paper.beside(figure, [paper.text(texts, width - left, TEXT_PT)], left)
 
 
-def _mistaken(question: Question, here: Here) -> str:
+def _mistaken(question: Asked, here: Here) -> str:
     """Return the wrong ideas with the answers that they lead to, a line each."""
-    lines = []
-    for letter, reply in zip(LETTERS, question.replies, strict=False):
-        if reply.right or not reply.idea:
-            continue
-        idea = here.idea(reply.idea)
-        name = reply.idea.replace("-", " ") if idea is None else idea.title.rstrip(".")
-        values = question.values(here, reply.formulas, reply.line)
-        cells = [figure_text(number, FEW) for number in values]
-        value = ", ".join(cells) or letter
-        if isinstance(question, MatrixQuestion):
-            width = question.columns
-            rows = (cells[at : at + width] for at in range(0, len(cells), width))
-            value = "; ".join(map(", ".join, rows))
-        elif isinstance(question, Click):
-            value = f"({value})"
-        elif isinstance(question, MarkedQuestion) and question.unit:
-            value += question.unit if question.unit == "°" else f" {question.unit}"
-        lines.append(f"{escaped(name)}: {value}")
+    mistakes = question.mistakes(here, lambda number: figure_text(number, FEW))
+    lines = [f"{escaped(idea)}: {answer}" for idea, answer in mistakes]
     if not lines:
         return ""
     return "  \n".join((QCoreApplication.translate("Exam", "Wrong ideas:"), *lines))
@@ -286,16 +259,16 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
     """An exercise: title, text beside its picture, room to write, and the place for the answer."""
     question = exercise.question
     title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
-    figure, is_click = None, isinstance(question, Click)
+    figure = None
     if exercise.panes:
         figure = paper.figure(
-            exercise.drawn, width, (CLICKED if is_click else share) * width, exercise.panes
+            exercise.drawn, width, (CLICKED if question.pane else share) * width, exercise.panes
         )
         if exercise.sketch is not None:
             said = QCoreApplication.translate("Exam", "A sketch, not to scale.")
             figure = paper.below(figure, paper.text(said, figure.wide, FOOT_PT))
     told = [*exercise.words, question.posed()]
-    if is_click:
+    if question.pane:
         told.append(
             QCoreApplication.translate("Exam", "Mark the place in the picture with a cross.")
         )
@@ -314,7 +287,7 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
     # Beside the picture, below the text, there may already be room enough.
     squares = picture_end - BETWEEN_PT - body_end
     is_roomy = squares >= ROOM_PT and room >= COLUMN * width
-    needs_room = not is_roomy and not isinstance(question, Click | Choices)
+    needs_room = question.is_worked and not is_roomy
     least = picture_end + (ROOM_PT + BETWEEN_PT) * needs_room + answer.height
 
     def paint(painter: QPainter, height: float) -> None:
@@ -334,25 +307,23 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> _ExamP
     return _ExamPart(least, paint)
 
 
-def _place_of_answer(question: Question) -> PageBlock:
+def _place_of_answer(question: Asked) -> PageBlock:
     """The line for a number or a choice, or the cells of a matrix; nothing for a place."""
-    if isinstance(question, Click):
+    rows, columns = question.shape
+    if not rows:
         return PageBlock(0.0, lambda *_: None)
     word = paper.text(QCoreApplication.translate("Exam", "Answer:"), 200.0, TEXT_PT)
-    unit = paper.text(question.unit if isinstance(question, MarkedQuestion) else "", 200.0, TEXT_PT)
-    rows, columns = 1, 1
-    wide, high = LINE_PT, RULE_PT
-    if isinstance(question, MatrixQuestion):
-        rows, columns = question.rows, question.columns
-        wide, high = CELL_PT
-    left = word.wide + BETWEEN_PT + (BRACKET_PT if isinstance(question, MatrixQuestion) else 0.0)
+    unit = paper.text(question.unit, 200.0, TEXT_PT)
+    is_matrix = rows * columns > 1
+    wide, high = CELL_PT if is_matrix else (LINE_PT, RULE_PT)
+    left = word.wide + BETWEEN_PT + BRACKET_PT * is_matrix
     right, low = left + columns * wide, rows * high
 
     def paint(painter: QPainter, _part: QRectF) -> None:
-        middle = low / 2.0 if isinstance(question, MatrixQuestion) else low - word.height / 2.0
+        middle = low / 2.0 if is_matrix else low - word.height / 2.0
         _draw(painter, word, 0.0, middle - word.height / 2.0)
         _draw(painter, unit, right + 2.0 * BRACKET_PT, middle - unit.height / 2.0)
-        if not isinstance(question, MatrixQuestion):
+        if not is_matrix:
             _line(painter, left, right, low)
             return
         painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
@@ -361,9 +332,8 @@ def _place_of_answer(question: Question) -> PageBlock:
                 cell = QRectF(left + column * wide, row * high, wide, high)
                 painter.drawRect(cell.adjusted(2.0, 2.0, -2.0, -2.0))
         painter.setPen(QPen(QColor(LIGHT.ink), 1.0))
-        for x, inwards in ((left - BRACKET_PT, BRACKET_PT), (right + BRACKET_PT, -BRACKET_PT)):
-            corners = ((x + inwards, 0.0), (x, 0.0), (x, low), (x + inwards, low))
-            painter.drawPolyline([QPointF(*corner) for corner in corners])
+        box = QRectF(left - BRACKET_PT, 0.0, right - left + 2.0 * BRACKET_PT, low)
+        paint_brackets(painter, box, BRACKET_PT)
 
     return PageBlock(low, paint)
 

@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QFileDialog, QMenu, QWidget
+from PySide6.QtWidgets import QAbstractButton, QFileDialog, QMenu, QWidget
 
 from app.lessons.course import name_of
+from app.lessons.player import Progress
 from widgets.window.lesson_card import AGAIN_KEY, BACK_KEY, NEXT_KEY, TOUR, LessonCard, heads
 from widgets.window.practice import Practice, review_text
-from widgets.window.settings import Progress, Settings
+from widgets.window.settings import Settings
 
 
 def fill(
@@ -93,13 +94,9 @@ class LessonMenu(QMenu):
             (self.test_again, practice.go_on),
             (self.review, practice.review),
             (self.overview, practice.show_overview),
-            (self.again, card.show_again),
-            (self.next, card.go_on),
-            (self.back, card.go_back),
-            (self.hint, card.give_hint),
-            (self.anew, card.begin_again),
             (self.check, card.check),
             (self.leave, card.leave),
+            *((action, button.click) for action, button in self._buttons(card)),
         ):
             action.triggered.connect(lambda _on=False, act=act: act())
         card.buttons_changed.connect(partial(self._show, card))
@@ -112,16 +109,16 @@ class LessonMenu(QMenu):
 
     def _show(self, card: LessonCard) -> None:
         """Enable the actions that are possible now."""
-        for action, button in (
-            (self.again, card.again),
-            (self.next, card.next),
-            (self.back, card.back),
-            (self.hint, card.hint),
-            (self.anew, card.anew),
-            (self.check, card.anew),
-        ):
+        for action, button in (*self._buttons(card), (self.check, card.anew)):
             action.setEnabled(card.is_on and button.isEnabled())
         self.leave.setEnabled(card.is_on)
+
+    def _buttons(self, card: LessonCard) -> Sequence[tuple[QAction, QAbstractButton]]:
+        """Return the actions that press a button of the card."""
+        return (
+            (self.again, card.again), (self.next, card.next), (self.back, card.back),
+            (self.hint, card.hint), (self.anew, card.anew),
+        )  # fmt: skip
 
     def _ask(self, card: LessonCard) -> None:
         title = self.tr("Open a lesson or a talk")

@@ -26,7 +26,8 @@ from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, ShownStep, scene_of
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.lesson import Lesson, read
+from app.lessons.player import Player
 from app.lessons.state import State
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal
@@ -68,7 +69,7 @@ class WayOfPanes(Protocol):
 
 
 class Lessons(QObject):
-    """The open lesson, and its current step, counted from 0.
+    """Shows the steps of the open lesson.
 
     Parameters
     ----------
@@ -105,14 +106,8 @@ class Lessons(QObject):
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from, self._panes = look_from, transition_of_panes
-        self._arrived: dict[str, Camera] = {}
-        """The panes' cameras when the step was shown."""
-        self._posed: Document | None = None
-        """The state of the step's exercise, shown in place of the step's own."""
-        self._beside: dict[str, tuple[Any, Any]] = {}
-        """The fields of the view that a state beside the step changed: before, and then."""
-        self.course: Course | None = None
-        self.place = 0
+        self.player: Player | None = None
+        """The open lesson, as it is played."""
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document
@@ -129,12 +124,17 @@ class Lessons(QObject):
     # -- what is open
 
     @property
-    def lesson(self) -> Lesson | None:
-        return self.course.lesson if self.course is not None else None
+    def course(self) -> Course | None:
+        return self.player.course if self.player is not None else None
 
     @property
-    def step(self) -> Step | None:
-        return self.course.lesson.steps[self.place] if self.course is not None else None
+    def place(self) -> int:
+        """The current step, counted from 0."""
+        return self.player.place if self.player is not None else 0
+
+    @property
+    def lesson(self) -> Lesson | None:
+        return self.player.lesson if self.player is not None else None
 
     @property
     def is_moving(self) -> bool:
@@ -144,20 +144,8 @@ class Lessons(QObject):
     @property
     def is_away(self) -> bool:
         """Whether the window no longer shows the step, because the user changed something."""
-        if self.course is None:
-            return False
-        shown, look = self._shown_at(self.place), self._store.look()
-        if look.panes != self._arrived or self._store.document != shown.document:
-            return True
-        beside = self._beside.items()
-        if any(before != then == getattr(look, name) for name, (before, then) in beside):
-            return True
-        leading = {"large": scene_of(shown.document).leading}  # an empty name stands for this pane
-        return any(
-            (getattr(look, name) or leading.get(name, getattr(look, name)))
-            != (value or leading.get(name, value))
-            for name, value in shown.view.items()
-        )
+        store, player = self._store, self.player
+        return player is not None and player.is_away(store.document, store.look())
 
     def open(self, path: str | Path, step: str = "") -> bool:
         """Open a lesson at its first step, or at the named one; emit the reason if that fails."""
@@ -181,15 +169,14 @@ class Lessons(QObject):
         self._messages.done()
         self._finish()
         self._stand_still()
-        left, (self.course, self.place) = (self.course, self.place), (course, place)
+        left, self.player = self.player, Player(course, place)
         look = self._store.look()
         # A lesson begins with the default view, whatever the window showed before.
         view = replace(AS_EVER, layout=look.layout, letters=look.letters, panel="")
         document = replace(shown.document, view=replace(view, **shown.view))
         if not self._files.open_step(document, scene, course.file):
-            self.course, self.place = left
+            self.player = left
             return False
-        self._arrived, self._posed, self._beside = {}, None, {}
         self._watch()
         self.opened.emit()
         self.stepped.emit()
@@ -197,11 +184,11 @@ class Lessons(QObject):
 
     def close(self) -> None:
         """Close the lesson; the window stays as it is."""
-        if self.course is None:
+        if self.player is None:
             return
         self._finish()
         self._unwatch()
-        self.course = None
+        self.player = None
         self._store.origin.is_work = True
         self._store.mark_saved()
         self.opened.emit()
@@ -210,26 +197,27 @@ class Lessons(QObject):
 
     def go(self, place: int) -> bool:
         """Show a step; return False, and keep the current one, if that is impossible."""
-        if self.course is None or not 0 <= place < len(self.course.lesson.steps):
+        player = self.player
+        if player is None or not 0 <= place < len(player.lesson.steps):
             return False
         try:
-            shown = self._shown_at(place)
+            shown = player.shown_at(place)
             scene = scene_of(shown.document)
         except Refusal as error:
-            self.refused.emit(named(error, self.course.lesson.path))
+            self.refused.emit(named(error, player.lesson.path))
             return False
         self._finish()
         self._stand_still()
-        left, self.place = self.place, place
-        if not self._show(shown, scene):
-            self.place = left
+        left, player.place = player.place, place
+        if not self._show(player, shown, scene):
+            player.place = left
             return False
         if place != left:
-            self._posed = None
+            player.leave(left)
             self._store.forget_steps()
-            self._arrived = self._store.look().panes
-        elif self._store.look().panes != self._arrived:
-            self._look_from(self._arrived)
+            player.arrived = self._store.look().panes
+        elif self._store.look().panes != player.arrived:
+            self._look_from(player.arrived)
         self.stepped.emit()
         self._set_off()
         return True
@@ -248,65 +236,40 @@ class Lessons(QObject):
 
     def pose(self, document: Document) -> None:
         """Show the state of an exercise as the step's own, until another step is shown."""
-        self._posed = document
-        if self.go(self.place):
+        assert self.player is not None
+        self.player.posed = document
+        if self.go(self.player.place):
             self._store.forget_steps()
 
     def show_predicted(self, state: State) -> None:
         """Show the state that answers a prediction of the step, if possible."""
-        assert self.course is not None
+        assert self.player is not None
         try:
-            document = self.course.at(self.place).shown_by(state)
+            document = self.player.course.at(self.player.place).shown_by(state)
         except Refusal as error:
-            self.refused.emit(named(error, self.course.lesson.path))
+            self.refused.emit(named(error, self.player.lesson.path))
         else:
             self.show(document)
 
     def show(self, document: Document) -> None:
         """Show a state that refutes an idea or answers a prediction, without leaving the step."""
+        assert self.player is not None
         self._finish()
         self._stand_still()
-        look = self._store.look()
-        asked = self.course.shown(self.place).view if self.course is not None else {}
-        fields = _fields(document, asked)
-        same = (document.scene, document.mesh) == (
-            self._store.document.scene,
-            self._store.document.mesh,
-        )
-        first = {name: before for name, (before, _) in self._beside.items()}
-        self._beside |= {
-            name: (first.get(name, getattr(look, name)), value) for name, value in fields.items()
-        }
-        fields |= {"panes": look.panes if same else {}}
-        self._move_to(replace(document, view=replace(look, **fields)), scene_of(document))
+        is_other = self._is_other(document)
+        view = self.player.view_beside(document, self._store.look(), other_scene=is_other)
+        self._move_to(replace(document, view=view), scene_of(document))
         self._set_off()
 
-    def _shown_at(self, place: int) -> ShownStep:
-        """Return what a step shows: its own state, or that of its exercise."""
-        assert self.course is not None
-        shown = self.course.shown(place)
-        if self._posed is None or place != self.place:
-            return shown
-        return ShownStep(self._posed, _fields(self._posed, shown.view))
+    def _is_other(self, document: Document) -> bool:
+        """Whether a document shows another scene."""
+        here = self._store.document
+        return (here.scene, here.mesh) != (document.scene, document.mesh)
 
-    def _show(self, shown: ShownStep, scene: Any) -> bool:
-        here = self._store.document.scene, self._store.document.mesh
-        there = shown.document.scene, shown.document.mesh
-        view = self._view(shown, other_scene=here != there)
+    def _show(self, player: Player, shown: ShownStep, scene: Any) -> bool:
+        is_other = self._is_other(shown.document)
+        view = player.view_of(shown, self._store.look(), other_scene=is_other)
         return self._move_to(replace(shown.document, view=view), scene)
-
-    def _view(self, shown: ShownStep, *, other_scene: bool) -> View:
-        """Return the view of a step: fields set by the lesson, the others from the window."""
-        look, left = self._store.look(), self._beside
-        own = {name: before for name, (before, then) in left.items() if getattr(look, name) == then}
-        look, self._beside = replace(look, **own), {}
-        if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
-            look = replace(
-                look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
-                dividers=(), slide=(), controls=(), equation="", names=None,
-            )  # fmt: skip
-        # A step is seen from its own side, wherever the user has turned the one before.
-        return replace(look, **{"panes": {}, **shown.view})
 
     def _move_to(self, end: Document, scene: Any) -> bool:
         """Change to a document in one undo step, moving if possible; return False if refused."""
@@ -404,8 +367,8 @@ class Lessons(QObject):
     # -- the file
 
     def _watch(self) -> None:
-        assert self.course is not None
-        path = self.course.file
+        assert self.player is not None
+        path = self.player.course.file
         self._unwatch()
         if path is not None:
             self._watcher.addPaths([str(path), str(path.parent)])
@@ -418,14 +381,13 @@ class Lessons(QObject):
 
     def read_again(self, name: str = "") -> None:
         """Read a changed file; stay at the step with the given name, else at the current number."""
-        if self.course is None:
+        player = self.player
+        if player is None:
             return
         if self._checks:  # the window goes on meanwhile
             self._settled.start()
             return
-        before, step = self.course, self.step
-        assert step is not None
-        path = before.lesson.path
+        before, path = player.course, player.lesson.path
         if str(path) not in self._watcher.files():  # editors replace the file
             self._watcher.addPath(str(path))
         try:
@@ -434,7 +396,7 @@ class Lessons(QObject):
                 self._emit_mistakes()
                 return
             last = len(course.lesson.steps) - 1
-            place = course.lesson.place_of(name or step.name, min(self.place, last))
+            place = course.lesson.place_of(name or player.step.name, min(player.place, last))
             shown = course.shown(place)
         except Refusal as error:
             if before.lesson.is_talk:
@@ -443,9 +405,8 @@ class Lessons(QObject):
                 self._emit_mistakes()
             return
         self._messages.done()
-        same = self._posed is None and shown == before.shown(self.place)
-        self._posed = None
-        self.course, self.place = course, place
+        same = player.posed is None and shown == before.shown(player.place)
+        self.player = player.read_again(course, place)
         self.opened.emit()
         if same:
             self.stepped.emit()
@@ -479,15 +440,6 @@ class Lessons(QObject):
         if len(report.wrong) > MOST_MISTAKES:
             texts.append(self.tr("… and {0} more").format(len(report.wrong) - MOST_MISTAKES))
         return "\n".join(texts)
-
-
-def _fields(document: Document, asked: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the view of a document: the fields that a step sets, and those it has itself."""
-    return {
-        name: getattr(document.view, name)
-        for name in FIELDS
-        if name in asked or getattr(document.view, name) != getattr(AS_EVER, name)
-    }
 
 
 def _slide(view: View) -> tuple[object, ...]:

@@ -96,7 +96,7 @@ class Pointing(QObject):
     def _pane(self, view: ClickView) -> Pane | None:
         """Return the picture of a question if it shows the question's state, else None."""
         pane = self._panes[view.question.pane]
-        is_shown = pane.shown is not None and pane.shown.document == view.here.document
+        is_shown = pane.shown is not None and pane.shown.document == view.played.here.document
         return pane if pane.drawing is not None and is_shown else None
 
     def _take_up(self, view: ClickView | None) -> None:
@@ -147,7 +147,7 @@ class Pointing(QObject):
         Empty if there is none: the way there leads where nothing is seen.
         """
         assert pane.drawing is not None
-        place = np.array(view.question.answer(view.here))
+        place = np.array(view.question.answer(view.played.here))
         steps = np.vstack([np.zeros(len(place)), np.eye(len(place)) * NEAR_BY])
         for _ in range(NEWTON_STEPS):
             spots = pane.drawing.spots_of(place + steps) / pane.canvas.pixel_ratio
@@ -168,7 +168,7 @@ class Pointing(QObject):
         asked, answered = self._view, self._answered
         if answered is not None:
             with suppress(Refusal):  # the lesson may have changed meanwhile
-                place = answered.question.answer(answered.here)
+                place = answered.question.answer(answered.played.here)
                 spots[answered.question.pane, True] = self._spot(answered, place)
         if asked is not None and self._pane(asked) is not None:
             spots[asked.question.pane, False] = self._at

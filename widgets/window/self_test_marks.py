@@ -6,13 +6,9 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QWidget
 
-from app.lessons.blocks.choices import Choices
-from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.course import idea_named
 from app.lessons.practice import ExerciseMark
 from app.lessons.record import RIGHT
-from app.lessons.text import escaped
 from widgets.parts.layouts import TOP, in_column
 from widgets.parts.lesson_text import LessonText, answer_of
 from widgets.window.lesson_blocks.view import Sign, on_holder
@@ -33,13 +29,10 @@ class SelfTestMarks(QWidget):
     def _marked(self, number: int, mark: ExerciseMark) -> QWidget:
         question, here = mark.item.variant.question, mark.item.variant.here
         texts = [f"**{number}.** {question.text}", self._own(mark)]
-        if isinstance(question, Question):
-            texts.append(self.tr("The right answer:") + f" {_right(question, mark)}")
-            if isinstance(question, MarkedQuestion):
-                texts.append(question.solution(here))
-            texts.append(question.why)
-        else:
-            texts += [question.done, question.why]
+        right = question.right_text(answer_of(question, here))
+        if right:
+            texts.append(self.tr("The right answer:") + f" {right}")
+        texts += question.reasons(here)
         is_right = mark.word == RIGHT
         sign = Sign("check", self.tr("Right")) if is_right else Sign("close", self.tr("Wrong"))
         words = LessonText("\n\n".join(filter(None, texts)))
@@ -49,21 +42,10 @@ class SelfTestMarks(QWidget):
         """Return the student's own answer, and the idea behind it."""
         if not mark.typed:
             return self.tr("You gave no answer.")
-        question, own = mark.item.variant.question, f"**{escaped(mark.typed)}**"
-        if isinstance(question, Choices):
-            own = f"*{question.replies[int(mark.typed) - 1].text}*"
-        elif isinstance(question, MatrixQuestion):
-            own = f"\n\n{question.table([escaped(cell) for cell in question.texts_of(mark.typed)])}"
+        own = mark.item.variant.question.own_answer(mark.typed)
         said = self.tr("Your answer:") + f" {own}"
         idea = idea_named(mark.word)
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
             said = f"{said}\n\n{behind}"
         return said
-
-
-def _right(question: Question, mark: ExerciseMark) -> str:
-    if isinstance(question, Choices):
-        return question.replies[question.right].text
-    answer = answer_of(question, mark.item.variant.here)
-    return f"\n\n{answer}" if "\n" in answer else f"**{answer}**"

@@ -9,7 +9,7 @@ import logging
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, field, fields, replace
+from dataclasses import asdict, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -18,6 +18,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 from app import __version__
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.lessons.player import Progress
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from app.strangers import open_regular
@@ -26,6 +27,7 @@ log = logging.getLogger(__name__)
 
 _T = TypeVar("_T")
 _N = TypeVar("_N", int, float)
+_D = TypeVar("_D", bool, None)
 THEMES = ("system", "light", "dark")
 NAME = "frustum-lab"
 
@@ -80,10 +82,6 @@ def _valid(value: _T, *conditions: bool) -> _T:
     return value
 
 
-def _theme(text: str) -> str:
-    return _valid(text, text in THEMES)
-
-
 def _flag(text: str) -> bool:
     return _valid(text == "true", text in ("true", "false"))
 
@@ -124,20 +122,6 @@ def _paths(text: str) -> list[str]:
     paths: list[str] = _json(text, list)
     are_paths = (isinstance(path, str) and path and "\0" not in path for path in paths)
     return _valid(paths, all(are_paths))
-
-
-@dataclass(frozen=True)
-class Progress:
-    """A student's progress in a lesson; `step` is the one to continue at, empty for the first.
-
-    An answer is stored by ``step/block``: the number of a choice, from 1, the typed text, or a
-    task's result. `done` is the number of finished steps, `of` that of all steps.
-    """
-
-    step: str = ""
-    answers: Mapping[str, str] = field(default_factory=dict, hash=False)
-    done: int = 0
-    of: int = 0
 
 
 def _progress(text: str) -> dict[str, Progress]:
@@ -185,7 +169,7 @@ class _KeptSetting(Generic[_T]):
         settings.write(self._key, self._text_of(value))
 
 
-def _kept_flag(key: str, default: bool) -> _KeptSetting[bool]:
+def _kept_flag(key: str, default: _D) -> _KeptSetting[bool | _D]:
     return _KeptSetting(key, _flag, default, lambda on: "true" if on else "false")
 
 
@@ -216,7 +200,7 @@ class Settings:
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
 
-    theme = _KeptSetting("theme", _theme, "system")
+    theme = _KeptSetting("theme", lambda text: _valid(text, text in THEMES), "system")
     """One of `THEMES`."""
     all_digits = _kept_flag("all-digits", False)
     """Whether panels show all digits of a number instead of four."""
@@ -228,9 +212,7 @@ class Settings:
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _KeptSetting("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
-    reduce_motion = _KeptSetting[bool | None](
-        "reduce-motion", _flag, None, lambda on: "true" if on else "false"
-    )
+    reduce_motion = _kept_flag("reduce-motion", None)
     """Whether steps of talks follow each other without a transition; None for the system's."""
     start_card = _kept_flag("start_card", True)
     """Whether the program starts with the start card."""

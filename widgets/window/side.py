@@ -42,7 +42,7 @@ class Side(QSplitter):
 
     def take_card(self, card: LessonCard) -> None:
         self._card = card
-        card.room_wanted.connect(self._lend)
+        card.page.room_wanted.connect(self._lend)
         self.insertWidget(0, card)
 
     def _lend(self, height: int) -> None:

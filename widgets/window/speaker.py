@@ -24,6 +24,7 @@ from app.drawings.figure import Figure
 from app.lessons.blocks.block import ReadBlock
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
+from app.lessons.player import Player
 from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.parts import palette
@@ -78,12 +79,6 @@ class TalkClock:
             self._since = self._now()
 
 
-def planned(course: Course, place: int) -> tuple[float, float]:
-    """Return the minutes that the notes plan before a step, and for it."""
-    minutes = [step.note.minutes if step.note else 0.0 for step in course.lesson.steps]
-    return sum(minutes[:place]), minutes[place]
-
-
 class _PictureLabel(PlainLabel):
     """A picture, as large as there is room for."""
 
@@ -133,8 +128,7 @@ class SpeakerWindow(QWidget):
         self.setObjectName("speaker")
         self._settings = settings
         self.clock = TalkClock()
-        self._course: Course | None = None
-        self._place = 0
+        self._player: Player | None = None
         self._left_out = ""
         self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()
         self._make()
@@ -201,32 +195,26 @@ class SpeakerWindow(QWidget):
 
     # -- the step
 
-    def show_step(self, course: Course, place: int, left_out: str, left: int) -> None:
+    def show_step(self, player: Player, left_out: str) -> None:
         """Show a step's notes, what the next key shows, and the title of the next step.
 
-        `draw_next` draws its picture.
-
-        Parameters
-        ----------
-        left_out : str
-            The words of the step that are too long for the class's slide.
-        left : int
-            How many questions and answers come before the next step.
+        `draw_next` draws its picture. `left_out` are the words of the step that are too long for
+        the class's slide.
         """
-        steps = course.lesson.steps
-        if course is not self._course:
+        steps, place, left = player.lesson.steps, player.place, player.unrevealed
+        if player is not self._player:
             self._pictures.clear()
             self.steps.clear()
             self.steps.addItems(
                 [f"{number}  {in_line(step.title)}" for number, step in enumerate(steps, 1)]
             )
-        self._course, self._place, self._left_out = course, place, left_out
-        step = steps[place]
+        self._player, self._left_out = player, left_out
+        step = player.step
         self._title.setText(in_line(step.title))
         self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
         self._show_notes(step)
         self.steps.setCurrentRow(place)
-        following = steps[place + 1] if place + 1 < len(steps) else None
+        following = None if player.is_last else steps[place + 1]
         if left:
             text = self.tr("Next: the answer") if left % 2 else self.tr("Next: the question")
             if following is not None:
@@ -251,18 +239,18 @@ class SpeakerWindow(QWidget):
         document.setDocumentMargin(8.0)
 
     def _with_right_answer(self, part: ReadBlock) -> str:
-        assert self._course is not None
+        assert self._player is not None
         answer = ""
         with suppress(Refusal):  # the speaker learns of a mistake when the class would see it
-            answer = answer_of(part, self._course.at(self._place))
+            answer = answer_of(part, self._player.course.at(self._player.place))
         return part.explained(answer)
 
     def enlarge(self, by_px: int) -> None:
         """Make the letters of the notes larger, or smaller."""
         size = self._settings.notes_px + by_px
         self._settings.notes_px = max(LEAST_NOTES_PX, min(LARGEST_NOTES_PX, size))
-        if self._course is not None:
-            self._show_notes(self._course.lesson.steps[self._place])
+        if self._player is not None:
+            self._show_notes(self._player.step)
 
     def show_message(self, text: str) -> None:
         """Show a short message; an empty one hides it."""
@@ -272,9 +260,10 @@ class SpeakerWindow(QWidget):
 
     def draw_next(self) -> None:
         """Draw the next step, unless its picture is kept."""
-        course, place = self._course, self._place + 1
-        if course is None or place >= len(course.lesson.steps):
+        player = self._player
+        if player is None or player.is_last:
             return
+        course, place = player.course, player.place + 1
         if (course, place) not in self._pictures:
             try:
                 image = _drawn(course.shown(place).document, self._settings.theme)
@@ -287,8 +276,8 @@ class SpeakerWindow(QWidget):
 
     def _show_picture(self) -> None:
         image = QImage()
-        if self._course is not None:
-            image = self._pictures.get((self._course, self._place + 1), image)
+        if self._player is not None:
+            image = self._pictures.get((self._player.course, self._player.place + 1), image)
         self.picture.show_image(image)
 
     # -- the time
@@ -300,17 +289,16 @@ class SpeakerWindow(QWidget):
         self._elapsed.setAccessibleName(self.tr("Elapsed"))
         set_tip(self._elapsed, self.tr("Elapsed"))
         self.pause.setText(self.tr("&Pause") if self.clock.is_running else self.tr("&Start"))
-        if self._course is None:
+        if self._player is None:
             return
-        before, here = planned(self._course, self._place)
+        (before, here), late = self._player.planned, self._player.minutes_late(seconds)
         text = ""
         if before + here > 0.0:
             text = self.tr("planned {0} to {1} min").format(f"{before:g}", f"{before + here:g}")
             if not here:
                 text = self.tr("planned {0} min").format(f"{before:g}")
-            late = seconds / 60.0 - (before + here)
-            if late >= 1.0:
-                text += "  –  " + self.tr("{0} min late").format(int(late))
+            if late:
+                text += "  –  " + self.tr("{0} min late").format(late)
         self._plan.setText(text)
 
     # -- events

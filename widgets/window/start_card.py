@@ -27,6 +27,7 @@ from app.document.document import Document
 from app.document.view import View
 from app.drawings.figure import Figure
 from app.lessons.lesson import head_of, is_lesson
+from app.lessons.player import Progress
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, load
 from widgets.parts.buttons import tool_button
@@ -36,7 +37,6 @@ from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 from widgets.window.pictures import image_of
-from widgets.window.settings import Progress
 
 log = logging.getLogger(__name__)
 
@@ -47,12 +47,6 @@ DRAWN_FINER = 2.0
 """Factor by which a thumbnail is drawn larger, so that its labels do not hide the picture."""
 BARE = View(layers=frozenset({"labels"}))
 """The view of a thumbnail, without labels."""
-
-
-def _heading(text: str) -> PlainLabel:
-    heading = PlainLabel(text)
-    heading.setObjectName("paneTitle")
-    return heading
 
 
 class StartCard(QWidget):
@@ -105,9 +99,9 @@ class StartCard(QWidget):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
-            _heading(self.tr("Learn")), *self._lessons(progress),
+            PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),
             *self._review(review, next_review), 12,
-            _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
+            PlainLabel(self.tr("Files"), objectName="paneTitle"), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
         set_tip(always, self.tr("Help > Start card shows it at any time"))
@@ -129,8 +123,8 @@ class StartCard(QWidget):
         self._drawing.start(0)
 
     def _head(self) -> QHBoxLayout:
-        title = PlainLabel(self.tr("How a camera turns a 3-D scene into a picture"))
-        title.setObjectName("cardTitle")
+        text = self.tr("How a camera turns a 3-D scene into a picture")
+        title = PlainLabel(text, objectName="cardTitle")
         tip = self.tr("Begin with the letter F (Esc)")
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
         return in_row((title, 1), leave)
@@ -170,8 +164,7 @@ class StartCard(QWidget):
             act = partial(self._leave_for, self.review_wanted)
             yield tool_button(text, tip, act, icon="reset", flat=True)
         if following:
-            said = PlainLabel(following)
-            said.setObjectName("paneNote")
+            said = PlainLabel(following, objectName="paneNote")
             said.setIndent(round(1.3 * said.fontMetrics().height()))  # below the text
             yield said
 

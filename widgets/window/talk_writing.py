@@ -12,7 +12,6 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QLineEdit,
     QMainWindow,
-    QVBoxLayout,
     QWidget,
 )
 
@@ -21,6 +20,8 @@ from app.document.store import Store
 from app.lessons.lesson import Lesson
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
+from widgets.parts.buttons import dialog_buttons
+from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel, set_tip
@@ -62,18 +63,19 @@ class TalkWriter(QObject):
 
     def write_step(self, title: str, panes: bool) -> bool:
         """Write the current state into the open file as a new step; return False if that fails."""
-        lesson, step = self._lessons.lesson, self._lessons.step
-        assert lesson is not None and step is not None
-        if self._is_gone(lesson):
+        player = self._lessons.player
+        assert player is not None
+        path = player.lesson.path
+        if self._is_gone(player.lesson):
             return False
         try:
-            added = add_step(lesson.path, step.name, title, self._store.seen, panes=panes)
+            added = add_step(path, player.step.name, title, self._store.seen, panes=panes)
         except Refusal as error:
             self._messages.show_message(sentence(error))
             return False
         self._messages.done()
         self._lessons.read_again(added.name)
-        text = self.tr("Added as step {0} of {1}").format(added.place + 1, lesson.path.name)
+        text = self.tr("Added as step {0} of {1}").format(added.place + 1, path.name)
         self._window.statusBar().showMessage(text, MESSAGE_MS)
         return True
 
@@ -114,14 +116,8 @@ class TitleDialog(QDialog):
         self.panes = QCheckBox(self.tr("Keep the &panes turned as they are"))
         set_tip(self.panes, self.tr("The state is then a document beside the file"))
         self.panes.setVisible(turned)
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(self.accept)
-        buttons.rejected.connect(self.reject)
-        layout = QVBoxLayout(self)
-        for widget in (label, self.field, self.panes, buttons):
-            layout.addWidget(widget)
+        buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Ok)
+        in_column(label, self.field, self.panes, buttons, on=self)
         ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
         ok.setEnabled(bool(title.strip()))
         self.field.textChanged.connect(lambda text: ok.setEnabled(bool(text.strip())))

@@ -8,7 +8,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -18,9 +17,8 @@ from PySide6.QtWidgets import QApplication, QMainWindow
 
 from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
 from app.document.store import Store
-from app.lessons.blocks.block import ReadBlock
-from app.lessons.course import Course
-from app.lessons.state import State
+from app.lessons.blocks.block import Here, ReadBlock
+from app.lessons.player import Player
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
@@ -50,8 +48,6 @@ class Talks(QObject):
     ----------
     speaker : SpeakerWindow or None
         While it is open.
-    revealed : int
-        Progress through the step: its picture alone, then each question asked, and answered.
     """
 
     def __init__(
@@ -77,10 +73,6 @@ class Talks(QObject):
         self._ahead = StepPreparation(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
-        self.revealed = 0
-        self._reached: dict[int, int] = {}
-        """How far each step was revealed when it was left: Page Up shows it so again."""
-        self._shown: tuple[Course, int] | None = None
         self._looks = False
         """Whether the slide is being painted for the speaker's window."""
         self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
@@ -129,53 +121,35 @@ class Talks(QObject):
         course = self._lessons.course
         return course is not None and course.file is not None
 
-    @property
-    def _questions(self) -> Sequence[ReadBlock]:
-        step = self._lessons.step
-        return [part for part in step.parts if part.reveals] if step is not None else []
-
-    def _question_text(self, course: Course, place: int) -> str:
-        """Return the current question, or its answer; empty for none."""
-        if not self.revealed:
-            return ""
-        question = self._questions[(self.revealed - 1) // 2]
-        if self.revealed % 2:
-            return question.posed()
-        answer = ""
+    def _answer_of(self, question: ReadBlock, here: Here) -> str:
         try:
-            answer = answer_of(question, course.at(place))
+            return answer_of(question, here)
         except Refusal as error:
-            self._refuse(named(error, course.lesson.path))
-        return question.explained(answer, others=False)
+            lesson = self._lessons.lesson
+            self._refuse(named(error, lesson.path) if lesson is not None else sentence(error))
+            return ""
 
     def _show(self, _told: object = None) -> None:
         """Show the step to the class and to the speaker."""
-        course, place = self._lessons.course, self._lessons.place
-        if self._shown is None or course is not self._shown[0]:
-            self._reached, self.revealed = {}, 0
-        elif place != self._shown[1]:
-            self._reached[self._shown[1]], self.revealed = self.revealed, 0
-        self._shown = None if course is None else (course, place)
+        player = self._lessons.player
         self._keys.listen(self.is_on, self.speaker)
         self._band.setVisible(self.is_on)
         self._forget_refusal()
         self._keys.forget()
-        if course is None:
+        if player is None:
             self._pen.show_step("")
             self._question.show_text("", 1.0)
             self._ahead.forget()
             self.close_speaker()
             return
-        step, count = course.lesson.steps[place], len(course.lesson.steps)
+        step = player.step
         self._pen.show_step(step.name)
         self._pose()
         if self.is_on:
             self._band.set_screen(self._screen_px)
-            self._band.show_step(step, f"{place + 1} / {count}")
+            self._band.show_step(step, f"{player.place + 1} / {len(player.lesson.steps)}")
         if self.speaker is not None:
-            left_out = self._band.left_out if self.is_on else ""
-            left = 2 * len(self._questions) - self.revealed
-            self.speaker.show_step(course, place, left_out, left)
+            self.speaker.show_step(player, self._band.left_out if self.is_on else "")
         self.see_later()
         if self.is_on or self.speaker is not None:
             self._ahead.begin_later()
@@ -188,9 +162,9 @@ class Talks(QObject):
 
     def _pose(self) -> None:
         """Show the question or its answer, but over no picture that moves."""
-        course, text = self._lessons.course, ""
-        if course is not None and self.is_on and not self._lessons.is_moving:
-            text = self._question_text(course, self._lessons.place)
+        player, text = self._lessons.player, ""
+        if player is not None and self.is_on and not self._lessons.is_moving:
+            text = player.said(self._answer_of)
         self._question.show_text(text, self._screen_px)
 
     # -- the pen
@@ -241,8 +215,8 @@ class Talks(QObject):
         if self.reveal():
             return
         self._unblank()
-        lesson = self._lessons.lesson
-        if lesson is not None and self._lessons.place + 1 == len(lesson.steps):
+        player = self._lessons.player
+        if player is not None and player.is_last:
             self._show_message(self.tr("This is the last step."))
         else:
             self._lessons.next()
@@ -250,40 +224,36 @@ class Talks(QObject):
     def previous(self) -> None:
         """Go the way of `next` back, to the previous step as it was left."""
         self._unblank()
-        if self.revealed:
-            before = self._state
-            self.revealed -= 1
+        player = self._lessons.player
+        if player is not None and player.revealed:
+            before = player.told_state
+            player.revealed -= 1
             self._show()
-            if self._state is None and before is not None:
+            if player.told_state is None and before is not None:
                 self._lessons.come_back()
-            elif self._state is not before:
-                self._show_state()
-        elif self._lessons.previous():
-            self.revealed = self._reached.get(self._lessons.place, 0)
+            elif player.told_state is not before:
+                self._show_state(player)
+        elif self._lessons.previous() and player is not None:
+            player.reach_again()
             self._show()
-            self._show_state()
+            self._show_state(player)
 
     def reveal(self) -> bool:
         """Ask the next question, or answer it; return False if all are answered."""
-        if self.revealed >= 2 * len(self._questions):
+        player = self._lessons.player
+        before = player.told_state if player is not None else None
+        if player is None or not player.reveal():
             return False
         self._unblank()
-        before = self._state
-        self.revealed += 1
         self._show()
-        if self._state is not before:
-            self._show_state()
+        if player.told_state is not before:
+            self._show_state(player)
         return True
 
-    @property
-    def _state(self) -> State | None:
-        """The state that the last of the given answers shows; None for that of the step."""
-        answered = self._questions[: self.revealed // 2]
-        return next((each.show for each in reversed(answered) if each.show is not None), None)
-
-    def _show_state(self) -> None:
-        if self._state is not None:
-            self._lessons.show_predicted(self._state)
+    def _show_state(self, player: Player) -> None:
+        """Show the state of the last given answer."""
+        if player.told_state is not None:
+            self._lessons.show_predicted(player.told_state)
             self._pose()
 
     def jump(self, number: int) -> None:

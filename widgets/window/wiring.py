@@ -55,7 +55,7 @@ def _wire_components(window: Any) -> None:
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
-        (menus.reduce_motion.triggered, window.set_reduced_motion),
+        (menus.reduce_motion.triggered, partial(setattr, window.settings, "reduce_motion")),
         (menus.view_menu.aboutToShow, window.show_motion),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
@@ -103,9 +103,9 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
-    card.hidden.connect(window.hiding.hide)
-    card.hidden.connect(window.pane_words.hide)
-    card.aimed.connect(window.pointing.aim)
+    card.page.hidden.connect(window.hiding.hide)
+    card.page.hidden.connect(window.pane_words.hide)
+    card.page.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
     card.toggled.connect(window.side.make_room)
     card.handles_called.connect(partial(window.panes["world"].request, "handles"))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from app.lessons import marking
-from app.lessons.blocks.block import Here
+from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import MatrixQuestion
@@ -19,7 +19,6 @@ from app.lessons.blocks.question import (
     Question,
     Reply,
     Value,
-    Verdict,
     reply_below,
 )
 from app.lessons.lines import LACKS, Body, refused
@@ -108,8 +107,11 @@ class Answer(MarkedQuestion):
         return wrong or Verdict(False, too_short=too_short, remark=remark)
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
+        return self.printed([write(self.answer(here))])
+
+    def printed(self, numbers: Sequence[str]) -> str:
         unit = self.unit if self.unit in ("", "°") else f" {self.unit}"
-        return f"{write(self.answer(here))}{unit}"
+        return super().printed(numbers) + unit
 
     def with_answer(self, answer: str, *, others: bool = True) -> str:
         return f"{self.text}  \n**{answer}**{RIGHT}" if answer else self.text

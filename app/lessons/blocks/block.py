@@ -6,18 +6,23 @@ a lesson uses these methods, whatever the kind.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from fractions import Fraction
 from pathlib import Path
-from typing import Any, ClassVar, NamedTuple, Protocol, TypeVar
+from typing import Any, ClassVar, NamedTuple, Protocol
 
 from app.document.document import Document
 from app.document.view import View
 from app.lessons.lines import Body, Items
 from app.lessons.quantities import Quantities
 from app.lessons.state import State
+from app.lessons.text import escaped
 from app.model.refusal import Refusal
+
+REVEALED = "told"
+"""Kept as the answer if the program has shown it."""
 
 
 class Idea(NamedTuple):
@@ -91,6 +96,77 @@ class Trial:
             self.add_fault(error)
 
 
+class Verdict(NamedTuple):
+    """The response to an answer.
+
+    Attributes
+    ----------
+    idea : str
+        Name of the wrong idea behind it; empty if it has none.
+    says : str
+        Markdown.
+    state : Document, optional
+        A state that shows what `says` explains.
+    too_short : bool
+        Whether the answer is right but has too few digits.
+    remark : Refusal, optional
+        How an answer that no idea explains differs from the right one.
+    cells : tuple of bool
+        Which numbers of a matrix are right, row after row.
+    beside : Document, optional
+        A state that shows the idea's number beside the model's own one.
+    """
+
+    right: bool
+    idea: str = ""
+    says: str = ""
+    state: Document | None = None
+    too_short: bool = False
+    remark: Refusal | None = None
+    cells: tuple[bool, ...] = ()
+    beside: Document | None = None
+
+    @property
+    def word(self) -> str:
+        """Return the word in a ``test`` block: ``right``, the idea's name, or ``wrong``."""
+        return "right" if self.right else self.idea or "wrong"
+
+
+class Sample(NamedTuple):
+    """A sample answer to a block, or values to set in a task, and the expected verdict."""
+
+    block: str
+    text: str
+    verdict: str
+    line: int
+
+
+class SpeakerNote(NamedTuple):
+    """What only the speaker reads at a step, and the planned minutes."""
+
+    line: int
+    text: str
+    minutes: float
+
+
+@dataclass
+class StepContent:
+    """The content of a step, to which each block adds itself.
+
+    Attributes
+    ----------
+    parts : list of ReadBlock
+        Everything that the student reads and answers; `words` and `asked` are among them.
+    """
+
+    parts: list[ReadBlock] = field(default_factory=list)
+    words: list[TextBlock] = field(default_factory=list)
+    asked: list[Asked] = field(default_factory=list)
+    samples: list[Sample] = field(default_factory=list)
+    state: State | None = None
+    note: SpeakerNote | None = None
+
+
 @dataclass(frozen=True, kw_only=True)
 class Block:
     """A block of a step.
@@ -115,23 +191,22 @@ class Block:
         """Read the block; a `Refusal` names the line that is wrong."""
         raise NotImplementedError
 
+    def add_to(self, content: StepContent) -> None:
+        """Add the block to what the step shows, asks, or says to a speaker or a check."""
+
     def texts(self) -> Iterator[tuple[int, str]]:
         """Yield every text that may contain formulas, with its line."""
         yield from ()
+
+    def only_for(self, asked: Collection[str]) -> Block:
+        """Return the block without references to questions that the step lacks."""
+        return self
 
     def check_names(self, asked: Iterable[str]) -> None:
         """Refuse names that do not match the step's questions and tasks."""
 
     def check(self, here: Here, trial: Trial) -> None:
         """Try the whole block on the model; a `Refusal` ends the check of this block."""
-
-
-AnyBlock = TypeVar("AnyBlock", bound=Block)
-
-
-def of_kind(blocks: Iterable[Block], kind: type[AnyBlock]) -> tuple[AnyBlock, ...]:
-    """Return the blocks of a kind, in order."""
-    return tuple(block for block in blocks if isinstance(block, kind))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -152,6 +227,9 @@ class ReadBlock(Block):
     text: str
     why: str = ""
     show: State | None = None
+
+    def add_to(self, content: StepContent) -> None:
+        content.parts.append(self)
 
     @property
     def is_tall(self) -> bool:
@@ -178,8 +256,21 @@ class ReadBlock(Block):
 class TextBlock(ReadBlock):
     """The text between two blocks."""
 
+    def add_to(self, content: StepContent) -> None:
+        super().add_to(content)
+        content.words.append(self)
+
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.line, self.text
+
+
+class Variant(NamedTuple):
+    """A question or a task with its numbers, and the step with its state."""
+
+    seed: int
+    numbers: Mapping[str, Fraction]
+    question: Asked
+    here: Here
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -190,8 +281,20 @@ class Asked(ReadBlock):
     ----------
     holds : bool
         Whether the step continues only after an answer.
+    retries : bool
+        Whether the student may answer again after a wrong answer.
+    varies : bool
+        Whether its numbers are drawn anew for each seed.
+    has_field : bool
+        Whether the student answers in the block itself, where the cursor can be.
+    is_worked : bool
+        Whether the student works the answer out on paper.
     name : str
         Used by samples and the student's progress; unique within a step.
+    unit : str
+        The unit of the answer, one of `UNITS`.
+    pane : str
+        The picture in which the student points at the answer; empty for other answers.
     said : tuple of (int, str)
         All replies to answers, and the hints, each with its line.
     hides : frozenset of str
@@ -200,10 +303,20 @@ class Asked(ReadBlock):
 
     needs_answer: ClassVar[bool] = True
     holds: ClassVar[bool] = False
+    retries: ClassVar[bool] = True
+    varies: ClassVar[bool] = False
+    has_field: ClassVar[bool] = True
+    is_worked: ClassVar[bool] = True
     name: str
+    unit: str = ""
+    pane: str = ""
     hints: tuple[str, ...] = ()
     responses: tuple[tuple[int, str], ...] = ()
     hides: frozenset[str] = frozenset()
+
+    def add_to(self, content: StepContent) -> None:
+        super().add_to(content)
+        content.asked.append(self)
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.line + 1, self.text  # below the block's first line
@@ -227,3 +340,95 @@ class Asked(ReadBlock):
     def drawn(self, here: Here, sample: str) -> str:
         """Return the numbers that an exercise has drawn for a sample that it could mark."""
         return ""
+
+    def variant(self, here: Here, seed: int) -> Variant:
+        """Return the block for a seed; a `Refusal` if no numbers suit."""
+        return Variant(0, {}, self, here)
+
+    def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
+        """Report an answer that no sample gives; `verdicts` are those of the samples."""
+
+    # -- the student's answer
+
+    @property
+    def handles(self) -> frozenset[str]:
+        """The handles of the world that change what it is about, by name or setting."""
+        return frozenset()
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
+        raise NotImplementedError
+
+    def accepts(self, here: Here, kept: str) -> bool:
+        """Whether a kept answer, perhaps of an older lesson, settles the question."""
+        return False
+
+    def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
+        """Whether the window's current state is the answer; a `Refusal` names the line."""
+        return False
+
+    def verdict_in(
+        self, here: Here, now: Document, view: View | None = None
+    ) -> tuple[int, Verdict] | None:
+        """Return the line of the wrong idea behind the window's state, and the verdict on it."""
+        return None
+
+    def is_about(self, change: str) -> bool:
+        """Whether a change of the document, as an assignment, belongs to the answer."""
+        return True
+
+    def own_answer(self, typed: str) -> str:
+        """Return a student's answer as Markdown."""
+        return f"**{escaped(typed)}**"
+
+    def response_to(self, idea: str) -> str:
+        """Return the lesson's own response to a wrong idea, as Markdown; empty if it has none."""
+        return ""
+
+    # -- the right answer
+
+    @property
+    def answer_line(self) -> int:
+        """The line that states the right answer."""
+        return self.line
+
+    @property
+    def can_be_told(self) -> bool:
+        """Whether the program knows an answer that it can show."""
+        return True
+
+    def right_sample(self, here: Here) -> str:
+        """Return the right answer as in a sample; empty if it has no value."""
+        return ""
+
+    def right_text(self, answer: str) -> str:
+        """Return the right answer as Markdown; `answer` is from `answer_text`."""
+        return f"\n\n{answer}" if "\n" in answer else answer and f"**{answer}**"
+
+    def solution(self, here: Here) -> str:
+        """Return the way to the answer as Markdown; empty if there is none."""
+        return ""
+
+    def reasons(self, here: Here) -> Iterator[str]:
+        """Yield what explains the right answer once it is known, as Markdown."""
+        yield self.why
+
+    # -- on paper
+
+    @property
+    def is_on_paper(self) -> bool:
+        """Whether it can be solved on paper, rather than in the window."""
+        return False
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns of the numbers that are written as the answer; none for a place."""
+        return 1, 1
+
+    def marked_place(self, here: Here) -> tuple[tuple[float, ...], float] | None:
+        """Return the right place in a picture, and its tolerance as a part of the width."""
+        return None
+
+    def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
+        """Yield the names of the wrong ideas, and the answer that each leads to."""
+        yield from ()

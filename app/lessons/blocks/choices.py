@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import RIGHT, Question, Reply, Verdict, reply_below
+from app.lessons.blocks.block import REVEALED, Here, Verdict
+from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply, reply_below
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
@@ -23,8 +23,6 @@ ONE_RIGHT = QT_TRANSLATE_NOOP(
 OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
-LETTERS = "ABCDEFGHIJ"
-"""The letters by which a class names the choices."""
 MANY = 4
 """Number of choices from which a talk's band needs many lines."""
 _IDEA = re.compile(r"(?<=\s)\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
@@ -69,9 +67,9 @@ class Choice(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Choices(Question):
-    """A question with choices; `retries` tells whether the student may choose again."""
+    """A question with choices."""
 
-    retries: ClassVar[bool] = True
+    is_worked: ClassVar[bool] = False
     replies: tuple[Choice, ...]
 
     @classmethod
@@ -99,9 +97,23 @@ class Choices(Question):
         yield from super().texts()
         yield from ((each.line, each.text) for each in self.replies)
 
-    def chosen(self, here: Here, number: int) -> Verdict:
-        """Return the verdict on a choice, counted from 0."""
-        reply = self.replies[number]
+    def own_answer(self, typed: str) -> str:
+        return f"*{self.replies[int(typed) - 1].text}*"
+
+    def right_sample(self, here: Here) -> str:
+        return str(self.right + 1)
+
+    def right_text(self, answer: str) -> str:
+        return self.replies[self.right].text
+
+    def accepts(self, here: Here, kept: str) -> bool:
+        if kept == REVEALED:
+            return self.retries
+        return kept in [str(number) for number, _ in enumerate(self.replies, 1)]
+
+    def mark(self, here: Here, typed: str) -> Verdict:
+        """Return the verdict on a choice, counted from 1."""
+        reply = self.replies[int(typed) - 1]
         return reply.verdict(here, self.why) if reply.right else self.reply_to(here, reply)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
@@ -109,7 +121,7 @@ class Choices(Question):
         number = whole(sample, count)
         if not number:
             raise refused(line, A_NUMBER_OF, count, value=sample)
-        return self.chosen(here, number - 1).word
+        return self.mark(here, str(number)).word
 
     def posed(self) -> str:
         return self._listed(lambda _each: True, "")

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from app.document.view import PANES
 from app.lessons import marking
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, reply_below
+from app.lessons.blocks.block import Here, Verdict
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.quantities import read_formula
@@ -48,7 +48,7 @@ class Click(MarkedQuestion):
     """
 
     kind = "answer"
-    pane: str
+    is_worked = False
     within_px: float
 
     @classmethod
@@ -129,8 +129,18 @@ class Click(MarkedQuestion):
         sides = [way.sides(name) for name, way in zip(names, parts, strict=True) if way is not None]
         return in_list(sides) if len(sides) == len(parts) else ""
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        return 0, 0
+
+    def marked_place(self, here: Here) -> tuple[Value, float]:
+        return self.answer(here), self.within_px / PICTURE_PX
+
+    def printed(self, numbers: Sequence[str]) -> str:
+        return f"({super().printed(numbers)})"
+
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
-        return f"({', '.join(map(write, self.answer(here)))})"
+        return self.printed([write(each) for each in self.answer(here)])
 
 
 def _place(item: LineItem, count: int) -> tuple[Formula, ...]:

@@ -11,12 +11,12 @@ import math
 import random
 import re
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.block import Asked, Here, Trial, Variant
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, whole
@@ -65,15 +65,6 @@ class Varied(NamedTuple):
     values: tuple[Fraction, ...]
 
 
-class Variant(NamedTuple):
-    """An exercise with its numbers: a question or a task, and the step with its state."""
-
-    seed: int
-    numbers: Mapping[str, Fraction]
-    question: Question | Task
-    here: Here
-
-
 @dataclass(frozen=True, kw_only=True)
 class Exercise(Asked):
     """A recipe for questions; `recipe` is the body of each, before the numbers are written in.
@@ -88,6 +79,7 @@ class Exercise(Asked):
     """
 
     kind = "exercise"
+    varies = True
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
     states: Lines
@@ -119,8 +111,7 @@ class Exercise(Asked):
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
             states=states, hides=frozenset(hides), recipe=recipe,
         )  # fmt: skip
-        object.__setattr__(made, "text", made.first.text)
-        return made
+        return replace(made, text=made.first.text, hints=made.first.hints)
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield from self.first.texts()
@@ -143,8 +134,7 @@ class Exercise(Asked):
 
     @property
     def is_on_paper(self) -> bool:
-        """Whether it can be solved on paper; a task is done in the window."""
-        return isinstance(self.first, Question)
+        return self.first.is_on_paper
 
     def variant(self, here: Here, seed: int, *, complete: bool = False) -> Variant:
         """Return the exercise for a seed; a `Refusal` if no numbers suit.

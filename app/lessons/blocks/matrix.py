@@ -9,12 +9,13 @@ from itertools import combinations
 from typing import TypeVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import Here
-from app.lessons.blocks.question import MarkedQuestion, Reply, Value, Verdict, reply_below
+from app.lessons.blocks.block import Here, Verdict
+from app.lessons.blocks.question import MarkedQuestion, Reply, Value, reply_below
 from app.lessons.blocks.working import has_names, in_list, working
 from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.marking import TypedNumber
 from app.lessons.quantities import read_formula
+from app.lessons.text import escaped
 from app.model.formula import Formula
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -178,6 +179,22 @@ class MatrixQuestion(MarkedQuestion):
         is_vector = min(self.rows, self.columns) == 1
         return f"v_{place + 1}" if is_vector else f"m_{{{row + 1}{column + 1}}}"
 
+    @property
+    def shape(self) -> tuple[int, int]:
+        return self.rows, self.columns
+
+    def _in_rows(self, cells: Sequence[str]) -> list[Sequence[str]]:
+        return [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
+
+    def sample_of(self, numbers: Sequence[str]) -> str:
+        return "; ".join(" | ".join(row) for row in self._in_rows(numbers))
+
+    def printed(self, numbers: Sequence[str]) -> str:
+        return "; ".join(", ".join(row) for row in self._in_rows(numbers))
+
+    def own_answer(self, typed: str) -> str:
+        return f"\n\n{self.table([escaped(cell) for cell in self.texts_of(typed)])}"
+
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         unit = f"\n\n{self.unit}" if self.unit else ""
         return self.table([write(value) for value in self.answer(here)]) + unit
@@ -187,8 +204,7 @@ class MatrixQuestion(MarkedQuestion):
 
     def table(self, cells: Sequence[str]) -> str:
         """Write the cells as a table in Markdown."""
-        rows = [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
-        lines = [[""] * self.columns, ["---"] * self.columns, *rows]
+        lines = [[""] * self.columns, ["---"] * self.columns, *self._in_rows(cells)]
         return "\n".join(f"| {' | '.join(line)} |" for line in lines)
 
 

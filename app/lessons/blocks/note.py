@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from app.lessons.blocks.block import Block
+from app.lessons.blocks.block import Block, SpeakerNote, StepContent
 from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
 
 
@@ -19,6 +19,9 @@ class Note(Block):
     text: str
     minutes: float
     text_line: int
+
+    def add_to(self, content: StepContent) -> None:
+        content.note = SpeakerNote(self.line, self.text, self.minutes)
 
     @classmethod
     def read(cls, body: Body) -> Note:

@@ -7,15 +7,14 @@ from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any, ClassVar, NamedTuple, TypeAlias
+from typing import Any, ClassVar, TypeAlias
 
-from app.document.document import Document
 from app.document.view import PANES
 from app.lessons import marking
 from app.lessons.blocks.beside import beside, is_set
-from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.block import REVEALED, Asked, Here, Trial, Verdict
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Items, LineItem, on_line, refused
 from app.lessons.marking import UNITS, TypedNumber
@@ -39,52 +38,21 @@ OTHER_NUMBER = QT_TRANSLATE_NOOP(
     "Refusal", "must be a number of the model that can be set, and the answer; it is {0} here"
 )
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
+NO_RIGHT = QT_TRANSLATE_NOOP(
+    "Refusal", "is tried by no sample “{0}: ... -> right”, so a wrong value would not be noticed"
+)
 
 Value: TypeAlias = tuple[float, ...]
 """The numbers of an answer: one, a matrix row after row, or coordinates."""
 
+LETTERS = "ABCDEFGHIJ"
+"""The letters by which a class names the choices."""
 RIGHT = " **✓**"
 """Marks the right answer, in Markdown."""
 HIDDEN = ("numbers", "lens", "scale", *PANES)
 """What a question may hide; the scale on paper only, where a ruler would find the answer."""
 CHECKS = ("check", "why", "hint", "hide")
 """Keys that every question may have."""
-
-
-class Verdict(NamedTuple):
-    """The response to an answer.
-
-    Attributes
-    ----------
-    idea : str
-        Name of the wrong idea behind it; empty if it has none.
-    says : str
-        Markdown.
-    state : Document, optional
-        A state that shows what `says` explains.
-    too_short : bool
-        Whether the answer is right but has too few digits.
-    remark : Refusal, optional
-        How an answer that no idea explains differs from the right one.
-    cells : tuple of bool
-        Which numbers of a matrix are right, row after row.
-    beside : Document, optional
-        A state that shows the idea's number beside the model's own one.
-    """
-
-    right: bool
-    idea: str = ""
-    says: str = ""
-    state: Document | None = None
-    too_short: bool = False
-    remark: Refusal | None = None
-    cells: tuple[bool, ...] = ()
-    beside: Document | None = None
-
-    @property
-    def word(self) -> str:
-        """Return the word in a ``test`` block: ``right``, the idea's name, or ``wrong``."""
-        return "right" if self.right else self.idea or "wrong"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -143,8 +111,6 @@ class Question(Asked):
         Conditions that hold if the right reply is correct.
     symbol : str
         TeX of what the value is called in its worked solution.
-    unit : str
-        The unit of the value, one of `UNITS`.
     number : str
         The name of the number of the model that the value is; empty if it is none, or is the key.
     """
@@ -153,7 +119,6 @@ class Question(Asked):
     replies: Sequence[Reply]
     checks: tuple[tuple[int, Condition], ...] = ()
     symbol: str = ""
-    unit: str = ""
     number: str = ""
 
     @staticmethod
@@ -168,9 +133,43 @@ class Question(Asked):
         return False  # it is in its own column beside the text
 
     @property
+    def is_on_paper(self) -> bool:
+        return True
+
+    @property
     def key(self) -> tuple[tuple[Formula, ...], int]:
         """Return the formulas of the right value, if there are any, and their line."""
         raise NotImplementedError
+
+    @property
+    def answer_line(self) -> int:
+        return self.key[1]
+
+    def response_to(self, idea: str) -> str:
+        return next((each.says for each in self.replies if each.idea == idea), "")
+
+    def right_sample(self, here: Here) -> str:
+        try:
+            values = self.values(here, *self.key)
+        except Refusal:
+            return ""
+        return self.sample_of([f"{each:.{marking.digits_shown(each, 5)}g}" for each in values])
+
+    def sample_of(self, numbers: Sequence[str]) -> str:
+        """Return the numbers of an answer as a sample."""
+        return " ".join(numbers)
+
+    def printed(self, numbers: Sequence[str]) -> str:
+        """Return the numbers of an answer for a reader."""
+        return ", ".join(numbers)
+
+    def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
+        for letter, reply in zip(LETTERS, self.replies, strict=False):
+            if reply.idea and not reply.right:
+                idea = here.idea(reply.idea)
+                name = reply.idea.replace("-", " ") if idea is None else idea.title.rstrip(".")
+                numbers = [write(each) for each in self.values(here, reply.formulas, reply.line)]
+                yield name, self.printed(numbers) if numbers else letter
 
     def known(self, here: Here) -> Quantities:
         """Return the quantities for its formulas: of the state that it shows, if it shows one."""
@@ -310,9 +309,19 @@ class MarkedQuestion(Question):
                 return self.reply_to(here, wrong)
         return None
 
-    def mark(self, here: Here, typed: str) -> Verdict:
-        """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
-        raise NotImplementedError
+    def accepts(self, here: Here, kept: str) -> bool:
+        try:
+            return kept == REVEALED or self.mark(here, kept).right
+        except Refusal:
+            return False
+
+    def reasons(self, here: Here) -> Iterator[str]:
+        yield self.solution(here)
+        yield self.why
+
+    def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
+        if Verdict(True).word not in verdicts:
+            trial.add_warning(refused(self.right_line, NO_RIGHT, self.name))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         try:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from dataclasses import dataclass
-from typing import NamedTuple
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass, replace
 
-from app.lessons.blocks.block import Block, Here, Trial
+from app.lessons.blocks.block import Block, Here, Sample, StepContent, Trial
 from app.lessons.lines import Body, refused
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -16,21 +15,18 @@ OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}�
 OF_VARIANT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”; this variant has {2}")
 
 
-class Sample(NamedTuple):
-    """A sample answer to a block, or values to set in a task, and the expected verdict."""
-
-    block: str
-    text: str
-    verdict: str
-    line: int
-
-
 @dataclass(frozen=True, kw_only=True)
 class Samples(Block):
     """Sample answers of a step."""
 
     kind = "test"
     samples: tuple[Sample, ...]
+
+    def add_to(self, content: StepContent) -> None:
+        content.samples += self.samples
+
+    def only_for(self, asked: Collection[str]) -> Samples:
+        return replace(self, samples=tuple(each for each in self.samples if each.block in asked))
 
     @classmethod
     def read(cls, body: Body) -> Samples:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from app.lessons.blocks.block import Block
+from app.lessons.blocks.block import Block, StepContent
 from app.lessons.lines import Body
 from app.lessons.state import State, read_state
 
@@ -16,6 +16,9 @@ class ShownState(Block):
     kind = "state"
     once = True
     state: State
+
+    def add_to(self, content: StepContent) -> None:
+        content.state = self.state
 
     @classmethod
     def read(cls, body: Body) -> ShownState:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
-from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.block import Asked, Here, Trial, Verdict
 from app.lessons.blocks.question import Reply, reply_below
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
@@ -20,7 +20,12 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right state")
 NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
+NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
+DONE = "done"
+"""Kept as the answer of a finished task, and the verdict on a sample that fulfils it."""
 _PANES = "view.panes="
+_IN_CONDITIONS = {"panes": "turned", "probes": "_"}
+"""The names that conditions have for fields of the view with other names."""
 _MOVED_BY = {
     each.formula: each.handle for each in (NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES)
 }
@@ -40,15 +45,15 @@ class Task(Asked):
 
     Attributes
     ----------
-    wrong : tuple of Wrong
     right : State, optional
         A state that fulfils the task, for the check; `why` says how it is found.
     """
 
     kind = "task"
+    has_field = False
     until: tuple[tuple[int, Condition], ...]
     done: str
-    wrong: tuple[Wrong, ...] = ()
+    replies: tuple[Wrong, ...] = ()
     right: State | None = None
 
     @classmethod
@@ -66,12 +71,11 @@ class Task(Asked):
                 wrong.append(Wrong(line=item.line, **given))
         return cls(
             **cls.fields(body, text, items), until=until, done=items.text("done"),
-            why=items.text("why"), wrong=tuple(wrong), right=state_in(items.single("right")),
+            why=items.text("why"), replies=tuple(wrong), right=state_in(items.single("right")),
         )  # fmt: skip
 
     @property
     def handles(self) -> frozenset[str]:
-        """The handles of the world that change what the task is about, by name or setting."""
         handles = set()
         for name in (name for _, condition in self.until for name in condition.letters):
             head, _, rest = name.removeprefix("was_").partition("_")
@@ -80,7 +84,6 @@ class Task(Asked):
         return frozenset(handles - {""})
 
     def is_done(self, here: Here, now: Document, view: View | None = None) -> bool:
-        """Whether the window's current state fulfils the task; a `Refusal` names the line."""
         known = here.quantities(now, view)
         for line, condition in self.until:
             with on_line(line, "until"):
@@ -88,19 +91,51 @@ class Task(Asked):
                     return False
         return True
 
-    def mistaken(self, here: Here, now: Document, view: View | None = None) -> Wrong | None:
-        """Return the wrong idea on which the window's current state was made, if it is known."""
+    def mistaken_in(self, here: Here, now: Document, view: View | None = None) -> Wrong | None:
         known = here.quantities(now, view)
-        for wrong in self.wrong:
+        for wrong in self.replies:
             with on_line(wrong.line, "wrong"):
                 if wrong.condition.holds(known):
                     return wrong
         return None
 
+    def accepts(self, here: Here, kept: str) -> bool:
+        return True
+
+    def is_about(self, change: str) -> bool:
+        section, _, name = change.partition("=")[0].partition(".")
+        asked = " ".join(condition.text for _, condition in self.until)
+        return section != "view" or _IN_CONDITIONS.get(name, name) in asked
+
+    @property
+    def can_be_told(self) -> bool:
+        return bool(self.why) or self.right is not None
+
+    def response_to(self, idea: str) -> str:
+        return next((each.says for each in self.replies if each.idea == idea), "")
+
+    def right_sample(self, here: Here) -> str:
+        return ", ".join(condition.text for _, condition in self.until)
+
+    def reasons(self, here: Here) -> Iterator[str]:
+        yield self.done
+        yield self.why
+
+    def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
+        for wrong in self.replies:
+            if Verdict(False, wrong.idea).word not in verdicts:
+                trial.add_fault(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
+
+    def verdict_in(
+        self, here: Here, now: Document, view: View | None = None
+    ) -> tuple[int, Verdict] | None:
+        wrong = self.mistaken_in(here, now, view)
+        return None if wrong is None else (wrong.line, wrong.verdict(here))
+
     def check_wrong(self, here: Here) -> None:
         """Refuse a wrong idea that leads to the right state."""
-        if self.right is not None and self.wrong:
-            wrong = self.mistaken(here, here.shown_by(self.right))
+        if self.right is not None and self.replies:
+            wrong = self.mistaken_in(here, here.shown_by(self.right))
             if wrong is not None:
                 raise refused(wrong.line, ALSO_RIGHT, value=wrong.condition.text)
 
@@ -111,7 +146,7 @@ class Task(Asked):
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
-        for wrong in self.wrong:
+        for wrong in self.replies:
             wrong.check(here, trial)
         if self.is_done(here, here.document):
             raise refused(self.line, NOTHING_TO_DO)
@@ -123,8 +158,8 @@ class Task(Asked):
         with on_line(line):
             now = _with_sample(own, sample.split())
         if self.is_done(here, now):
-            return "done"
-        wrong = self.mistaken(here, now)
+            return DONE
+        wrong = self.mistaken_in(here, now)
         return "open" if wrong is None else wrong.verdict(here).word
 
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.block import ReadBlock
+from app.lessons.blocks.block import Asked
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.predict import Predict
 from app.lessons.blocks.task import Task
-from app.lessons.course import AtStep
+from app.lessons.player import PlayedBlock
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.click import ClickView
 from widgets.window.lesson_blocks.exercise import ExerciseView
@@ -21,16 +21,16 @@ from widgets.window.lesson_blocks.number import NumberAnswerView
 from widgets.window.lesson_blocks.task import TaskView
 from widgets.window.lesson_blocks.view import BlockView
 
-VIEWS: dict[type[ReadBlock], Callable[..., BlockView]] = {
+VIEWS: dict[type[Asked], Callable[..., BlockView]] = {
     Predict: ChoiceView,
     Choices: ChoiceView,
     Answer: NumberAnswerView,
     MatrixQuestion: MatrixAnswerView,
     Click: ClickView,
     Task: TaskView,
-    Exercise: lambda here, block: ExerciseView(here, block, view_of),
+    Exercise: lambda played, exercise: ExerciseView(played, exercise, view_of),
 }
 
 
-def view_of(here: AtStep, block: ReadBlock) -> BlockView:
-    return VIEWS[type(block)](here, block)
+def view_of(played: PlayedBlock, question: Asked) -> BlockView:
+    return VIEWS[type(question)](played, question)

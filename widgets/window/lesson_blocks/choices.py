@@ -6,14 +6,14 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
+from app.lessons.blocks.block import REVEALED, Verdict
 from app.lessons.blocks.choices import Choices
-from app.lessons.course import AtStep
-from app.lessons.record import SHOWN
+from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.window.lesson_blocks.view import REVEALED, BlockView, Sign, button, hand_in
+from widgets.window.lesson_blocks.view import BlockView, Sign
 
 
 class _ChoiceButton(QWidget):
@@ -69,8 +69,8 @@ _ARROWS: dict[int, int] = {
 class ChoiceView(BlockView):
     """The choices of a question: a prediction is made once; an answer may be repeated."""
 
-    def __init__(self, here: AtStep, question: Choices) -> None:
-        super().__init__(here, question)
+    def __init__(self, played: PlayedBlock, question: Choices) -> None:
+        super().__init__(played, question)
         self.question = question
         self._choices = [_ChoiceButton(choice.text) for choice in question.replies]
         self._group = QButtonGroup(self)
@@ -78,13 +78,13 @@ class ChoiceView(BlockView):
             self._group.addButton(choice.button, number)
             choice.button.installEventFilter(self)
             self._insert(choice)
-        name, tip = self.tr("Chec&k"), self.tr("Enter")
+        name, tip = "", ""
         if not question.retries:
             name, tip = self.tr("&Commit"), self.tr("This is my prediction (Enter)")
-        self._commit = button(name, tip, self.commit)
+        self._commit = self._answer_button(self.commit, name, tip)
         self._commit.setEnabled(False)
         self._column.addWidget(self._commit)
-        self._group.idToggled.connect(lambda *_: self._commit.setEnabled(self.is_open))
+        self._group.idToggled.connect(lambda *_: self._commit.setEnabled(played.is_open))
 
     @property
     def first(self) -> QWidget | None:
@@ -100,16 +100,17 @@ class ChoiceView(BlockView):
         names = [str(number) for number, _ in enumerate(self._choices, 1)]
         return names.index(answer) if answer in names else None
 
-    def restore(self, answer: str) -> None:
-        if answer == REVEALED and self.question.retries:
-            self.answer = REVEALED
+    def restore(self) -> None:
+        answer = self.played.answer
+        if answer == REVEALED:
             self._show_right_answer()
             return
-        number = self._number(answer)
-        if number is not None:
-            self._choices[number].button.setChecked(True)
-            self.answer = answer
-            self._show_verdict(number, shows=False)
+        self._show(answer)
+        try:
+            verdict = self.question.mark(self.played.here, answer)
+            self._show_verdict(int(answer) - 1, verdict, shows=False)
+        except Refusal as error:
+            self._refuse(error)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
@@ -124,14 +125,10 @@ class ChoiceView(BlockView):
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.is_open:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.played.is_open:
             self.commit()
         else:
             super().keyPressEvent(event)
-
-    def begin_test(self) -> None:
-        super().begin_test()
-        hand_in(self._commit)
 
     def commit(self) -> None:
         """Submit the current choice as the answer."""
@@ -141,38 +138,27 @@ class ChoiceView(BlockView):
             self._show_problem(text)
             self._speak(text)
             return
-        if self.is_test:
-            self._hand_in(str(number + 1))
-            return
-        settles = number == self.question.right or not self.question.retries
-        if settles:
-            self.answer = str(number + 1)
-        self._show_verdict(number, shows=True)
-        if settles:
-            self._settle(self.answer)
-
-    def give_hint(self) -> None:
-        super().give_hint()
-        if self.question.retries:
-            self._offer_answer(self.reveal_answer)
-
-    def reveal_answer(self) -> None:
-        """Show the right choice, and why it is right."""
-        self.answer = REVEALED
-        self._show_right_answer()
-        self.tried.emit("", SHOWN)
-        self._settle(REVEALED)
-
-    def _show_right_answer(self) -> None:
-        text = self.question.replies[self.question.right].text
         self._remove_response()
+        try:
+            verdict = self.played.submit(str(number + 1))
+            if self.played.is_test:
+                self._handed_in()
+                return
+            self._show_verdict(number, verdict, shows=True)
+        except Refusal as error:
+            self._refuse(error)
+        if not self.played.is_open:
+            self._settled()
+
+    def _show_right_answer(self) -> list[str]:
+        text = self.question.replies[self.question.right].text
         self._close()
         said = self.tr("The answer is {0}.").format(_quoted(text))
         said = f"{said} {self.question.why}".strip()
-        solution = self.question.solution(self.here)
+        solution = self.question.solution(self.played.here)
         self._add_text("help", "", said)
         self._add_text("", "", solution)
-        self._speak(said, solution)
+        return [said, solution]
 
     def _close(self) -> None:
         for choice in self._choices:
@@ -180,26 +166,19 @@ class ChoiceView(BlockView):
         self._commit.hide()
         self._choices[self.question.right].mark("check", self.tr("The model's answer"))
 
-    def _show_verdict(self, number: int, *, shows: bool) -> None:
-        question, right = self.question, self.question.right
-        self._remove_response()
-        try:
-            verdict = question.chosen(self.here, number)
-            show = question.show and self.here.shown_by(question.show)
-        except Refusal as error:
-            self._refuse(error)
-            return
-        if shows:
-            self.tried.emit(str(number + 1), verdict.word)
-        if not self.is_open:
+    def _show_verdict(self, number: int, verdict: Verdict, *, shows: bool) -> None:
+        """Respond to a choice; `shows` tells whether the window also shows what happens."""
+        question, here, right = self.question, self.played.here, self.question.right
+        show = question.show and here.shown_by(question.show)
+        if not self.played.is_open:
             self._close()
         if verdict.right:
             self._praise(verdict)
-            if self.here.given:  # the numbers of an exercise
-                self._add_text("", "", question.solution(self.here))
+            if here.given:  # the numbers of an exercise
+                self._add_text("", "", question.solution(here))
             show = show or verdict.state
         elif question.retries:
-            self._offer_answer(self.reveal_answer)
+            self._offer_answer()
             self._refute(verdict)
         else:
             self._choices[number].mark("close", self.tr("Your choice"))

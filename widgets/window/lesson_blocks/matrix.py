@@ -9,16 +9,16 @@ from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QP
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
 
 from app.lessons import marking
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.question import Verdict
-from app.lessons.course import AtStep
+from app.lessons.player import PlayedBlock
 from app.model.matrix_text import LONGEST, read_matrix
 from app.model.refusal import Refusal, format_value
 from widgets.parts.layouts import FREE
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
-from widgets.window.lesson_blocks.view import Sign, button, on_holder
+from widgets.window.lesson_blocks.view import Sign, on_holder
 
 CELL_EM = 6.0
 """Largest width of a cell, in line heights."""
@@ -74,8 +74,8 @@ class MatrixAnswerView(MarkedAnswerView):
 
     question: MatrixQuestion
 
-    def __init__(self, here: AtStep, question: MatrixQuestion) -> None:
-        super().__init__(here, question)
+    def __init__(self, played: PlayedBlock, question: MatrixQuestion) -> None:
+        super().__init__(played, question)
         holder = _Brackets()
         grid = QGridLayout(holder)
         grid.setContentsMargins(_BRACKET_PX + 2, 4, _BRACKET_PX + 2, 4)
@@ -93,7 +93,7 @@ class MatrixAnswerView(MarkedAnswerView):
             grid.addWidget(cell, 2 * cell.row, cell.column)
             middle = Qt.AlignmentFlag.AlignHCenter
             grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, middle)
-        self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
+        self._check = self._answer_button(self.check)
         unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder(holder, *unit, FREE, gap=5))
         self._insert(on_holder(self._check, FREE, gap=5))
@@ -109,7 +109,7 @@ class MatrixAnswerView(MarkedAnswerView):
             and event.type() == QEvent.Type.KeyPress
         ):
             if event.matches(QKeySequence.StandardKey.Paste):
-                return self.is_open and self._paste()
+                return self.played.is_open and self._paste()
             if not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
                 return self._go(watched, Qt.Key(event.key()))
         return super().eventFilter(watched, event)
@@ -150,7 +150,7 @@ class MatrixAnswerView(MarkedAnswerView):
 
     def check(self) -> None:
         """Say which numbers are right; go to one that is missing or cannot be read."""
-        if not self.is_open:
+        if not self.played.is_open:
             return
         for cell in self.cells:
             try:

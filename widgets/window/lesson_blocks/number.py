@@ -5,20 +5,20 @@ from __future__ import annotations
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.question import Verdict
-from app.lessons.course import AtStep
+from app.lessons.blocks.block import Verdict
+from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from widgets.parts.layouts import FREE
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
-from widgets.window.lesson_blocks.view import button, on_holder
+from widgets.window.lesson_blocks.view import on_holder
 
 
 class NumberAnswerView(MarkedAnswerView):
     """A question with a typed number."""
 
-    def __init__(self, here: AtStep, question: Answer) -> None:
-        super().__init__(here, question)
+    def __init__(self, played: PlayedBlock, question: Answer) -> None:
+        super().__init__(played, question)
         self.field = QLineEdit()
         self.field.setAccessibleName(self.tr("Answer: {0}").format(spoken_text(question.text)))
         set_tip(
@@ -29,7 +29,7 @@ class NumberAnswerView(MarkedAnswerView):
         self.field.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self.field.setMaximumWidth(11 * self.fontMetrics().height())
         self.field.returnPressed.connect(self.check)
-        self._check = button(self.tr("Chec&k"), self.tr("Enter"), self.check)
+        self._check = self._answer_button(self.check)
         unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder((self.field, 1), *unit, self._check, FREE, gap=5))
 
@@ -39,7 +39,7 @@ class NumberAnswerView(MarkedAnswerView):
 
     def check(self) -> None:
         """Say whether the typed number is right."""
-        if self.is_open:
+        if self.played.is_open:
             self._submit(self.field.text())
 
     def _show(self, typed: str) -> None:

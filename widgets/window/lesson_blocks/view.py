@@ -2,11 +2,11 @@
 
 ::
 
-    an answer counts, or a task is seen done -> view.settled(answer) -> the card keeps it
+    an answer -> PlayedBlock.submit, which marks and keeps it -> view.settled -> the page
     "Show it" -> view.show_wanted(document) -> the window
     an exercise is drawn -> view.posed(document) -> the window, as the step's own state
 
-`restore` shows a view with an earlier answer as the student left it.
+`restore` shows a block with an earlier answer as the student left it.
 """
 
 from __future__ import annotations
@@ -14,16 +14,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, QRect, Signal
+from PySide6.QtCore import QRect, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QFrame, QLineEdit, QPushButton, QSizePolicy, QWidget
 
 from app.document.document import Document
-from app.document.view import View
-from app.lessons.blocks.block import Asked
-from app.lessons.blocks.question import Verdict
-from app.lessons.course import AtStep
-from app.lessons.practice import verdict_on
+from app.lessons.blocks.block import Asked, Verdict
+from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
@@ -33,8 +30,6 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
-REVEALED = "told"
-"""Stored as the answer if the program has shown it."""
 SIGN_EM = 1.15
 """Size of a sign, relative to the text height beside it."""
 
@@ -72,38 +67,41 @@ class BlockView(QFrame):
     A subclass adds its own widgets by `_insert`; `sign` is a widget beside the text.
     """
 
-    settled = Signal(str)
-    """The block is answered; emits the answer."""
+    settled = Signal()
+    """The block is answered."""
     show_wanted = Signal(object)
     """The user wants to see this `Document`, which explains an answer."""
     posed = Signal(object)
     """The `Document` in which the question is asked, instead of the step's own."""
-    tried = Signal(str, str)
-    """An answer was given; emits it as in a sample, and the word of its verdict."""
     responded = Signal()
     """A response to the answer appeared."""
 
-    def __init__(self, here: AtStep, block: Asked, *sign: QWidget) -> None:
+    def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
         super().__init__()
         self.setObjectName("asked")
-        self.here, self.block = here, block
-        self.answer = ""
-        self.is_test = False
-        """Whether the answer is kept unmarked, for the end of a test."""
-        self.hints = list(block.hints)
-        """The hints not given yet."""
-        self.hints_read = 0
-        self.setAccessibleName(spoken_text(block.text))
+        self.played = played
+        self.setAccessibleName(spoken_text(question.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None
         """The newest hint, until another response comes."""
         self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
-        self._words: QWidget = LessonText(block.text)
+        self._words: QWidget = LessonText(question.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
         self._column = in_column(self._words, self._feedback, on=self, margins=(9, 7, 9, 8), gap=5)
+
+    def _answer_button(
+        self, act: Callable[[], object], name: str = "", tip: str = ""
+    ) -> QPushButton:
+        """Make the button that submits an answer; in a test there is one try."""
+        if self.played.is_test:
+            name, tip = (
+                self.tr("Hand it &in"),
+                self.tr("This is my answer; there is one try (Enter)"),
+            )
+        return button(name or self.tr("Chec&k"), tip or self.tr("Enter"), act)
 
     def _insert(self, widget: QWidget) -> None:
         """Add a widget above the response."""
@@ -113,21 +111,6 @@ class BlockView(QFrame):
         """Show the block as a part of another one, which has the frame."""
         self.setObjectName("")
         self._column.setContentsMargins(0, 0, 0, 0)
-
-    @property
-    def is_open(self) -> bool:
-        """Whether the block is still unanswered."""
-        return not self.answer
-
-    @property
-    def holds(self) -> bool:
-        """Whether the step continues only after an answer."""
-        return self.block.holds and self.is_open
-
-    @property
-    def hides(self) -> frozenset[str]:
-        """Return what must not be seen now, because it would show the answer."""
-        return self.block.hides if self.is_open else frozenset()
 
     @property
     def aims(self) -> BlockView | None:
@@ -144,21 +127,10 @@ class BlockView(QFrame):
         """Return the widgets of the newest response, from the top."""
         return self._responses if self._hint is None else [self._hint]
 
-    @property
-    def variant_seed(self) -> int:
-        """Return the number of an exercise's variant; 0 for what is no exercise."""
-        return 0
-
-    def begin_test(self) -> None:
-        """Give no hints, and keep the first answer for the end of a test."""
-        self.is_test = True
-        self.hints = []
-
-    def show_kept_answer(self, answer: str) -> None:
+    def show_kept_answer(self) -> None:
         """Show an answer that is kept for the end of a test; it can no longer be changed."""
-        self.answer = answer
         self._remove_response()
-        self._show(answer)
+        self._show(self.played.answer)
         for field in self.findChildren(QLineEdit):
             field.setReadOnly(True)
         for each in self.findChildren(QAbstractButton):
@@ -170,39 +142,54 @@ class BlockView(QFrame):
     def _show(self, answer: str) -> None:
         """Show an answer that was given earlier."""
 
-    def _hand_in(self, answer: str) -> None:
-        """Keep an answer for the end of a test."""
-        self.tried.emit(answer, verdict_on(self.block, self.here, answer))
-        self.show_kept_answer(answer)
+    def _handed_in(self) -> None:
+        """Show that an answer is kept for the end of a test."""
+        self.show_kept_answer()
         self._speak(self.tr("Your answer is kept until the end."))
-        self._settle(answer)
+        self._settled()
 
     def open_up(self) -> None:
         """Begin, as the block whose turn it is when its step opens."""
 
-    def restore(self, answer: str) -> None:
-        """Show the block as the student left it with an answer."""
+    def restore(self) -> None:
+        """Show an answered block as the student left it."""
 
-    def look(self, document: Document, view: View) -> None:
+    def look(self, now: Document) -> None:
         """Check how far the window's current state fulfils the block."""
 
     def give_hint(self) -> None:
-        if self.hints:
-            self.hints_read += 1
-            many = len(self.block.hints) > 1
-            head = self.tr("Hint {0}:").format(self.hints_read) if many else self.tr("Hint:")
-            text = f"*{head}* {self.hints.pop(0)}"
+        hint = self.played.give_hint()
+        if hint:
+            many = len(self.played.question.hints) > 1
+            head = self.tr("Hint {0}:").format(self.played.hints_read) if many else self.tr("Hint:")
+            text = f"*{head}* {hint}"
             self._hint = _row("help", "", text)
             self._insert(self._hint)
             self._speak(text)
+        self._offer_answer()
+
+    def reveal_answer(self) -> None:
+        """Show the right answer, and the way to it."""
+        self._remove_response()
+        try:
+            said = self._show_right_answer()
+        except Refusal as error:
+            self._refuse(error)
+            return
+        self._speak(*said)
+        self.played.reveal_answer()
+        self._settled()
+
+    def _show_right_answer(self) -> list[str]:
+        """Show the right answer, and the way to it; return the texts."""
+        raise NotImplementedError
 
     # -- the response
 
-    def _settle(self, answer: str) -> None:
-        self.answer = answer
+    def _settled(self) -> None:
         if self._offered is not None:
             self._offered.hide()
-        self.settled.emit(answer)
+        self.settled.emit()
 
     def _remove_response(self) -> None:
         for widget in self._responses:
@@ -234,11 +221,13 @@ class BlockView(QFrame):
     def _indented(self, widget: QWidget) -> QWidget:
         return on_holder(round(1.4 * self.fontMetrics().height()), widget, FREE, gap=0)
 
-    def _offer_answer(self, act: Callable[[], object]) -> None:
+    def _offer_answer(self) -> None:
         """Offer the right answer below every response, until it is known."""
-        if self._offered is None and self.is_open:
+        played = self.played
+        if self._offered is None and played.is_open and played.question.can_be_told:
             tip = self.tr("Show the right answer, and why it is right (Alt+A)")
-            self._offered = self._indented(button(self.tr("Show the &answer"), tip, act))
+            answer = button(self.tr("Show the &answer"), tip, self.reveal_answer)
+            self._offered = self._indented(answer)
             self._column.addWidget(self._offered)
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
@@ -251,7 +240,7 @@ class BlockView(QFrame):
 
     def _refute(self, verdict: Verdict, head: str = "") -> None:
         """Name the wrong idea, refute it, and offer a state that shows why."""
-        idea = self.here.idea(verdict.idea)
+        idea = self.played.here.idea(verdict.idea)
         if idea is not None:
             behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
             head = f"{head} {behind}".strip()
@@ -288,10 +277,3 @@ def button(name: str, tip: str, act: Callable[[], object]) -> QPushButton:
     made.setAutoDefault(True)
     made.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
     return made
-
-
-def hand_in(button: QPushButton) -> None:
-    """Name a button for a test, in which an answer is given once."""
-    button.setText(QCoreApplication.translate("BlockView", "Hand it &in"))
-    tip = QCoreApplication.translate("BlockView", "This is my answer; there is one try (Enter)")
-    set_tip(button, tip)
