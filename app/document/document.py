@@ -97,7 +97,10 @@ class Document:
     def with_settings(self, settings: Mapping[str, Any]) -> Document:
         """Return the document with other settings, and the projection that they require.
 
-        Raises a `Refusal` if the scene cannot have them, or no projection fits them.
+        Raises
+        ------
+        Refusal
+            If the scene cannot have them, or no projection fits them.
         """
         phenomenon = PHENOMENA.get(self.scene)
         if phenomenon is None:

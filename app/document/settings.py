@@ -343,7 +343,7 @@ def compared(document: Document, name: str) -> Document:
     current state.
     """
     phenomenon = PHENOMENA.get(document.scene)
-    ready = {each.name: each for each in phenomenon.comparisons} if phenomenon else {}
+    ready = {each.name: each for each in phenomenon.words.comparisons} if phenomenon else {}
     if name not in ready:
         names = ", ".join(ready) or "none"
         raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)

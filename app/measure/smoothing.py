@@ -17,6 +17,7 @@ from app.drawings import WORDS
 from app.drawings.actors import face_actor, identity_camera
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import OffScreen, Pixels, off_screen, pixels_of
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT, WHITE
 from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, timed, unwatched
@@ -72,10 +73,7 @@ def measure(
     The cost is ms per frame; the error is the root mean square of the pixels' differences, in
     levels from 0 to 255.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the pictures' errors, and the times so far.
+    A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
     size = picture_size(projection)
     with ExitStack() as stack:
@@ -162,7 +160,7 @@ def pane(
         window = screen.render_window
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
-        drawing = ImageDrawing(screen, scene, WORDS, style, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, style, options=UNFRAMED)
         drawing.show_projection(projection)
         for renderer in window.GetRenderers():
             renderer.SetUseFXAA(smoothing.fxaa)
@@ -205,8 +203,7 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.flo
     width, height = size
     if scale > 1.0:
         factor = round(scale)
-        means: NDArray[np.float64] = colours.reshape(height, factor, width, factor, 3).mean((1, 3))
-        return means
+        return np.asarray(colours.reshape(height, factor, width, factor, 3).mean((1, 3)))
     times = round(1.0 / scale)
     return colours.repeat(times, axis=0).repeat(times, axis=1)
 

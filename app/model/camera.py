@@ -70,15 +70,22 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 
 
 class Orbit(NamedTuple):
-    """The camera's position relative to its target."""
+    """The camera's position relative to its target.
+
+    Attributes
+    ----------
+    azimuth_deg : float
+        Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
+    elevation_deg : float
+        Angle above the target's horizon, from -90 to 90.
+    roll_deg : float
+        Rotation about the view direction, clockwise as the photographer sees it.
+    """
 
     azimuth_deg: float
-    """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
     elevation_deg: float
-    """Angle above the target's horizon, from -90 to 90."""
     distance: float
     roll_deg: float = 0.0
-    """Rotation about the view direction, clockwise as the photographer sees it."""
 
 
 @dataclass(frozen=True)
@@ -198,8 +205,11 @@ class Camera:
     def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
         """Place the camera on an orbit about a target.
 
-        Raises a `Refusal` for ``distance <= 0``, an elevation outside -90..90, numbers that are not
-        finite, and a distance too small for float64 to tell the eye from the target.
+        Raises
+        ------
+        Refusal
+            For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
+            distance too small for float64 to tell the eye from the target.
         """
         target = finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (

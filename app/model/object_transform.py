@@ -41,14 +41,21 @@ _ROUNDINGS = 6.0
 
 
 class WorldPoints(NamedTuple):
-    """Points in the world with twice the digits of float64."""
+    """Points in the world with twice the digits of float64.
+
+    Attributes
+    ----------
+    world : (n, 3) array
+        The nearest float64.
+    rest : (n, 3) array or None
+        The rounding error; None if there is none.
+    lost : (n,) array
+        Bound on the error of their sum, added over the three coordinates.
+    """
 
     world: Array
-    """(n, 3): the nearest float64."""
     rest: Array | None
-    """(n, 3): the rounding error; None if there is none."""
     lost: Array
-    """(n,): bound on the error of their sum, added over the three coordinates."""
 
     @classmethod
     def at(cls, world: Array) -> WorldPoints:

@@ -143,8 +143,10 @@ class Projection(Pipeline):
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
         """The inverse of `clip_from_local`, (4, 4).
 
-        Raises a `Refusal` for a typed matrix without an inverse, or with one that float64 cannot
-        hold.
+        Raises
+        ------
+        Refusal
+            For a typed matrix without an inverse, or with one that float64 cannot hold.
         """
         shift = translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
         return read_only(reduce(np.matmul, self.passage.eye_from_clip, shift))
@@ -184,9 +186,12 @@ class Projection(Pipeline):
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """World coordinates, (..., 3), of pixels x, y with a depth in [0, 1].
 
-        Raises a `Refusal` if a number is not finite, if a depth is outside [0, 1] or that of a far
-        plane at infinity (or farther than 1e250), where a pixel has a direction but no point, and
-        for a typed matrix without an inverse.
+        Raises
+        ------
+        Refusal
+            If a number is not finite, if a depth is outside [0, 1] or that of a far plane at
+            infinity (or farther than 1e250), where a pixel has a direction but no point, and for
+            a typed matrix without an inverse.
         """
         return self.passage.world_from_image(checked_pixels(points_image))
 
@@ -270,11 +275,22 @@ class Projection(Pipeline):
     def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
-        `intrinsics` are fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel;
-        or K, (3, 3). The lens is a `Perspective` if the pixels are square and the axis is in the
-        middle of the image, and a `Frustum` otherwise. Near and far stay. Raises a `Refusal` for a
-        focal length that is not above 0, a number that is not finite, a K with skew, and a window
-        that a `Frustum` refuses.
+        Parameters
+        ----------
+        intrinsics : (4,) or (3, 3) array_like
+            fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel; or K.
+
+        Returns
+        -------
+        Projection
+            Its lens is a `Perspective` if the pixels are square and the axis is in the middle of
+            the image, and a `Frustum` otherwise. Near and far stay.
+
+        Raises
+        ------
+        Refusal
+            For a focal length that is not above 0, a number that is not finite, a K with skew, and
+            a window that a `Frustum` refuses.
         """
         fx, fy, cx, cy = checked_intrinsics(intrinsics, self.image_size)
         width, height = self.image_size

@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -51,7 +52,7 @@ class Picture:
         self.plotter = OffScreen(*SIZE)
         self.window = self.plotter.render_window
         self.window.SetMultiSamples(0)
-        self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
+        self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, options=UNFRAMED)
         self.projection, self.illustration = self.phenomenon.start, Illustration(())
 
     def show(self, projection: Projection | None = None, **settings: Any) -> Picture:
@@ -422,7 +423,7 @@ def tree_scene(level: int) -> Scene:
     first = 4 * np.arange(len(quads))[:, None]
     mesh = pv.PolyData.from_regular_faces(points, first + np.arange(4))
     mesh.cell_data["rgb"] = rgb_
-    return replace(scene, surface=mesh, phenomenon=None)
+    return replace(scene, surface=mesh, phenomenon=None, requires=frozenset())
 
 
 @pytest.mark.parametrize(
@@ -438,7 +439,7 @@ def test_each_level_is_drawn_where_it_is_due(
     make: Any, plotter: Any, settings: Mapping[str, Any], level: int
 ) -> None:
     picture = make("far-plane-popping").show(**settings)
-    plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, framed=False)
+    plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, options=UNFRAMED)
     plain.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
     expected = rendered(plotter.render_window)
     drawn = picture.pixels()
@@ -521,7 +522,7 @@ def test_an_opengl_that_refuses_the_shader_is_named(
     assert "this is no GLSL" in said.GetOutput()
     assert picture.drawing.problem.template == REFUSED
     refused = picture.show().pixels()
-    ordinary = make(name, replace(picture.scene, phenomenon=None))
+    ordinary = make(name, replace(picture.scene, phenomenon=None, requires=frozenset()))
     ordinary.drawing.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
     plain = ordinary.pixels()
     scene_rgb = np.unique(picture.scene.surface.cell_data["rgb"], axis=0)

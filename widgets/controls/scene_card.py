@@ -87,6 +87,8 @@ class SceneCard(QWidget, RowHolder):
         self._lent: set[str] = set()
         """Names of the settings whose rows are elsewhere."""
         self._readable = Readable(self, self._fill, lambda: self._is_seen)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
         all_digits.changed.connect(self._readable.changed)
 
         self.title, self.tries = Balanced(name=True), Balanced()
@@ -136,7 +138,7 @@ class SceneCard(QWidget, RowHolder):
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
             self._highlight_subject(())  # marks these rows
-            self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
+            self._offer_comparisons(() if phenomenon is None else phenomenon.words.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
             self.warning.show_text("")
@@ -236,13 +238,6 @@ class SceneCard(QWidget, RowHolder):
         if about != self._about:
             self._about = about
             self.highlighted.emit("scene", about)
-
-    def begin_gesture(self) -> None:
-        """Begin a gesture: a control is dragged, or something plays."""
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
 
     def show_count(self, illustration: Illustration, share: float) -> None:
         """Show what was counted in the picture of an illustration, while it is shown."""

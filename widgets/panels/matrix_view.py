@@ -39,7 +39,7 @@ from app.model.refusal import format_value
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
-from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, typeset
+from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
 from widgets.parts.writing import all_digits
 
 VIEW = ("view_from_world", "rotation")
@@ -221,9 +221,7 @@ class MatrixView(QWidget):
     # -- places
 
     def _small(self) -> QFont:
-        font = QFont(self.font())
-        font.setPointSizeF(font.pointSizeF() * 0.75)
-        return font
+        return resized(self.font(), 0.75)
 
     def _typeset(self, text: str) -> Typeset:
         return typeset(text, self.font(), is_formula=self._writing.formulas)

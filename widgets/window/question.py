@@ -6,14 +6,14 @@ import math
 from collections.abc import Callable, Iterable
 from itertools import product
 
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize
 from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import QFrame, QWidget
 
 from app.lessons.text import spoken_text
 from widgets.parts.layouts import paint_now
 from widgets.parts.lesson_text import set_text
-from widgets.parts.plain import TextDocument, paint_document
+from widgets.parts.plain import TextDocument
 
 SHARES = 1.0 / 3.0, 0.5
 """Largest heights of the question, in those of the slide: the second if the text needs it, or if
@@ -117,8 +117,8 @@ class QuestionOverlay(QFrame):
         line = 0 if self.y() else self.height() - 3  # towards the picture
         painter.fillRect(QRect(0, line, self.width(), 3), painter.pen().color())
         painter.setClipRect(room)
-        painter.translate(room.left(), room.top() - self._moved_px)
-        paint_document(painter, self._document, self.palette())
+        place = room.topLeft() - QPointF(0.0, self._moved_px)
+        self._document.paint(painter, place, self.palette())
         painter.end()
 
 

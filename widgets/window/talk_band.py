@@ -29,7 +29,7 @@ from app.lessons.lesson import Step
 from app.lessons.text import spoken_text
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, ShownData
-from widgets.parts.plain import TextDocument, paint_document
+from widgets.parts.plain import TextDocument
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
@@ -174,8 +174,9 @@ class TalkBand(QFrame):
         painter, room = QPainter(self), self._room
         below = room.top() + TITLE_SHARE * self._screen_px
         free = LINE_SHARE * self._screen_px - self._words.size().height()
-        self._draw(painter, self._title, room.topLeft())
-        self._draw(painter, self._words, QPointF(room.left(), below + max(0.0, free / 3.0)))
+        self._title.paint(painter, room.topLeft(), self.palette())
+        corner = QPointF(room.left(), below + max(0.0, free / 3.0))
+        self._words.paint(painter, corner, self.palette())
         font = QFont(self.font())
         font.setPixelSize(max(8, round(NUMBER_SHARE * self._screen_px)))
         painter.setFont(font)
@@ -188,12 +189,6 @@ class TalkBand(QFrame):
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
             painter.drawText(room, at_foot, self.message)
         painter.end()
-
-    def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:
-        painter.save()
-        painter.translate(place)
-        paint_document(painter, document, self.palette())
-        painter.restore()
 
 
 def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bool, bool]]:

@@ -38,20 +38,30 @@ from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
 @dataclass(frozen=True, eq=False)
 class LensTable:
-    """A lens as the lectures write it; made once, and compared by identity."""
+    """A lens as the lectures write it; made once, and compared by identity.
+
+    Parameters
+    ----------
+    steps : tuple of Step
+        From view space to clip space; empty for a typed matrix.
+    clip_from_view : Table
+        The product of all steps in closed form, in the order of operations that keeps the digits.
+    view_from_clip : Table, optional
+        Its inverse in closed form.
+    otherwise : mapping from str to LensTable, optional
+        The table of the same lens after another choice of a field: ``far``, finite again.
+    fields : mapping from str to (tuple of str), optional
+        By letter, the fields of the document that only this lens has.
+    written : mapping from str to (mapping from str to str), optional
+        By lecture, the formulas that this lecture writes in another form.
+    """
 
     steps: tuple[PipelineStep, ...]
-    """From view space to clip space; empty for a typed matrix."""
     clip_from_view: Table
-    """The product of all steps in closed form, in the order of operations that keeps the digits."""
     view_from_clip: Table | None = None
-    """Its inverse in closed form."""
     otherwise: Mapping[str, LensTable] = field(default_factory=dict)
-    """The table of the same lens after another choice of a field: ``far``, finite again."""
     fields: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    """By letter, the fields of the document that only this lens has."""
     written: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
-    """By lecture, the formulas that this lecture writes in another form."""
 
 
 _plane = partial(stated, section="lens", place="lens", unit="units", logarithmic=True)
@@ -71,26 +81,38 @@ class Seen(NamedTuple):
 class Lens(Geometry):
     """The interface that a projection needs of a lens.
 
-    Raises a `Refusal` if a typed matrix is asked for planes, a window, or what follows from them.
+    Attributes
+    ----------
+    window_stays : bool
+        Whether the window is given in numbers that do not change when near moves.
+    symmetric : bool
+        Whether the window is symmetric, so that a field of view describes all of it.
+    title, tip, shape : str
+        The name of the lens, its description, and the shape of its view volume, marked for
+        translation.
+    tables : tuple of LensTable
+        The table for a finite far plane and, if it may be infinite, that for an infinite one.
+    parameters : tuple of Parameter
+        Those that only this lens has: its fields except near, far and the sides of a window.
+    roundings : (float, float, float, float)
+        Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
+        them.
+
+    Raises
+    ------
+    Refusal
+        If a typed matrix is asked for planes, a window, or what follows from them.
     """
 
     far_may_be_infinite: ClassVar[bool] = False
     window_stays: ClassVar[bool] = False
-    """Whether the window is given in numbers that do not change when near moves."""
     symmetric: ClassVar[bool] = False
-    """Whether the window is symmetric, so that a field of view describes all of it."""
     title: ClassVar[str] = ""
     tip: ClassVar[str] = ""
     shape: ClassVar[str] = ""
-    """The name of the lens, its description, and the shape of its view volume, marked for
-    translation."""
     tables: ClassVar[tuple[LensTable, ...]]
-    """The table for a finite far plane and, if it may be infinite, that for an infinite one."""
     parameters: ClassVar[tuple[Parameter, ...]] = ()
-    """Those that only this lens has: its fields except near, far and the sides of a window."""
     roundings: ClassVar[tuple[float, float, float, float]]
-    """Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
-    them."""
 
     # -- its table, its letters and its planes
 

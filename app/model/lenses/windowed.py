@@ -28,7 +28,18 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True)
 class Windowed(Lens):
-    """The six numbers of glFrustum and glOrtho, and how the window follows the image."""
+    """The six numbers of glFrustum and glOrtho, and how the window follows the image.
+
+    Parameters
+    ----------
+    left, right, bottom, top : float
+        The window on the near plane, ``left < right``, ``bottom < top``.
+    near, far : float
+        Distances of the clipping planes from the eye plane, ``near < far``.
+    keep : {"stretch", "x", "y"}
+        How the window follows the image's aspect: not at all, or by adjusting the y range
+        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    """
 
     window_stays: ClassVar[bool] = True
 
@@ -36,13 +47,9 @@ class Windowed(Lens):
     right: float
     bottom: float
     top: float
-    """The window on the near plane, ``left < right``, ``bottom < top``."""
     near: float = 1.0
     far: float = 30.0
-    """Distances of the clipping planes from the eye plane, ``near < far``."""
     keep: Keep = "stretch"
-    """How the window follows the image's aspect: not at all, or by adjusting the y range (``"x"``
-    is kept, lecture 000's variant X) or the x range (``"y"``, variant Y)."""
 
     def __post_init__(self) -> None:
         names = ("left", "right", "bottom", "top")
