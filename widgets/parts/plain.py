@@ -89,13 +89,6 @@ class TextDocument(QTextDocument):
         painter.restore()
 
 
-def paint_document(painter: QPainter, document: QTextDocument, palette: QPalette) -> None:
-    """Paint a document at the painter's origin, in the palette's colour of text."""
-    context = QAbstractTextDocumentLayout.PaintContext()
-    context.palette = palette
-    document.documentLayout().draw(painter, context)
-
-
 def message_box(
     parent: QWidget, text: str, question: str = "", *, icon: QMessageBox.Icon | None = None
 ) -> QMessageBox:
