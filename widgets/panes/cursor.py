@@ -189,11 +189,10 @@ class Cursor(QObject):
     def _next_vertex(self, forwards: bool) -> Vertex | None:
         from app.drawings.probes import next_vertex
 
-        drawing = self._pane.drawing
-        pane = self._pane.shown
-        assert self._scene is not None and drawing is not None and pane is not None
+        drawing, now = self._pane.drawing, self._pane.shown
+        assert self._scene is not None and drawing is not None and now is not None
         at = self._thing.number if isinstance(self._thing, Vertex) else None
-        shown = (self._scene, pane.projection, drawing.sight, drawing.picture_rectangle_px)
+        shown = (self._scene, now.projection, drawing.sight, drawing.picture_rectangle_px)
         ratio = self._pane.canvas.pixel_ratio
         number = next_vertex(*shown, ratio, at, forwards=forwards)
         return None if number is None else Vertex(number)
