@@ -57,7 +57,7 @@ AS_BUILT: dict[str, Any] = {
     "handles": frozenset(),
     "highlight": NOTHING,
 }
-"""The requests that a drawing takes, with their first values, in the order of the calls."""
+"""The requests that a pane takes, with their first values, in the order of the calls."""
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
     "stage": lambda drawing, position: drawing.show_stage(position),
