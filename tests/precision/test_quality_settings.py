@@ -244,7 +244,6 @@ def test_a_swept_value_that_the_document_cannot_have_is_refused(window: MainWind
     assert window.store.document == before
 
 
-@pytest.mark.undrawn
 def test_too_few_samples_are_reported(window: MainWindow) -> None:
     window.quality.use({"smoothing": "MSAA 8"})
     settle()
