@@ -71,7 +71,7 @@ def _without_set_up(arguments: Sequence[str]) -> int | None:
     from app.commands import doctor, options
 
     options.answer(arguments)
-    return doctor.command(arguments[1:]) if arguments[0] == "doctor" else None
+    return doctor.run(arguments[1:]) if arguments[0] == "doctor" else None
 
 
 if __name__ == "__main__":

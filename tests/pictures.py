@@ -105,7 +105,7 @@ def captioned(page: str) -> str:
         trade, cost, name = PICTURES[found[2]]
         part = trades[trade].by_cost(cost)
         (choice,) = (c for c in part.choices if c.name == name)
-        said = " ".join(filter(None, (meaning(part).sentence(), bargain(part, choice))))
+        said = " ".join(filter(None, (meaning(part), bargain(part, choice))))
         return "\n".join([found[1], *textwrap.wrap(f"*{said}*", 100)])
 
     return re.sub(r"(!\[[^]]*\]\((measure-(?!sweeps)\w+\.png)\)\n)\n\*[^*]*\*", caption, page)

@@ -75,8 +75,7 @@ class Format:
 
     def lost(self, sizes: ArrayLike) -> Array:
         """Bounds of the rounding errors of numbers of these sizes."""
-        error: Array = self.unit * np.abs(sizes) + self.step / 2.0
-        return error
+        return np.asarray(self.unit * np.abs(sizes) + self.step / 2.0)
 
 
 def _with_digits(values: Array, digits: int) -> Array:
@@ -87,8 +86,7 @@ def _with_digits(values: Array, digits: int) -> Array:
     odd = (bits >> cut) & one
     bits = bits + ((one << (cut - one)) - one + odd)
     bits &= ~((one << cut) - one)
-    rounded: Array = bits.view(np.float64)
-    return rounded
+    return np.asarray(bits.view(np.float64))
 
 
 class Grid(NamedTuple):
@@ -125,8 +123,7 @@ class Grid(NamedTuple):
     def lost(self, sizes: ArrayLike) -> Array:
         """Bounds of the rounding errors: half a step, and the roundings of `rounded` itself."""
         off = 4.0 * _UNIT_64 * (np.abs(self.lower) + self.step * 2.0**self.bits)
-        error: Array = np.zeros_like(np.asarray(sizes)) + self.step / 2.0 + off
-        return error
+        return np.asarray(np.zeros_like(np.asarray(sizes)) + self.step / 2.0 + off)
 
 
 FORMATS: dict[str, Format] = {
@@ -172,13 +169,9 @@ TABLE_ERROR = float(np.maximum(np.abs(TABLE * _STARTS - 1.0), np.abs(TABLE * _EN
 def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Array]:
     """Approximate ``1/w`` in a format from the table, and bound the relative errors.
 
-    Parameters
-    ----------
-    divisors : array
-        Numbers w of the format, above 0; the answer to others is NaN.
-    steps : int
-        Newton steps ``r (2 - w r)``, each of which squares the relative error e of r (Markstein,
-        "Computation of elementary functions on the IBM RISC System/6000 processor", 1990).
+    The divisors w are above 0; the answer to others is NaN. Each Newton step ``r (2 - w r)``
+    squares the relative error e of r (Markstein, "Computation of elementary functions on the IBM
+    RISC System/6000 processor", 1990).
 
     Notes
     -----

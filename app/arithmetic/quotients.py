@@ -20,11 +20,7 @@ _MANTISSA = 53
 class Quotients:
     """An array ``above / below`` that computes like a number, also with scalar rationals.
 
-    Parameters
-    ----------
-    above : (n,) array of int
-    below : int or (n,) array of int
-        A quotient by 0 has no number, and is NaN as a float.
+    `above` (n,) holds ints, `below` is one for all or (n,). A quotient by 0 is NaN as a float.
     """
 
     __slots__ = ("above", "below")
@@ -81,8 +77,7 @@ class Quotients:
 
     def floats(self) -> Array:
         """The nearest float64, (n,): infinite beyond the largest one."""
-        nearest: Array = _nearest(self.above, self.below).astype(np.float64)
-        return nearest
+        return np.asarray(_nearest(self.above, self.below).astype(np.float64))
 
 
 def _parts(number: Any) -> tuple[Any, Any]:

@@ -50,12 +50,9 @@ def lengths(texts: Sequence[str]) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
 def widths(length: NDArray[np.int_], before: NDArray[np.int_]) -> list[int]:
     """Return the width to which each text is padded on the left to form columns.
 
-    In each table the numbers of a column are aligned at their decimal points.
-
-    Parameters
-    ----------
-    length, before : (tables, rows, columns) array
-        As `lengths` counts them. A short row ends with lengths 0, which get no padding.
+    In each table the numbers of a column are aligned at their decimal points. `lengths` counts
+    `length` and `before`, here (tables, rows, columns). Lengths 0, at the end of a short row, get
+    no padding.
     """
     after = length - before
     left, right = before.max(axis=1), after.max(axis=1)

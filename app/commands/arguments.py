@@ -11,7 +11,7 @@ import difflib
 import functools
 import os
 import re
-from collections.abc import Callable, Container, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from app import bootstrap, system_packages
@@ -23,7 +23,7 @@ from app.document.settings import open_with, set_values
 from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
-from app.model.projection import NOT_THE_EYE, Projection
+from app.model.projection import NOT_THE_EYE
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 
@@ -101,17 +101,11 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
     try:
         return set_values(document, assignments)
     except Refusal as error:
-        raise _seen_from(texts, error) from error
-
-
-def _seen_from(texts: Container[str], error: Refusal) -> Refusal:
-    """Make a refusal name the value that was set.
-
-    The model says "target must differ from the eye" whichever of the two was set.
-    """
-    if error.bound == NOT_THE_EYE and "camera.eye" in texts and error.field not in texts:
-        return Refusal.in_document(NOT_THE_TARGET, field="camera.eye", value=error.value)
-    return error
+        # The model says "target must differ from the eye" whichever of the two was set.
+        if error.bound != NOT_THE_EYE or "camera.eye" not in texts or error.field in texts:
+            raise
+        eye = error.value
+        raise Refusal.in_document(NOT_THE_TARGET, field="camera.eye", value=eye) from error
 
 
 def _texts(assignments: Iterable[str]) -> dict[str, str]:
@@ -144,14 +138,12 @@ def check_out(name: str, out: str) -> None:
 
 
 def _opened(scene: str) -> Document:
+    """Return a scene with its own camera; phenomena need not be loaded for that."""
+    if scene in PHENOMENA:
+        phenomenon = PHENOMENA[scene]
+        return Document(scene, phenomenon.start, view=View(fixed=phenomenon.fixed))
     name = full_path(scene) if is_mesh(scene) else scene
-    fixed = PHENOMENA[scene].fixed if scene in PHENOMENA else ""
-    return Document(name, _start(name), view=View(fixed=fixed))
-
-
-def _start(scene: str) -> Projection:
-    """Return the initial projection of a scene; phenomena need not be loaded for that."""
-    return PHENOMENA[scene].start if scene in PHENOMENA else load_scene(scene).start
+    return Document(name, load_scene(name).start, view=View(fixed=""))
 
 
 def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:

@@ -1,4 +1,4 @@
-"""The command line: the window, and the table of the commands.
+"""The command line: the window, and the start of the commands.
 
 Every wrong input ends in one sentence on standard error and exit status 2, and a machine that
 cannot draw in one sentence and status 3. Only the commands that draw import Qt, VTK and pyvista, so
@@ -9,12 +9,12 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from importlib import import_module
 from pathlib import Path
 
-from app.commands import doctor, export, matrices, project
 from app.commands.arguments import check_out, document_before, importing, load_scene, with_values
-from app.commands.options import check_file, parser_of
+from app.commands.options import SUMMARIES, check_file, parser_of
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
@@ -23,17 +23,10 @@ from app.model.refusal import Refusal
 
 
 def main(argv: list[str] | None = None) -> int:
-    """Run a command line.
+    """Run the arguments after the program's name, by default those of this process.
 
-    Parameters
-    ----------
-    argv : list of str, optional
-        The arguments after the program's name; those of this process by default.
-
-    Returns
-    -------
-    int
-        The exit status: 0 done, 1 an incomplete window, 2 bad input, 3 no usable display or OpenGL.
+    Return the exit status: 0 done, 1 an incomplete window, 2 bad input, 3 no usable display or
+    OpenGL.
     """
     arguments = sys.argv[1:] if argv is None else argv
     return outcome(lambda: _run(arguments))
@@ -41,8 +34,11 @@ def main(argv: list[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str]) -> int:
     try:
-        if arguments and arguments[0] in COMMANDS:
-            return COMMANDS[arguments[0]](arguments[1:])
+        if arguments and arguments[0] in SUMMARIES:
+            with importing():
+                command = import_module(f"app.commands.{arguments[0]}")
+            status: int = command.run(arguments[1:])
+            return status
         if arguments:
             check_file(
                 arguments[0]
@@ -99,36 +95,3 @@ def _check_png(name: str, out: str) -> None:
     if not out.lower().endswith(".png"):
         raise CliError(f"{name} = {out!r}: must end in .png.")
     check_out(name, out)
-
-
-# --------------------------------------------------------------------------- measure
-
-
-def _measure(arguments: Sequence[str]) -> int:
-    with importing():
-        from app.commands import measure as command
-    return command.run(arguments)
-
-
-def _lesson(arguments: Sequence[str]) -> int:
-    from app.commands import lessons
-
-    return lessons.lesson(arguments)
-
-
-def _talk(arguments: Sequence[str]) -> int:
-    from app.commands import talk
-
-    return talk.talk(arguments)
-
-
-COMMANDS: dict[str, Callable[[Sequence[str]], int]] = {
-    "export": export.run,
-    "project": project.run,
-    "matrices": matrices.run,
-    "measure": _measure,
-    "lesson": _lesson,
-    "talk": _talk,
-    "doctor": doctor.command,
-}
-"""The commands; each takes the arguments after its name."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
@@ -33,17 +34,14 @@ class Composed:
     """How many steps were drawn, and what is wrong with their pictures, a line each."""
 
     steps: int = 0
-    overlaps: int = 0
-    crowded: int = 0
-    empty: int = 0
-    hidden: int = 0
+    faulty: Counter[str] = field(default_factory=Counter)
+    """How many steps have each kind of fault."""
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        return (
-            f"{counted(self.overlaps, 'overlap')}, {self.crowded} crowded, {self.empty} empty,"
-            f" {self.hidden} hidden of {counted(self.steps, 'step')}"
-        )
+        counts = [f"{self.faulty[kind]} {kind}" for kind in ("crowded", "empty", "hidden")]
+        overlaps = counted(self.faulty["overlap"], "overlap")
+        return f"{', '.join([overlaps, *counts])} of {counted(self.steps, 'step')}"
 
     def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:
         """Draw a step's states, and add what is wrong with them."""
@@ -67,10 +65,7 @@ class Composed:
                         faults[f"{where}, {picture.pane}: {fault}"] = None
                         kinds.add(kind)
         self.wrong += faults
-        self.overlaps += "overlap" in kinds
-        self.crowded += "crowded" in kinds
-        self.empty += "empty" in kinds
-        self.hidden += "hidden" in kinds
+        self.faulty.update(kinds)
 
     def _missing(self, document: Document, panes: list[str]) -> list[str]:
         """The names of a view that none of these panes can draw; none if there is no pane."""

@@ -31,7 +31,7 @@ class Finding(NamedTuple):
     remedy: str = ""
 
 
-def command(arguments: Sequence[str]) -> int:
+def run(arguments: Sequence[str]) -> int:
     """The command ``doctor``: print the findings, and at the end what is missing."""
     parser_of("doctor").read(arguments)
     missing = []

@@ -155,7 +155,7 @@ def _measured(results: Measurements, cost: str) -> Iterator[str]:
     for trade in results.trades:
         yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
         yield from _lines_of(table(trade), str.ljust)
-        yield f"{meaning(trade.by_cost(cost)).sentence()}\n\n"
+        yield f"{meaning(trade.by_cost(cost))}\n\n"
     for sweep in results.sweeps:
         shown = "smallest gap in world units" if sweep.parameter in GAPS else "largest error in px"
         yield f"{sweep.parameter}, {shown}{'' if sweep.complete else ' (cancelled)'}\n"

@@ -544,13 +544,7 @@ def parser_of(command: str) -> Parser:
 
 
 def answer(arguments: Sequence[str]) -> None:
-    """Print the help or the version and exit, if requested; otherwise return.
-
-    Raises
-    ------
-    SystemExit, CliError
-        After printing, or for an error on the command line.
-    """
+    """Print the help or the version and raise `SystemExit`, if requested; otherwise return."""
     end = arguments.index("--") if "--" in arguments else len(arguments)
     if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
         return

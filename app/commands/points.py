@@ -152,18 +152,12 @@ def _lines(text: str, separator: str) -> Iterator[str]:
 
 
 class _Layout(NamedTuple):
-    """Where the coordinates stand in a row.
-
-    Attributes
-    ----------
-    places : tuple of int
-        The columns of x, y, z and perhaps w.
-    names : list of str
-        The names of all columns; empty if the first row holds a point.
-    """
+    """Where the coordinates stand in a row."""
 
     places: tuple[int, ...]
+    """The columns of x, y, z and perhaps w."""
     names: list[str]
+    """The names of all columns; empty if the first row holds a point."""
 
     @classmethod
     def of(cls, cells: list[str], where: str) -> Self:

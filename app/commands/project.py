@@ -94,17 +94,10 @@ class _ProjectedPoints(NamedTuple):
 
 
 class _PointBlock(NamedTuple):
-    """Some of the points, ready for output.
-
-    Attributes
-    ----------
-    numbers : (n, k) float64 array
-        The columns of `_ProjectedPoints.stages`; NaN where there is no picture, and no minus zero.
-    in_front, lost : list of bool
-    outside_of : list of tuple of str
-    """
+    """Some of the points, ready for output."""
 
     numbers: Array
+    """(n, k): the columns of `_ProjectedPoints.stages`; NaN where there is no picture."""
     in_front: list[bool]
     lost: list[bool]
     outside_of: list[tuple[str, ...]]

@@ -21,7 +21,7 @@ READERS = ("teacher", "students")
 """Of a handout; the first ones unless others are asked for."""
 
 
-def talk(arguments: Sequence[str]) -> int:
+def run(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
     options, (name,) = parser_of("talk").read(arguments)
     if not options.check and options.handout is None:

@@ -40,12 +40,8 @@ def standard_output() -> TextIO:
 
     Files and other programs always get UTF-8, which TeX and JSON expect; Python would use the
     locale's encoding, which is cp1252 on Windows and lacks the minus sign. A terminal keeps its
-    encoding and shows the code of a character that it lacks.
-
-    Raises
-    ------
-    CliError
-        If it is closed, as in ``pythonw``.
+    encoding and shows the code of a character that it lacks. Raises a `CliError` if it is closed,
+    as in ``pythonw``.
     """
     if sys.stdout is None:
         raise CliError("Standard output is closed.")

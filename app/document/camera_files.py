@@ -178,14 +178,9 @@ def _seen(
     """Return the projection of a camera over the scene of another one.
 
     What the file does not have stays: the camera, and the image size if the principal point is
-    near its middle. Near and far keep their proportion to the distance of the target.
-
-    Parameters
-    ----------
-    pose : (3, 4) array, optional
-        The columns right, up, backward and eye, in world coordinates.
-    half : float
-        What the centre of the first pixel has as coordinates.
+    near its middle. Near and far keep their proportion to the distance of the target. The columns
+    of `pose`, (3, 4), are right, up, backward and eye in the world; the centre of the first pixel
+    is at `half`.
     """
     for name, (key, node) in group.items():
         value = " ".join(map(str, _tokens(node)))

@@ -181,19 +181,9 @@ def tree_of(text: str, most: int = MOST_VALUES) -> Any:
 
 
 def parse(text: str, folder: Path | None = None) -> Document:
-    """Read a document from its text.
+    """Read a document from its text, JSON as `to_json` writes it; a `Refusal` for anything else.
 
-    Parameters
-    ----------
-    text : str
-        JSON as `to_json` writes it.
-    folder : path, optional
-        The folder of the text; relative mesh paths start there.
-
-    Raises
-    ------
-    Refusal
-        For anything but a valid document.
+    Relative mesh paths start at the `folder` of the text.
     """
     tree = tree_of(text)
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
@@ -259,19 +249,7 @@ def document_paths(section: str = "") -> Iterator[None]:
 
 @document_paths()
 def from_tree(tree: Tree, folder: Path | None = None) -> Document:
-    """Make a document of the current version from its JSON tree.
-
-    Parameters
-    ----------
-    tree : dict
-    folder : path, optional
-        As for `parse`.
-
-    Raises
-    ------
-    Refusal
-        If the tree is not a valid document.
-    """
+    """Make a document of the current version from its JSON tree, as `parse` does."""
     scene = _required(tree, "scene")
     if not isinstance(scene, str):
         raise Refusal.in_document(SCENE_NAME, field="scene", value=scene)
@@ -378,30 +356,14 @@ def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
 def to_json(document: Document, folder: Path | None = None) -> str:
     """Write a document as text; `parse` gives back exactly the same document.
 
-    Parameters
-    ----------
-    folder : path, optional
-        The folder that the text will be in. A mesh near it is named from there, so that both can
-        be moved together.
+    A mesh near the `folder` that the text will be in is named from there, so that both can be moved
+    together. There is one line for each part::
 
-    Returns
-    -------
-    str
-        One line for each part::
+        "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
 
-            {
-              "format": "frustum-lab",
-              "version": 2,
-              "scene": "letter-f",
-              "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
-              "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 4, "far": 18},
-              "depth": "opengl",
-              "image": {"width": 1280, "height": 720}
-            }
-
-        An infinite far is ``"inf"``. ``settings``, ``mesh``, ``object``, ``quality`` and ``view``
-        are written where they differ from their defaults. Keys that were not known when the
-        document was read are written again.
+    An infinite far is ``"inf"``. ``settings``, ``mesh``, ``object``, ``quality`` and ``view`` are
+    written where they differ from their defaults. Keys that were not known when the document was
+    read are written again.
     """
     tree = to_tree(document)
     if folder is not None:

@@ -58,28 +58,18 @@ class Held:
 class ComparedPicture:
     """One of the compared pictures.
 
-    Parameters
-    ----------
-    name : str
-        Translatable if it comes from a phenomenon.
-    changes : tuple of str
-        The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
-        the document's own picture, the values that its name describes.
-    held : Held, optional
-        The state that it shows instead of following the document.
-    live : bool
-        Whether it is the document's own.
-
-    Raises
-    ------
-    Refusal
-        For changes to values that no picture shows.
+    Raises a `Refusal` for changes to values that no picture shows.
     """
 
     name: str = ""
+    """Translatable if it comes from a phenomenon."""
     changes: tuple[str, ...] = ()
+    """The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
+    the document's own picture, the values that its name describes."""
     held: Held | None = None
+    """The state that it shows instead of following the document."""
     live: bool = False
+    """Whether it is the document's own."""
 
     def __post_init__(self) -> None:
         for change in self.changes:
@@ -173,7 +163,8 @@ def in_words(
     named = {change.partition("=")[0] for each in pictures for change in each.changes}
     differing = [each for each in differing if each[0] not in named] or differing
     by_path = {setting.path: setting for setting in settings}
-    return [_in_words(path, values, by_path.get(path), written) for path, values in differing]
+    told = (_written(path, values, by_path.get(path), written) for path, values in differing)
+    return [f"{label} {ARROW.join(texts)}" if all(texts) else label for label, texts in told]
 
 
 def names_in(
@@ -202,13 +193,6 @@ def names_in(
         if all(name or values.count(texts) == 1 for name, texts in zip(own, values, strict=True)):
             break
     return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
-
-
-def _in_words(
-    path: str, values: Sequence[Any], setting: Parameter | None, written: DifferenceWriter
-) -> str:
-    label, texts = _written(path, values, setting, written)
-    return f"{label} {ARROW.join(texts)}" if all(texts) else label
 
 
 def _written(

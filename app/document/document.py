@@ -41,6 +41,9 @@ def is_mesh(scene: str) -> bool:
 class Document:
     """The content of a document file.
 
+    Raises a `Refusal` if a value is not valid, the scene cannot have this mesh or these settings,
+    or the projection moves objects that are fixed.
+
     Parameters
     ----------
     scene : str
@@ -57,12 +60,6 @@ class Document:
         Path of the user's mesh that replaces a phenomenon's own objects; empty for none.
     quality : Quality
         The precision and detail of the drawing.
-
-    Raises
-    ------
-    Refusal
-        If a value is not valid, the scene cannot have this mesh or these settings, or the
-        projection moves objects that are fixed.
     """
 
     scene: str = "letter-f"

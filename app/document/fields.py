@@ -47,40 +47,26 @@ SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
 class FieldKind(NamedTuple):
-    """How a value is typed after ``--set``.
-
-    Attributes
-    ----------
-    read : callable
-        Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot.
-    bound : tuple
-        The bound that an invalid text violates, and the bound's limits.
-    """
+    """How a value is typed after ``--set``."""
 
     read: Callable[[str], Any]
+    """Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot."""
     bound: tuple[Any, ...] = ()
+    """The bound that an invalid text violates, and the bound's limits."""
 
 
 class Field(NamedTuple):
-    """One value of a document.
-
-    Attributes
-    ----------
-    section, name : str
-        The field's section and name; the top level is section ``""``.
-    kind : Kind or None
-        None if ``--set`` cannot set the field.
-    required : bool
-        Whether its section must have it.
-    unit : str
-        May be typed after each of its numbers, as the window shows it.
-    """
+    """One value of a document."""
 
     section: str
     name: str
+    """The field's section and name; the top level is section ``""``."""
     kind: FieldKind | None
+    """None if ``--set`` cannot set the field."""
     required: bool = False
+    """Whether its section must have it."""
     unit: str = ""
+    """May be typed after each of its numbers, as the window shows it."""
 
     @property
     def path(self) -> str:
@@ -222,9 +208,6 @@ CALIBRATED = (
 )
 ANGLES = tuple(Field("lens", each.name, NUMBER) for each in (FOV_X, FOCAL_LENGTH))
 """Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
-CAMERA_CONTROLS = tuple(f"camera.{name}" for name in Orbit._fields)
-LENS_CONTROLS = tuple(field.path for field in ANGLES)
-"""Numbers that the controls show beside the fields of a document."""
 
 
 def controls_of(scene: str) -> tuple[str, ...]:
@@ -235,7 +218,8 @@ def controls_of(scene: str) -> tuple[str, ...]:
         for field in fields_of(scene, kind)
         if field.section in ("settings", "object", "camera", "lens", "image")
     }
-    return (*paths, *CAMERA_CONTROLS, *LENS_CONTROLS, "depth")
+    computed = *(f"camera.{name}" for name in Orbit._fields), *(field.path for field in ANGLES)
+    return (*paths, *computed, "depth")
 
 
 def model_paths() -> dict[str, str]:
@@ -252,14 +236,8 @@ def model_paths() -> dict[str, str]:
 def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
     """Return the part of a document's tree whose keys this program does not know.
 
-    Parameters
-    ----------
-    tree : dict
-    kind : object
-        Of the lens.
-    panes : iterable of str
-        The panes whose cameras the document has. Unknown keys of the other panes are dropped with
-        their cameras.
+    `kind` is that of the lens. The document has the cameras of `panes`; unknown keys of the other
+    panes are dropped with their cameras.
     """
     known: Tree = {"format": None, "version": None, **{section: {} for section in SECTIONS}}
     for field in fields_of(scene, kind):

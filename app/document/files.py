@@ -108,14 +108,10 @@ def read(
 ) -> Document:
     """Read a document from its file, or from a PNG picture that carries one.
 
-    The content, not the name, decides which of the two it is. A camera file of another program
-    puts its camera in the place of that of `over`, or of the default document; ``FILE#VIEW`` is
-    one of its views, by name or by number from 1, or else `choose` takes one of the names.
-
-    Raises
-    ------
-    Refusal
-        If the file does not exist, cannot be read, or is not a valid document.
+    The content, not the name, decides which of the two it is. A camera file of another program puts
+    its camera in the place of that of `over`, or of the default document; ``FILE#VIEW`` is one of
+    its views, by name or by number from 1, or else `choose` takes one of the names. Raises a
+    `Refusal` if the file does not exist, cannot be read, or is not a valid document.
     """
     file, view = split_view(path)
     with blamed_on(file, UNREADABLE):
@@ -236,10 +232,7 @@ _PNG = b"\x89PNG\r\n\x1a\n"
 def extract(png: bytes, keyword: str = FORMAT) -> str | None:
     """Return the text of the document in a PNG picture, or of another keyword; None for none.
 
-    Raises
-    ------
-    Refusal
-        If `png` is not a complete PNG picture, or the text in it is damaged.
+    Raises a `Refusal` if `png` is not a complete PNG picture, or the text in it is damaged.
     """
     try:
         begin = keyword.encode() + b"\0"
@@ -294,12 +287,8 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
     The content goes to a new file in the same folder, which replaces the old one once it is safely
     on the disk. Links are followed, and the permissions of an old file are kept. The next program
     that writes there removes unfinished files of a killed program. A trial leaves the old file in
-    its place: it only finds out whether another one could be written.
-
-    Raises
-    ------
-    Refusal
-        If it cannot be written; an old file is unchanged.
+    its place: it only finds out whether another one could be written. Raises a `Refusal` if it
+    cannot be written; an old file is unchanged.
     """
     finish = (lambda unfinished, _: os.unlink(unfinished)) if is_trial else os.replace
     with blamed_on(path, UNWRITABLE):

@@ -28,10 +28,7 @@ class Size(NamedTuple):
 def parse_size(text: str) -> Size:
     """Parse ``120mmx80mm``, ``12x8cm`` or ``1800x600``.
 
-    Raises
-    ------
-    ValueError
-        If it is no size, or its unit is unknown.
+    Raises a `ValueError` if it is no size, or its unit is unknown.
     """
     match = _SIZE.fullmatch(text.strip())
     if match is None:

@@ -79,6 +79,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     - The measures of a lens that no document has (``lens.fx``, ``lens.fov_x_deg``) come last.
     - ``view.frame_step`` opens its panel, unless ``view.panel`` is set, too.
 
+    Raises a `Refusal` for an unknown path (naming the nearest known one), a text that is not a
+    value, or an invalid result.
+
     Parameters
     ----------
     assignments : iterable of str
@@ -90,12 +93,6 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         ``view.compare=NAME`` with those of one of the scene's own comparisons. A picture
         may have a name, ``eye: settings.preset=eye|phone: settings.preset=phone``; of several
         pictures one may be the document's own.
-
-    Raises
-    ------
-    Refusal
-        For an unknown path (naming the nearest known one), a text that is not a value, or an
-        invalid result.
     """
     texts: dict[str, str] = {}
     for assignment in assignments:
@@ -329,13 +326,7 @@ def picture_text(picture: ComparedPicture) -> str:
 
 
 def pictured(document: Document, picture: ComparedPicture) -> Document:
-    """Return the document as one of the compared pictures shows it.
-
-    Raises
-    ------
-    Refusal
-        If the current document cannot have the picture's values.
-    """
+    """Return the document as a compared picture shows it, or a `Refusal` if it cannot be so."""
     plain = replace(document, view=AS_EVER)
     if picture.live:
         return plain
@@ -347,16 +338,12 @@ def pictured(document: Document, picture: ComparedPicture) -> Document:
 def compared(document: Document, name: str) -> Document:
     """Return the document with one of its scene's own comparisons.
 
-    The document's own picture is the one whose values the document has, else the last one.
-
-    Raises
-    ------
-    Refusal
-        If the scene has no comparison of this name, or its pictures are impossible in the current
-        state.
+    The document's own picture is the one whose values the document has, else the last one. Raises a
+    `Refusal` if the scene has no comparison of this name, or its pictures are impossible in the
+    current state.
     """
     phenomenon = PHENOMENA.get(document.scene)
-    ready = {each.name: each for each in phenomenon.comparisons} if phenomenon else {}
+    ready = {each.name: each for each in phenomenon.words.comparisons} if phenomenon else {}
     if name not in ready:
         names = ", ".join(ready) or "none"
         raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)

@@ -50,11 +50,7 @@ class Store(QObject):
     Changing the view is not a step. The widgets hold the view; the store requests it (`look`)
     before it shows another document, so that undo restores the view too.
 
-    Parameters
-    ----------
-    saved : Document, optional
-        The content of the document's file, if it differs; undo returns to it if it has the same
-        scene.
+    If the document's file has another content, `saved`, undo returns to it in the same scene.
     """
 
     changed = Signal(object)
@@ -138,19 +134,9 @@ class Store(QObject):
         path: Path | None = None,
         is_work: bool = True,
     ) -> bool:
-        """Change to a document from elsewhere, as one step.
+        """Change to a document from elsewhere, as one step; return False if it is refused.
 
-        Parameters
-        ----------
-        saved : bool
-            False for a recovered document, which is in no file of the user's.
-        path, is_work
-            As for `Origin`.
-
-        Returns
-        -------
-        bool
-            False if it is refused; then nothing changes.
+        Only a recovered document is not `saved`: it is in no file of the user's.
         """
         origin = Origin(document if saved else None, path, is_work=is_work)
         self._put_aside(document, origin)
@@ -166,13 +152,9 @@ class Store(QObject):
         self.history_changed.emit()
 
     def set_view(self, **changes: Any) -> None:
-        """Change fields of the `View`, without an undo step or unsaved work; an equal view emits
-        nothing.
+        """Change fields of the `View`, without an undo step or unsaved work.
 
-        Raises
-        ------
-        Refusal
-            If the values are not valid.
+        An equal view emits nothing, and impossible values raise a `Refusal`.
         """
         before = self.look()
         view = replace(before, **changes)
@@ -240,10 +222,7 @@ class Store(QObject):
     def set_settings(self, settings: Mapping[str, Any]) -> None:
         """Edit some of the scene's settings; the camera may follow.
 
-        Raises
-        ------
-        Refusal
-            If the scene cannot have them; the document stays as it was.
+        Raises a `Refusal` if the scene cannot have them; the document stays as it was.
         """
         self._edit(self._document.with_settings(settings))
 

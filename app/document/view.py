@@ -5,7 +5,7 @@ The view is not part of the model: changing it creates neither an undo step nor 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
@@ -197,81 +197,35 @@ def read_view(
     Missing fields get their defaults, and unknown ones are ignored. The panes' cameras and the
     compared pictures are passed in, already read. An invalid value raises a `Refusal`.
     """
-    values_read = {
-        name: _AS_READ.get(name, _same)(values[name])
-        for name in FIELDS
-        if name in values and name not in ("panes", "compare")
-    }
-    return View(**values_read, panes=panes, compare=compare)
+    given = {name: values[name] for name in FIELDS if name in values}
+    given |= {"panes": panes, "compare": compare}
+    for name, value in given.items():
+        if name in _LISTS:
+            given[name] = _list(name, value)
+        elif name in _ONE_OR_NONE:
+            _check_name(name, value, _ONE_OR_NONE[name], ONE_OR_NONE)  # null is none of them
+        elif name == "probes":
+            given[name] = _probes(value)
+        elif name == "stage" and value in STAGES:
+            given[name] = STAGES.index(value)
+    return View(**given)
 
 
 def view_tree(view: View) -> dict[str, Any]:
     """Write what differs from `AS_EVER`, except for cameras and pictures."""
     values = {name: getattr(view, name) for name in FIELDS if name not in ("panes", "compare")}
     return {
-        name: _AS_WRITTEN.get(name, _same)(value)
+        name: _AS_WRITTEN[name](value) if name in _AS_WRITTEN else value
         for name, value in values.items()
         if value != getattr(AS_EVER, name)
     }
 
 
-def _same(value: Any) -> Any:
-    return value
-
-
-def _stage(value: Any) -> Any:
-    return STAGES.index(value) if isinstance(value, str) and value in STAGES else value
-
-
-def _panel(value: Any) -> Any:
-    _check_name("panel", value, PANELS, ONE_OR_NONE)  # null stands for no panel
-    return value
-
-
-def _fixed(value: Any) -> Any:
-    _check_name("fixed", value, FIXED, ONE_OR_NONE)  # null is no viewpoint
-    return value
-
-
-def _layers(value: Any) -> frozenset[Any]:
-    return _set_of("layers", value, SOME_OF, ", ".join(LAYERS))
-
-
-def _names(value: Any) -> tuple[Any, ...]:
-    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
-        raise Refusal("names", value, SOME_NAMES, MOST_NAMES)
-    return tuple(value)
-
-
-def _pinned(value: Any) -> frozenset[Any]:
-    return _set_of("pinned", value, PROBE_NUMBERS)
-
-
-def _set_of(name: str, value: Any, bound: Bound, *limits: object) -> frozenset[Any]:
-    """Return the names or numbers of a list; the view checks them."""
-    if not isinstance(value, list) or any(isinstance(part, (list, dict)) for part in value):
+def _list(name: str, value: Any) -> Any:
+    make, kind, bound, *limits = _LISTS[name]
+    if not isinstance(value, list) or not all(isinstance(part, kind) for part in value):
         raise Refusal(name, value, bound, *limits)
-    return frozenset(value)
-
-
-def _slide(value: Any) -> tuple[str, ...]:
-    return _texts("slide", value, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES))
-
-
-def _controls(value: Any) -> tuple[str, ...]:
-    return _texts("controls", value, SOME_CONTROLS, MOST_ON_SLIDE)
-
-
-def _texts(name: str, value: Any, bound: Bound, *limits: object) -> tuple[str, ...]:
-    if not isinstance(value, list) or not all(isinstance(part, str) for part in value):
-        raise Refusal(name, value, bound, *limits)
-    return tuple(value)
-
-
-def _dividers(value: Any) -> tuple[Any, ...]:
-    if not isinstance(value, list):
-        raise Refusal("dividers", value, SOME_DIVIDERS)
-    return tuple(value)
+    return make(value)
 
 
 def _probes(value: Any) -> tuple[Probe, ...]:
@@ -306,24 +260,19 @@ def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
     return [by_number.get(number) for number in range(1, max(by_number) + 1)]
 
 
-_AS_READ: dict[str, Callable[[Any], Any]] = {
-    "stage": _stage,
-    "panel": _panel,
-    "fixed": _fixed,
-    "layers": _layers,
-    "names": _names,
-    "pinned": _pinned,
-    "slide": _slide,
-    "controls": _controls,
-    "probes": _probes,
-    "dividers": _dividers,
+_ONE_OR_NONE = {"panel": PANELS, "fixed": FIXED}
+_LISTS: dict[str, tuple[Any, ...]] = {
+    "layers": (frozenset, Hashable, SOME_OF, ", ".join(LAYERS)),
+    "names": (tuple, Hashable, SOME_NAMES, MOST_NAMES),
+    "pinned": (frozenset, Hashable, PROBE_NUMBERS),
+    "slide": (tuple, str, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)),
+    "controls": (tuple, str, SOME_CONTROLS, MOST_ON_SLIDE),
+    "dividers": (tuple, object, SOME_DIVIDERS),
 }
+"""What each list becomes, the type of its parts, and its bound; the view checks them further."""
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
     "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
-    "names": list,
     "pinned": sorted,
-    "slide": list,
-    "controls": list,
     "probes": _probe_places,
 }

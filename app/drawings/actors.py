@@ -525,7 +525,7 @@ def _after_position(actor: vtkActor, statement: str) -> None:
 
 
 def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Array:
-    """Return a `Projection.clip_from_world_at` for lines: the same pixels, a little nearer.
+    """Return a `Projection.clip_from_local` for lines: the same pixels, a little nearer.
 
     Every point keeps its pixel and gets the depth of a point `_LIFT` of the way nearer to the eye
     (for a parallel lens, or an eye far away: of the scene's size). In proportion to the distance,

@@ -26,8 +26,9 @@ from app.drawings.one_pane import PanePicture
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.lecture.highlight import WINDOW
+from app.lecture.highlight import ENDS, WINDOW
 from app.lecture.typesetting import pieces_of
+from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -46,7 +47,7 @@ _INK = 60
 """Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
-_OF_PLANES = "near", "far", "angle", "height", "width"
+_OF_PLANES = *ENDS, "angle", "height", "width"
 """Names for whose sake a flat view frames the frustum."""
 
 
@@ -70,28 +71,20 @@ class PlacedText(NamedTuple):
 
 
 class ComposedPicture(NamedTuple):
-    """A picture of a pane.
-
-    Attributes
-    ----------
-    fill : (float, float)
-        Of the pane's width and height: the box round what is drawn, without grid and frustum, and
-        round the labels.
-    left_out : tuple of str
-        The labels that are wanted, and have no place.
-    points : tuple of (str, (float, float))
-        The labels of points, with the points in pixels from the left and the bottom.
-    needs_area : bool
-        Whether `LEAST_AREA` holds for the picture.
-    """
+    """A picture of a pane."""
 
     pane: str
     size_px: tuple[int, int]
     labels: tuple[PlacedText, ...]
     fill: tuple[float, float]
+    """Of the pane's width and height: the box round what is drawn, without grid and frustum, and
+    round the labels."""
     left_out: tuple[str, ...] = ()
+    """The labels that are wanted, and have no place."""
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
+    """The labels of points, with the points in pixels from the left and the bottom."""
     needs_area: bool = True
+    """Whether `LEAST_AREA` holds for the picture."""
 
     @property
     def covered(self) -> list[tuple[str, str]]:
@@ -221,7 +214,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
     if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
         return np.empty((0, 2))
-    if not drawing.names.wanted & {"near", *WINDOW}:
+    if not drawing.names.wanted & {NEAR.name, *WINDOW}:
         return np.empty((0, 2))
     corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)

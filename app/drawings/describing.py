@@ -121,7 +121,7 @@ def describe(
     illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()
     if scene.phenomenon is not None:
-        explanation = translate(scene.phenomenon.explanation, "phenomena")
+        explanation = translate(scene.phenomenon.words.explanation, "phenomena")
         general.append(in_letters(explanation, letters))
     own = int(scene.own_lines.sum()), scene.dot_count
     if any(own):

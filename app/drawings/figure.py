@@ -91,6 +91,9 @@ _SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH
 class Figure:
     """What is drawn once: a document, and how. A figure that exists can be drawn.
 
+    Raises a `Refusal` for an unknown pane, palette or kind of hidden lines, and for a size, a scale
+    or letters that are not possible.
+
     Parameters
     ----------
     scene : Scene
@@ -117,12 +120,6 @@ class Figure:
         The words in the drawings; by default English with the view's letters.
     translate : callable
         Puts the texts of the description into another language.
-
-    Raises
-    ------
-    Refusal
-        For an unknown pane, palette or kind of hidden lines, and for a size, a scale or letters
-        that are not possible.
     """
 
     document: Document
@@ -221,7 +218,8 @@ class Figure:
     ) -> Pixels:
         """Draw it, and return (height, width, 3 or 4) uint8 pixels.
 
-        The first row is the top one; colours are not multiplied by alpha.
+        The first row is the top one; colours are not multiplied by alpha. Raises `Cancelled` when
+        `progress` returned False.
 
         Parameters
         ----------
@@ -229,11 +227,6 @@ class Figure:
             Called now and then with the fraction done; drawing stops when it returns False.
         seen : callable, optional
             Called with the drawing of each pane and how many of its pixels are one of the figure's.
-
-        Raises
-        ------
-        Cancelled
-            When `progress` returned False.
 
         Notes
         -----

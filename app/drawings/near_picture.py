@@ -170,7 +170,7 @@ def flatten(
 def flatten_free(projection: Projection, origin: Array, toward: Array) -> Film:
     """`flatten` under a free matrix: onto the cube's near face."""
     reversed_range = projection.with_depth("reversed")
-    clip_from_local = reversed_range.clip_from_world_at(origin)
+    clip_from_local = reversed_range.clip_from_local(origin)
     local_from_clip = reversed_range.world_from_clip_at(origin)
     x, y, _, w = clip_from_local
     side_planes = np.array([w + x, w - x, w + y, w - y])

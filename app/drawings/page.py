@@ -20,6 +20,8 @@ from dataclasses import replace
 from html import escape
 from typing import NamedTuple
 
+import numpy as np
+
 from app.document.lengths import Size
 from app.drawings.figure import PANE_PX, Figure
 from app.drawings.hidden import TANGLED
@@ -262,15 +264,6 @@ def _runs(places: Sequence[int]) -> str:
         else:
             runs.append([place, place])
     return ",".join(
-        _base_36(first) if first == last else f"{_base_36(first)}-{_base_36(last)}"
+        "-".join(np.base_repr(end, 36).lower() for end in dict.fromkeys((first, last)))
         for first, last in runs
     )
-
-
-def _base_36(number: int) -> str:
-    digits = "0123456789abcdefghijklmnopqrstuvwxyz"
-    text = ""
-    while number or not text:
-        number, digit = divmod(number, 36)
-        text = digits[digit] + text
-    return text

@@ -73,7 +73,7 @@ class _PdfWriter:
             seam = _SEAM_PX if shape.opacity >= 1.0 else 0.0
             self._patch(shape.rings, shape.colour, shape.opacity, seam)
         elif isinstance(shape, LineShape):
-            self._line(shape.points, shape.colour, shape.opacity, shape.width, shape.dash)
+            self._line(shape)
         elif isinstance(shape, Disc):
             turns = np.linspace(0.0, 2.0 * np.pi, 33)[:-1]
             (x, y), r = shape.centre, shape.radius
@@ -110,23 +110,17 @@ class _PdfWriter:
         )  # fmt: skip
         self._figure.add_artist(patch)
 
-    def _line(
-        self,
-        points: Points,
-        colour: Any,
-        opacity: float,
-        width: float,
-        dash: tuple[float, float] | None = None,
-    ) -> None:
+    def _line(self, shape: LineShape) -> None:
         from matplotlib.lines import Line2D
 
-        x, y = zip(*points, strict=True)
+        x, y = zip(*shape.points, strict=True)
         line: Any = Line2D(
-            x, y, color=(*colour, opacity), linewidth=width * _PT_PER_PX, zorder=self._above(),
-            transform=self._place, solid_capstyle="round", solid_joinstyle="round",
+            x, y, color=(*shape.colour, shape.opacity), linewidth=shape.width * _PT_PER_PX,
+            zorder=self._above(), transform=self._place, solid_capstyle="round",
+            solid_joinstyle="round",
         )  # fmt: skip
-        if dash is not None:  # in widths of the line
-            line.set_linestyle((0.0, [part / width for part in dash]))
+        if shape.dash is not None:  # in widths of the line
+            line.set_linestyle((0.0, [part / shape.width for part in shape.dash]))
             line.set_dash_capstyle("butt")
         self._figure.add_artist(line)
 
@@ -182,7 +176,7 @@ class _PdfWriter:
             )
             ends = [(x + low * sin, y + low * cos)]
             ends.append((ends[0][0] + cos * end * em, ends[0][1] - sin * end * em))
-            self._line(ends, rgb(written.colour), 1.0, low / 2.0)
+            self._line(LineShape(ends, rgb(written.colour), 1.0, low / 2.0))
 
 
 def _along(text: TextShape) -> Iterator[tuple[float, float]]:

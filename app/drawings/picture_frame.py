@@ -87,7 +87,7 @@ class ImageState(PaneState):
 
     def copies_from_local(self, times: float) -> Array:
         seen, scene = self.seen_projection, self.scene
-        clip = seen.clip_from_world_at(scene.origin)
+        clip = seen.clip_from_local(scene.origin)
         return clip + times * (lifted(clip, seen, scene) - clip)
 
     @property

@@ -172,7 +172,7 @@ class Rasteriser:
         if "levels" in self._requires:
             if self._levels is None and rendering.levels:
                 self._build_levels(rendering.levels)
-            seen = projection.clip_from_world_at(self._scene.origin)
+            seen = projection.clip_from_local(self._scene.origin)
             self._levels_space.set_projective(seen)
             self._choose_faces(in_levels=bool(rendering.levels) and not self.refused)
         self._subdivide(rendering.texture)
@@ -450,7 +450,7 @@ def counted_wrong_share(
     shift[:3, 3], back[:3, 3] = origin, -origin
     even = projection.lens.even_extent > 0.0  # a float's digits stand where depth is near 0
     seen = projection.with_depth("opengl")
-    clip_from_local = seen.clip_from_world_at(scene.origin)
+    clip_from_local = seen.clip_from_local(scene.origin)
     plain = scene.surface.copy(deep=False)
     plain.clear_cell_data()
     for matrix, colour in zip((np.eye(4), back @ behind @ shift), (_RED, _BLUE), strict=True):

@@ -136,7 +136,7 @@ class StageState(PaneState):
         return Placing(np.diag(shown)[:3], shown[:3, 3], _FARTHEST_MARK)
 
     def copies_from_local(self, times: float) -> Array:
-        return self.display_from_ndc @ self.seen_projection.clip_from_world_at(self.scene.origin)
+        return self.display_from_ndc @ self.seen_projection.clip_from_local(self.scene.origin)
 
     @property
     def sight(self) -> Sight:

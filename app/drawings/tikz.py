@@ -64,12 +64,7 @@ def tikz(
 ) -> tuple[bytes, dict[str, bytes]]:
     """Return the file of a figure of a size in pixels, and the PNG files that it reads, by name.
 
-    Parameters
-    ----------
-    text : str
-        A description, which becomes a comment.
-    name : str
-        The file's own name, without its ending.
+    `text` is a description, which becomes a comment; `name` is the file's own, without its ending.
     """
     writer = _TikzWriter(size, name)
     lines = [line for _, group in groupby(shapes, key=kind_of) for line in writer.lines([*group])]

@@ -198,12 +198,8 @@ def shapes_of(
     """Return the shapes of a window that has been drawn, `finer` times as large as the figure.
 
     What faces hide of lines is left out, dashed, or in `grey`, as `hidden` says (one of "none",
-    "dashed" and "grey"). `watch` is called now and then, and may raise an exception.
-
-    Raises
-    ------
-    Refusal
-        If there are too many of them.
+    "dashed" and "grey"). `watch` is called now and then, and may raise an exception. Raises a
+    `Refusal` if there are too many of them.
     """
     height = window.GetSize()[1]
     layers = sorted(window.GetRenderers(), key=lambda each: each.GetLayer())

@@ -26,16 +26,11 @@ _PLANES = ("r", "l", "t", "b", "f", "n")
 
 @dataclass(frozen=True)
 class Ratio:
-    """A quotient of a sum by a product of sums.
-
-    Attributes
-    ----------
-    below : tuple of (Polynomial, int)
-        Factors and their powers: single letters, and sums without a common factor.
-    """
+    """A quotient of a sum by a product of sums."""
 
     above: Polynomial
     below: tuple[tuple[Polynomial, int], ...] = ()
+    """Factors and their powers: single letters, and sums without a common factor."""
 
     def __bool__(self) -> bool:
         """Whether it is not identically 0."""

@@ -26,22 +26,15 @@ STEPS = ("eye", "look", "up", "n", "u", "v", "view")
 
 
 class UpAndView(NamedTuple):
-    """The angle between up and the view direction, and its consequences.
-
-    Attributes
-    ----------
-    angle_deg : float
-        0 to 180.
-    cross : Vector
-        up x n; `length` is its length.
-    magnified : float
-        The factor by which an error in the direction of up grows in u and v: 1/sine.
-    """
+    """The angle between up and the view direction, and its consequences."""
 
     angle_deg: float
+    """0 to 180."""
     cross: Vector
+    """up x n; `length` is its length."""
     length: float
     magnified: float
+    """The factor by which an error in the direction of up grows in u and v: 1/sine."""
 
 
 @lru_cache(maxsize=8)
@@ -69,12 +62,8 @@ def view_matrix(camera: Camera) -> tuple[tuple[float, ...], ...]:
 def turned_up(camera: Camera, angle_deg: float) -> Camera:
     """Return the camera with up at another angle to the view direction, in up's present plane.
 
-    u, v and n do not change, only how accurately up determines them.
-
-    Raises
-    ------
-    Refusal
-        If up is then parallel to the view direction, or not a finite number.
+    u, v and n do not change, only how accurately up determines them. Raises a `Refusal` if up is
+    then parallel to the view direction, or not a finite number.
     """
     _, v, n = camera.frame
     cosine, sine = cos_sin_deg(finite("up", angle_deg))
@@ -85,16 +74,10 @@ def turned_up(camera: Camera, angle_deg: float) -> Camera:
 def most_turned_deg(off_deg: float, error_deg: float) -> float:
     """Return the largest turn of u and v, in degrees, by an error in the direction of up.
 
-    On a sphere, the line of sight is the pole and up is a point. From the pole, the error's circle
-    about that point spans ``asin(sin(error)/sin(angle))`` to both sides, and all directions if the
-    pole is inside.
-
-    Parameters
-    ----------
-    off_deg : float
-        Angle between up and the line of sight, 0 to 90.
-    error_deg : float
-        Less than 90.
+    Up is 0 to 90 degrees off the line of sight, and the error is less than 90. On a
+    sphere, the line of sight is the pole and up is a point. From the pole, the error's circle about
+    that point spans ``asin(sin(error)/sin(angle))`` to both sides, and all directions if the pole
+    is inside.
     """
     if off_deg < error_deg:
         return 180.0

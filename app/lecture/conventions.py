@@ -48,12 +48,8 @@ CONVENTIONS = {
 def in_convention(projection: Projection, name: str, *, rows: bool) -> dict[str, Array]:
     """Return the matrices of the camera and the lens as another program writes them.
 
-    OpenCV's lens is K, (3, 3), and its camera R and t, (3, 4).
-
-    Raises
-    ------
-    Refusal
-        For OpenCV, if the projectors do not meet in the eye.
+    OpenCV's lens is K, (3, 3), and its camera R and t, (3, 4). Raises a `Refusal` for OpenCV, if
+    the projectors do not meet in the eye.
     """
     other = CONVENTIONS[name]
     if set(DEPTH_RANGES[projection.depth]) != set(DEPTH_RANGES[other.depth]):

@@ -13,17 +13,12 @@ EVERY_DIGIT = 17
 """As many significant digits tell every number of float64 from its neighbours."""
 
 
-def cell_text(value: float) -> str:
-    """Write a cell's number with every digit, as `python -m app matrices` prints it."""
-    return format_value(value)
-
-
 def as_text(matrix: WrittenMatrix, letters: Letters = "own", *, formulas: bool = False) -> str:
     """Write the matrix as aligned columns of numbers or formulas under its name."""
     cells = (
         [[written(cell, letters) for cell in row] for row in matrix.formulas]
         if formulas
-        else [[cell_text(value) for value in row] for row in matrix.values]
+        else [[format_value(value) for value in row] for row in matrix.values]
     )
     widths = [max(map(_places, column)) for column in zip(*cells, strict=True)]
     lines = (
@@ -87,6 +82,6 @@ def latex_name(name: str) -> str:
 
 def latex_number(value: float, digits: int = EVERY_DIGIT) -> str:
     """Write a number with so many digits, and its exponent as a power of ten."""
-    text = cell_text(value) if digits == EVERY_DIGIT else f"{value:.{digits}g}"
+    text = format_value(value) if digits == EVERY_DIGIT else f"{value:.{digits}g}"
     mantissa, e, exponent = text.partition("e")
     return rf"{mantissa} \cdot 10^{{{int(exponent)}}}" if e else mantissa

@@ -42,29 +42,20 @@ _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
 
 class ProjectionState(NamedTuple):
-    """The facts about a projection that decide which of its numbers matter; see `state_of`.
-
-    Attributes
-    ----------
-    keep : str
-        The lens' proportions; empty for a lens without a window.
-    zeros : frozenset of str
-        The names, and the sums and calls of names, that are 0.
-    fits : bool
-        Whether the lens' window already has the image's proportions.
-    letters : tuple of (str, tuple of str)
-        Letters that only this lens has, and the fields of the document that they depend on.
-    held : tuple of (str, tuple of str)
-        Components of u and v that are 0, and the only fields that can change them. If up lies along
-        an axis of the world, u has no component along it for any camera position. If n lies along
-        it, neither u nor v has one for any up.
-    """
+    """The facts about a projection that decide which of its numbers matter; see `state_of`."""
 
     keep: str
+    """The lens' proportions; empty for a lens without a window."""
     zeros: frozenset[str]
+    """The names, and the sums and calls of names, that are 0."""
     fits: bool
+    """Whether the lens' window already has the image's proportions."""
     letters: tuple[tuple[str, tuple[str, ...]], ...]
+    """Letters that only this lens has, and the fields of the document that they depend on."""
     held: tuple[tuple[str, tuple[str, ...]], ...]
+    """Components of u and v that are 0, and the only fields that can change them. If up lies along
+    an axis of the world, u has no component along it for any camera position. If n lies along it,
+    neither u nor v has one for any up."""
 
 
 class Influence(NamedTuple):

@@ -24,26 +24,18 @@ AXES: tuple[Vector, Vector, Vector] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0
 
 
 class ProjectionKind(NamedTuple):
-    """A node of the tree.
-
-    Attributes
-    ----------
-    parent : str
-        Empty for the root.
-    title, condition : str
-        Its name, and its condition in addition to the parent's; marked for translation.
-    orbit : Orbit, optional
-        The camera's place, with distance 1 for the present distance. None for any camera.
-    receding : float, optional
-        The scale of edges along the view in an oblique drawing.
-    """
+    """A node of the tree."""
 
     name: str
     parent: str
+    """Empty for the root."""
     title: str
     condition: str
+    """Its name, and its condition in addition to the parent's; marked for translation."""
     orbit: Orbit | None = None
+    """The camera's place, with distance 1 for the present distance. None for any camera."""
     receding: float | None = None
+    """The scale of edges along the view in an oblique drawing."""
 
 
 def _degrees(tangent: float) -> float:
@@ -150,12 +142,7 @@ def with_kind(projection: Projection, kind: str) -> Projection:
 
     A projection that already is of this kind does not change. For a node without an orbit, the
     camera does not change if the node's condition holds from there; else it is that of the node's
-    first child.
-
-    Raises
-    ------
-    Refusal
-        If this camera or this lens is impossible.
+    first child. Raises a `Refusal` if this camera or this lens is impossible.
     """
     now = kind_of(projection)
     if now is not None and kind in path(now):

@@ -47,11 +47,7 @@ def pasted(
     """Return what a matrix of `read_matrix` may mean as one of the `EDITABLE` matrices.
 
     There are several meanings only if each is a camera or a lens. If none is, the matrix is free.
-
-    Raises
-    ------
-    Refusal
-        For a cell that the matrix cannot have, and for 9 or 12 numbers of no camera.
+    Raises a `Refusal` for a cell that the matrix cannot have, and for 9 or 12 numbers of no camera.
     """
     if name == "view_from_world":
         return _views(projection, rows, write)

@@ -35,6 +35,7 @@ from functools import cached_property
 
 import numpy as np
 
+from app.model.pipeline import translation
 from app.model.projection import Array, Lens, Projection, Vector
 
 STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", "image")
@@ -97,7 +98,7 @@ class Morph:
         if stop == WORLD:
             return np.eye(4)
         if stop >= NDC:
-            clip_from_local = self.projection.clip_from_world_at(self.origin)
+            clip_from_local = self.projection.clip_from_local(self.origin)
             return (
                 clip_from_local if stop == NDC else self.projection.image_from_ndc @ clip_from_local
             )
@@ -110,7 +111,7 @@ class Morph:
 
     @cached_property
     def _view_from_local(self) -> Array:
-        matrix: Array = self.projection.view_rotation @ self._shift(
+        matrix: Array = self.projection.view_rotation @ translation(
             np.asarray(self.origin) - self.projection.camera.eye
         )
         return matrix
@@ -123,23 +124,17 @@ class Morph:
 
     # -- frames
 
-    @staticmethod
-    def _shift(offset: Array) -> Array:
-        matrix = np.eye(4)
-        matrix[:3, 3] = offset
-        return matrix
-
     def display_from_stage(self, stop: int) -> Array:
         """Return the scale and shift of a stop into the pane, (4, 4), which mirrors NDC's z."""
         if stop <= VIEW:
             middle, scale = self._ball
             if stop == VIEW:
                 middle = self._view_from_local[:3] @ [*middle, 1.0]
-            return _scaled(scale) @ self._shift(-middle)
+            return _scaled(scale) @ translation(-middle)
         if stop == CANONICAL_PERSPECTIVE:
-            return self._shift(np.array([0.0, 0.0, 0.5])) @ _scaled(1.0 / self._reach)
+            return translation(np.array([0.0, 0.0, 0.5])) @ _scaled(1.0 / self._reach)
         if stop == CANONICAL_PARALLEL:
-            return self._shift(np.array([0.0, 0.0, 0.5]))
+            return translation(np.array([0.0, 0.0, 0.5]))
         z_near, z_far = self.projection.depth_range
         if stop == NDC:
             mirror = 1.0 if z_near > z_far else -1.0
@@ -239,7 +234,7 @@ class Morph:
             return self._display_stop(stop)
         if stop == WORLD:
             middle, _ = self._ball
-            turned: Array = self._turned(part) @ self._shift(-middle)
+            turned: Array = self._turned(part) @ translation(-middle)
             return turned
         return (1.0 - part) * self._even(stop) + part * self._even(stop + 1)
 
@@ -279,7 +274,7 @@ class Morph:
             frame[:3, :3] = self.projection.camera.frame
             from_view = self._turned(part) @ frame.T
             middle = self._view_from_local[:3] @ [*self._ball[0], 1.0]
-            matrix: Array = from_view @ self._shift(-middle) @ self._view_from_box
+            matrix: Array = from_view @ translation(-middle) @ self._view_from_box
             return matrix
         if part == 0.0:
             return self._box_stop(stop)
@@ -374,7 +369,7 @@ class FreeMorph(Morph):
     @cached_property
     def _view_from_local(self) -> Array:
         view_from_eye = np.array(self.projection.exact_from_eye[0], dtype=np.float64)
-        shift = self._shift(np.asarray(self.origin) - self.projection.camera.eye)
+        shift = translation(np.asarray(self.origin) - self.projection.camera.eye)
         matrix: Array = view_from_eye @ shift
         return matrix
 
@@ -410,7 +405,7 @@ class FreeMorph(Morph):
         seen = framed @ self._view_from_local.T
         seen = seen[seen[:, 3] > 0.0]
         middle, scale = _ball_of(seen[:, :3] / seen[:, 3:]) if len(seen) else (np.zeros(3), 1.0)
-        matrix: Array = _scaled(scale) @ self._shift(-middle)
+        matrix: Array = _scaled(scale) @ translation(-middle)
         return matrix
 
     def _evening(self, stop: int) -> float:

@@ -47,13 +47,7 @@ _UNIT = Fraction(1, 2**52)
 
 
 def shown(projection: Projection, name: str) -> Cells:
-    """Return one of the `EDITABLE` matrices, every cell rounded once, as an edit begins.
-
-    Raises
-    ------
-    Refusal
-        For another name.
-    """
+    """Return one of the `EDITABLE` matrices, every cell rounded once, as an edit begins."""
     stages = {
         "view_from_world": projection.stages[1],
         "clip_from_view": projection.direct_stages[0],
@@ -83,12 +77,8 @@ def with_matrix(
     The lens is of the present kind, or of the kind before a free matrix, if that kind has the
     matrix; else the simplest lens that has it, else a `FreeMatrix`. The same holds for the camera.
     If the cells of a `whole` matrix are rounded, the fields of the lens are the shortest decimals
-    that give them. A free matrix of another convention keeps the lens that it describes.
-
-    Raises
-    ------
-    Refusal
-        For a cell that is not finite or beyond `LARGEST`, or another name.
+    that give them. A free matrix of another convention keeps the lens that it describes. Raises a
+    `Refusal` for a cell that is not finite or beyond `LARGEST`, or another name.
     """
     cells = finite_matrix(name, matrix)
     if cells == shown(projection, name):
@@ -224,24 +214,17 @@ def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals 
 
 
 class MatrixReading(NamedTuple):
-    """What a projection matrix of any convention does: our lens, and how its spaces differ.
-
-    Attributes
-    ----------
-    lens : Lens
-        It looks along -z of a view space with y up.
-    y, z : int
-        The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
-        points down, and that it looks along +z.
-    is_transposed : bool
-        Whether the cells are read as columns.
-    """
+    """What a projection matrix of any convention does: our lens, and how its spaces differ."""
 
     lens: Lens
+    """It looks along -z of a view space with y up."""
     depth: DepthRange
     y: int
     z: int
+    """The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
+    points down, and that it looks along +z."""
     is_transposed: bool
+    """Whether the cells are read as columns."""
 
     @property
     def digits(self) -> int:

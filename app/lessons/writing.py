@@ -99,7 +99,7 @@ def _texts(document: Document) -> dict[str, str]:
         names = [picture.name for picture in pictures]
         ready = [
             each.name
-            for each in (phenomenon.comparisons if phenomenon else ())
+            for each in (phenomenon.words.comparisons if phenomenon else ())
             if [picture[0] for picture in each.pictures] == names
         ]
         others = [picture_text(each) for each in pictures if each.changes]

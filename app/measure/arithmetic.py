@@ -25,8 +25,9 @@ from app.measure.results import IN_SOFTWARE, ChartPoint, Trade
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.precision.cheap import Hardware, cheap
+from app.precision.cheap import cheap
 from app.precision.levels import Precision, Prediction, predict, trace
+from app.scenes.phenomena.cheap_arithmetic import hardware_of
 
 Rows: TypeAlias = NDArray[Any]
 """(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where there is no answer."""
@@ -39,41 +40,25 @@ PRECISIONS: dict[str, Precision] = {
     "exact": "exact",
 }
 """The projections that are precisions of the model, which predicts their errors."""
-_OWN = {"settings.preset": "own", "settings.snap": "none", "settings.reciprocal": "exact"}
-_SINGLE = {**_OWN, "settings.vertices": "float32", "settings.numbers": "float32"}
-CHEAP: dict[str, tuple[Hardware, dict[str, str]]] = {
-    **{
-        f"{bits} bits": (Hardware(f"{bits} bits"), {"settings.preset": f"bits{bits}"})
-        for bits in (8, 12, 16)
-    },
-    "float16": (Hardware("float16", "float16"), {"settings.preset": "half"}),
-    **{
-        name: (
-            Hardware(name, name),
-            {**_OWN, "settings.vertices": drawn, "settings.numbers": drawn},
-        )
-        for name, drawn in (("bfloat16", "bfloat16"), ("fixed 16.16", "fixed"))
-    },
-    **{
-        f"float32, snapped to {name}": (Hardware(snap=name), {**_SINGLE, "settings.snap": drawn})
-        for name, drawn in (("whole px", "whole"), ("1/4 px", "quarter"), ("1/16 px", "sixteenth"))
-    },
-    **{
-        f"float32, reciprocal {name}": (
-            Hardware(reciprocal=name),
-            {**_SINGLE, "settings.reciprocal": drawn},
-        )
-        for name, drawn in (
-            ("table", "table"),
-            ("table, 1 Newton step", "newton1"),
-            ("table, 2 Newton steps", "newton2"),
-        )
-    },
+_OWN = {
+    "preset": "own", "snap": "none", "reciprocal": "exact",
+    "vertices": "float32", "numbers": "float32",
+}  # fmt: skip
+CHEAP: dict[str, dict[str, str]] = {
+    "8 bits": {"preset": "bits8"},
+    "12 bits": {"preset": "bits12"},
+    "16 bits": {"preset": "bits16"},
+    "float16": {"preset": "half"},
+    "bfloat16": _OWN | {"vertices": "bfloat16", "numbers": "bfloat16"},
+    "fixed 16.16": _OWN | {"vertices": "fixed", "numbers": "fixed"},
+    "float32, snapped to whole px": _OWN | {"snap": "whole"},
+    "float32, snapped to 1/4 px": _OWN | {"snap": "quarter"},
+    "float32, snapped to 1/16 px": _OWN | {"snap": "sixteenth"},
+    "float32, reciprocal table": _OWN | {"reciprocal": "table"},
+    "float32, reciprocal table, 1 Newton step": _OWN | {"reciprocal": "newton1"},
+    "float32, reciprocal table, 2 Newton steps": _OWN | {"reciprocal": "newton2"},
 }
-"""What numpy can only imitate: judged, but not timed.
-
-Each with the settings with which the scene ``cheap-arithmetic`` draws it.
-"""
+"""What numpy can only imitate, judged but not timed: settings of the scene ``cheap-arithmetic``."""
 
 NO_POINTS = QT_TRANSLATE_NOOP(
     "Measure", "no vertex is in front of the eye, so there is nothing to measure"
@@ -101,28 +86,19 @@ def looked_at(projection: Projection, points_world: Array) -> Array:
     points = points_world[inside if inside.any() else traced.in_front]
     if not len(points):
         return points
-    chosen: Array = np.resize(points[:: max(1, len(points) // MOST_POINTS)], (MOST_POINTS, 3))
-    return chosen
+    return np.asarray(np.resize(points[:: max(1, len(points) // MOST_POINTS)], (MOST_POINTS, 3)))
 
 
 def timed_projections(
     projection: Projection, world: Array, origin: Vector
 ) -> dict[str, TimedProjection]:
     """Return our own projections, from float32 to the exact one; `origin` as for `summed`."""
-
-    def same(rows: Rows) -> Rows:
-        return rows
-
-    ours = {
-        kind: TimedProjection(
-            summed(projection, world, origin, kind), same, 3.0 * np.dtype(kind).itemsize
-        )
-        for kind in ("float32", "float64")
-    }
-    for kind in ("float32", "float64"):  # moved in float64, so every point keeps its 24 bytes
-        ours[f"{kind}, eye first"] = TimedProjection(
-            summed(projection, world, None, kind), same, 24.0
-        )
+    ours = {}
+    for name, start in (("{}", origin), ("{}, eye first", None)):
+        for kind, size in (("float32", 12.0), ("float64", 24.0)):
+            size = 24.0 if start is None else size  # eye first, the points stay in float64
+            run = summed(projection, world, start, kind)
+            ours[name.format(kind)] = TimedProjection(run, np.asarray, size)
     for name, precision in PRECISIONS.items():
         if precision != "float32":  # which is above, without unused results
             ours[name] = TimedProjection(
@@ -138,14 +114,9 @@ def summed(
 ) -> Callable[[], Rows]:
     """Return a function that applies matrix, division and viewport in one precision, as a GPU does.
 
-    Parameters
-    ----------
-    origin : Vector or None
-        World point that is subtracted from the vertices once, in float64. None subtracts the eye,
-        which moves, in every run.
-    kind : str
-        ``"float32"`` or ``"float64"``. With an origin, float32 is bit for bit the
-        precision ``float32`` of `app.precision.levels`.
+    The world point `origin` is subtracted from the vertices once, in float64; None subtracts the
+    eye, which moves, in every run. `kind` is ``"float32"`` or ``"float64"``. With an origin,
+    float32 is bit for bit the precision ``float32`` of `app.precision.levels`.
     """
     columns = np.ascontiguousarray(world.T)
     eye = np.array(projection.camera.eye).reshape(3, 1)
@@ -153,7 +124,7 @@ def summed(
         if origin is None:
             matrix = projection.clip_from_eye.astype(kind)
         else:
-            matrix = projection.clip_from_world_at(origin).astype(kind)
+            matrix = projection.clip_from_local(origin).astype(kind)
             columns = (columns - np.reshape(origin, (3, 1))).astype(kind)
     offset, product = np.empty_like(columns), np.empty(columns.shape[1], dtype=kind)
     done = np.empty((4, columns.shape[1]), dtype=kind)
@@ -271,10 +242,7 @@ def measure(
 ) -> Trade:
     """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the errors, and the times so far.
+    A `Cancelled` that `watch` raises has the errors, and the times so far.
     """
     world = looked_at(projection, points_world)
     if not len(world):
@@ -299,13 +267,15 @@ def measure(
         choice = _choice(name, errors, expected, note, use, every[name].bytes)
         choices.append(replace(choice, library=name in others))
     box = np.stack([points_world.min(axis=0), points_world.max(axis=0)])
-    for name, (hardware, drawn) in CHEAP.items():
+    for name, settings in CHEAP.items():
+        hardware = hardware_of(settings)
         picture = cheap(projection, world, hardware, origin, box)
         answers = np.column_stack([picture.image, picture.depth])[where]
         errors, note = largest_errors(reference, answers)
         bounds = picture.bounds.max(axis=0).tolist()
         prediction = Prediction(max(bounds[:2]), bounds[2])
-        use = {"scene": "cheap-arithmetic", **drawn}
+        use = {"scene": "cheap-arithmetic"}
+        use |= {f"settings.{setting}": value for setting, value in settings.items()}
         # Snapping and reciprocals save no memory, so they have no place among the formats.
         size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
         choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))

@@ -149,21 +149,11 @@ def diagrams(
     other_name: str = "",
     translate: Callable[[str], str] = str,
 ) -> tuple[Diagram, ...]:
-    """Return the chart of a trade or sweep.
+    """Return the chart of a trade or sweep; two for fields of view on both sides of 90 degrees.
 
-    Parameters
-    ----------
-    current : mapping of str to str, optional
-        The settings in use, in the form of `ChartPoint.use`; the chart marks their choice.
-    other : Trade or Sweep, optional
-        The same measurement of another machine, which is drawn thinner.
-    other_name : str
-        That machine.
-
-    Returns
-    -------
-    tuple of Diagram
-        Two for fields of view on both sides of 90 degrees; none if there is no number.
+    The chart marks the choice of the settings in use: `current`, in the form of `ChartPoint.use`.
+    `other` is the same measurement of the machine `other_name`, which is drawn thinner. Without a
+    number there is no chart.
     """
     if isinstance(part, Trade):
         overlaid = other if isinstance(other, Trade) else None

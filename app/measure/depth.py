@@ -37,10 +37,7 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     units, from which on the buffer separates every surface from it. It is measured by encoding, and
     predicted by the buffer's formula.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the choices done.
+    A `Cancelled` that `watch` raises has the choices done.
     """
     lens = projection.lens
     distance = -float(projection.trace(projection.camera.target).view[2])

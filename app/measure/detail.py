@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, part_of, timed, unwatched
 from app.measure.smoothing import SMOOTHINGS, pane, picture_size
+from app.model.limits import vector
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, reduced
-from app.scenes.finishing import vector
 from app.scenes.scene import Scene
 
 FINER = 3.0
@@ -44,10 +44,7 @@ def measure(
     Hausdorff distance of the two outlines, the largest distance of a point of one from the other,
     in px of a pane-sized picture.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the choices so far.
+    A `Cancelled` that `watch` raises has the choices so far.
     """
     own = scene.triangles >= LEAST_TRIANGLES
     if not own:

@@ -113,7 +113,8 @@ def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
     pixel knows the line of its piece, so it costs one interpolation however many there are.
     """
     t = np.arange(splits + 1) / splits
-    breaks = _on_screen(edge, t)
+    one, other = float(edge.start[3]), float(edge.end[3])
+    breaks = t * other / (one + t * (other - one))  # the split points on the screen
     steps = (1.0 / splits) / np.diff(breaks)
     piece = np.searchsorted(breaks[1:-1], s)
     slopes, starts = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
@@ -124,13 +125,6 @@ def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
         return np.add(values, starts, out=values)
 
     return run
-
-
-def _on_screen(edge: ClipEdge, t: Array) -> Array:
-    """Return the screen places s, from 0 to 1, of points at parts t of the edge in the world."""
-    one, other = float(edge.start[3]), float(edge.end[3])
-    s: Array = t * other / (one + t * (other - one))
-    return s
 
 
 def bound(edge: ClipEdge, splits: int) -> float:
@@ -152,8 +146,7 @@ def truth(edge: ClipEdge, s: Array) -> Array:
     low, high = p[axis] / p[3], q[axis] / q[3]
     x = low + s.astype(np.longdouble) * (high - low)
     t = (x * p[3] - p[axis]) / ((q[axis] - p[axis]) - x * (q[3] - p[3]))
-    values: Array = t.astype(np.float64)
-    return values
+    return np.asarray(t.astype(np.float64))
 
 
 def measure(
@@ -161,10 +154,7 @@ def measure(
 ) -> Trade:
     """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3).
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the errors, and the times so far.
+    A `Cancelled` that `watch` raises has the errors, and the times so far.
     """
     edge = steepest_edge(projection, corners_world)
     if edge is None:

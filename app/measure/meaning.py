@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from app.measure.results import STEADY, ChartPoint, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -55,35 +54,29 @@ _SEPARATES = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
-@dataclass(frozen=True)
-class Meaning:
-    """A sentence as a template and its values."""
-
-    template: str
-    values: tuple[str, ...]
-
-    def sentence(self, translate: Callable[[str], str] = str) -> str:
-        return translate(self.template).format(*(named(value, translate) for value in self.values))
-
-
-def meaning(trade: Trade) -> Meaning:
+def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
     """State what a trade's measurements mean for a choice."""
+    template, values = _template_and_values(trade)
+    return translate(template).format(*(named(value, translate) for value in values))
+
+
+def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
     frontier = trade.frontier
     if not frontier:
         notes = [choice.note for choice in trade.choices if choice.note]
-        return Meaning(NOTHING, (notes[0] if notes else "-",))
+        return NOTHING, (notes[0] if notes else "-",)
     first, last = frontier[0], frontier[-1]
     if trade.name == "depth":
         parts = [choice.name.partition(", ") for choice in (first, last)]
         (cheap, _, cheap_mapping), (fine, _, fine_mapping) = parts
         values = (cheap, _plain(first.error), cheap_mapping, fine, fine_mapping, _plain(last.error))
-        return Meaning(DEPTH, values)
+        return DEPTH, values
     cost = f" {trade.cost_unit}"
     error = f" {trade.error_unit}"
     if first is last:
-        return Meaning(
-            FASTEST_IS_BEST, (first.name, _plain(first.cost) + cost, _plain(first.error) + error)
-        )
+        return FASTEST_IS_BEST, (
+            first.name, _plain(first.cost) + cost, _plain(first.error) + error,
+        )  # fmt: skip
     limit = GOOD_ENOUGH[trade.name]
     good = cheapest(trade, limit)
     ends = (
@@ -91,7 +84,7 @@ def meaning(trade: Trade) -> Meaning:
         last.name, _plain(last.cost) + cost, _plain(last.error) + error,
         f"{limit:g}{error}",
     )  # fmt: skip
-    return Meaning(TRADE_OFF, (*ends, good.name)) if good else Meaning(NONE_GOOD, ends)
+    return (TRADE_OFF, (*ends, good.name)) if good else (NONE_GOOD, ends)
 
 
 def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:

@@ -54,25 +54,11 @@ def measure_all(
     opengl: bool = True,
     watch: Watch = unwatched,
 ) -> Measurements:
-    """Measure trades and sweeps of a scene.
+    """Measure some of `TRADES` and of `app.measure.sweeps.SWEEPS` with the document's scene.
 
-    Parameters
-    ----------
-    scene : Scene
-        The document's scene, loaded.
-    trades : sequence of str
-        Names in `TRADES`.
-    sweeps : mapping of str to (float, float)
-        The range of each of `app.measure.sweeps.SWEEPS`; None for its usual end.
-    quick : bool
-        Shorter timings and fewer values: half a minute in all.
-    opengl : bool
-        Whether OpenGL is available; if not, `trades` must not include `NEED_OPENGL`.
-
-    Returns
-    -------
-    Results
-        After a cancellation, the results so far, marked as incomplete.
+    A sweep has a range, with None for its usual end. `quick` means shorter timings and fewer
+    values: half a minute in all. Without `opengl`, none of `NEED_OPENGL` may be among the trades.
+    After a cancellation the results so far are marked as incomplete.
     """
     results = Measurements(
         datetime.now(UTC).isoformat(timespec="seconds"),

@@ -27,8 +27,7 @@ class Truth(NamedTuple):
 
     def errors(self, answers: Array) -> Array:
         """Return the absolute errors (n, 3) of answers (n, 3); NaN where an answer is NaN."""
-        errors: Array = np.abs((answers - self.numbers) - self.rests)
-        return errors
+        return np.asarray(np.abs((answers - self.numbers) - self.rests))
 
 
 def sample(points: Array) -> tuple[Array, Array]:
@@ -41,10 +40,7 @@ def sample(points: Array) -> tuple[Array, Array]:
 def truth(projection: Projection, points_world: Array) -> Truth:
     """Return the truth about world points (n, 3) in front of the eye plane.
 
-    Raises
-    ------
-    Refusal
-        For a free matrix, which has no definition except its cells.
+    Raises a `Refusal` for a free matrix, which has no definition except its cells.
     """
     from mpmath import mp
 

@@ -411,24 +411,15 @@ class _ResultsReader:
     def texts(self) -> dict[str, str]:
         return {key: part.text() for key, part in self.items()}
 
-    def numbers(self) -> dict[str, float]:
-        return {key: part.number() for key, part in self.items()}
-
-    def column(self) -> tuple[float | None, ...]:
-        return tuple(part.number_or_none() for part in self.parts())
-
-    def notes(self) -> tuple[str, ...]:
-        return tuple(part.text() for part in self.parts())
-
 
 _READ: dict[str, Callable[[_ResultsReader], Any]] = {
     "str": _ResultsReader.text,
     "bool": _ResultsReader.flag,
     "float | None": _ResultsReader.number_or_none,
-    "Mapping[str, float]": _ResultsReader.numbers,
+    "Mapping[str, float]": lambda tree: {key: part.number() for key, part in tree.items()},
     "Mapping[str, str]": _ResultsReader.texts,
-    "tuple[float | None, ...]": _ResultsReader.column,
-    "tuple[str, ...]": _ResultsReader.notes,
+    "tuple[float | None, ...]": lambda tree: tuple(part.number_or_none() for part in tree.parts()),
+    "tuple[str, ...]": lambda tree: tuple(part.text() for part in tree.parts()),
 }
 """How to read a field of `ChartPoint` or `ErrorCurve`, by its annotation."""
 
@@ -436,10 +427,7 @@ _READ: dict[str, Callable[[_ResultsReader], Any]] = {
 def from_json(text: str, file: str = "The file") -> Measurements:
     """Read what `to_json` wrote; messages name the `file`.
 
-    Raises
-    ------
-    Refusal
-        If it is not a file of measurements, has another version, or is damaged.
+    Raises a `Refusal` if it is not a file of measurements, has another version, or is damaged.
     """
     try:
         tree = json.loads(text)

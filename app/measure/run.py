@@ -6,11 +6,12 @@ only adds to a time, so the least one is that of the work, and the spread is tha
 
 from __future__ import annotations
 
-import statistics
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
 
 from app.measure.results import STEADY, Trade
 from app.model.refusal import Cancelled
@@ -56,16 +57,13 @@ def in_turns(
 ) -> dict[str, Times]:
     """Time each run, round after round, until all are `steady`, or for some `seconds` in all.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the times so far.
+    A `Cancelled` that `watch` raises has the times so far.
     """
     taken: dict[str, list[float]] = {name: [] for name in runs}
 
     def times() -> dict[str, Times]:
         return {
-            name: Times(min(each), percentile95(each), len(each))
+            name: Times(min(each), float(np.percentile(each, 95)), len(each))
             for name, each in taken.items()
             if each
         }
@@ -113,17 +111,10 @@ def timed(
 ) -> Trade:
     """Add the costs of the choices to a trade, timed by `in_turns`.
 
-    Parameters
-    ----------
-    runs : mapping of str to callable
-        By the choices' names; a choice without a run gets no cost.
-    per_second : float
-        Units of cost per second of one run.
+    The runs have the choices' names; a choice without a run gets no cost. A second of one run costs
+    `per_second` units.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the costs so far.
+    A `Cancelled` that `watch` raises has the costs so far.
     """
     complete = True
     try:
@@ -141,10 +132,3 @@ def timed(
     if not complete:
         raise Cancelled(measured)
     return measured
-
-
-def percentile95(times: list[float]) -> float:
-    """Return the 95th percentile; of a single value, that value."""
-    if len(times) < 2:
-        return times[0]
-    return statistics.quantiles(times, n=20, method="inclusive")[-1]

@@ -72,10 +72,7 @@ def measure(
     The cost is ms per frame; the error is the root mean square of the pixels' differences, in
     levels from 0 to 255.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the pictures' errors, and the times so far.
+    A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
     size = picture_size(projection)
     with ExitStack() as stack:
@@ -205,8 +202,7 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.flo
     width, height = size
     if scale > 1.0:
         factor = round(scale)
-        means: NDArray[np.float64] = colours.reshape(height, factor, width, factor, 3).mean((1, 3))
-        return means
+        return np.asarray(colours.reshape(height, factor, width, factor, 3).mean((1, 3)))
     times = round(1.0 / scale)
     return colours.repeat(times, axis=0).repeat(times, axis=1)
 

@@ -131,10 +131,7 @@ def sweep(
 
     `at` returns the answer of each choice; by default `errors`.
 
-    Raises
-    ------
-    Cancelled
-        By `watch`; with the values done.
+    A `Cancelled` that `watch` raises has the values done.
     """
     by_choice: dict[str, list[Answer]] = {}
     complete, done = True, 0
@@ -208,8 +205,7 @@ def in_view(projection: Projection, points_world: Array) -> Array:
     inside = points_world[traced.in_front & ~traced.outside.any(axis=1)]
     if len(inside) >= SAMPLE:
         step = len(inside) // SAMPLE
-        kept: Array = inside[::step][:SAMPLE]
-        return kept
+        return np.asarray(inside[::step][:SAMPLE])
     rng = np.random.default_rng(1)
     width, height = projection.image_size
     lens = projection.lens
@@ -236,8 +232,7 @@ def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
     y = top - (top - bottom) * pixels[:, 1] / height
     grow = projection.lens.enlarged(depth)
     view = np.column_stack([x * grow, y * grow, -depth])
-    world: Array = view @ projection.camera.frame + projection.camera.eye
-    return world
+    return np.asarray(view @ projection.camera.frame + projection.camera.eye)
 
 
 def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answer:

@@ -92,17 +92,14 @@ class Orbit(NamedTuple):
 class Camera:
     """The position and orientation of the camera.
 
+    Raises a `Refusal` for a coordinate that is not finite or larger than `LARGEST`, for
+    ``eye = target`` and ``up = 0``, and for up within `SMALLEST_UP_ANGLE` of the view direction.
+
     Parameters
     ----------
     eye, target, up : sequence of 3 floats
         World coordinates of the centre of projection and of the point looked at, and the
         direction that is vertical in the picture (any length, not parallel to the view).
-
-    Raises
-    ------
-    Refusal
-        For a coordinate that is not finite or larger than `LARGEST`, ``eye = target``,
-        ``up = 0``, or up within `SMALLEST_UP_ANGLE` of the view direction.
     """
 
     eye: Vector = (6.0, 5.0, 9.0)

@@ -22,7 +22,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -48,59 +48,39 @@ _TIE = 1e-15
 
 
 class ClippedSegments(NamedTuple):
-    """The visible parts of segments; ``...`` is the segments' shape.
-
-    Attributes
-    ----------
-    visible : (...) bool
-        Whether any of it is inside; a segment that only touches counts, as one point.
-    t : (..., 2) float64
-        Where the visible part begins and ends, from 0 to 1; linear in clip space, and in the
-        world too if both ends have the same world w. NaN where nothing is visible.
-    points_clip : (..., 2, 4) float64
-        Its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is visible.
-    planes : (..., 2) int
-        Index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that passes an
-        edge of the volume outside (`outside` all false), the two planes that meet there.
-    outside : (..., 6) bool
-        Whether the whole segment lies beyond each of `PLANES`.
-    """
+    """The visible parts of segments; ``...`` is the segments' shape."""
 
     visible: NDArray[np.bool_]
+    """(...): whether any of it is inside; a segment that only touches counts, as one point."""
     t: Array
+    """(..., 2): where the visible part begins and ends, from 0 to 1; linear in clip space, and in
+    the world too if both ends have the same world w. NaN where nothing is visible."""
     points_clip: Array
+    """(..., 2, 4): its ends; a cut end satisfies its plane's equation exactly. NaN where nothing is
+    visible."""
     planes: NDArray[np.intp]
+    """(..., 2): index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that
+    passes an edge of the volume outside (`outside` all false), the two planes that meet there."""
     outside: NDArray[np.bool_]
+    """(..., 6): whether the whole segment lies beyond each of `PLANES`."""
 
 
 class ClippedPolygon(NamedTuple):
-    """The visible part of a convex polygon, in the original order.
-
-    Attributes
-    ----------
-    points_clip : (m, 4) float64
-        Its corners; m is 0 if no area is left.
-    edges : tuple of m (str or None)
-        The plane that made the edge from each corner to the next; None for an original edge.
-    """
+    """The visible part of a convex polygon, in the original order."""
 
     points_clip: Array
+    """Its corners, (m, 4); m is 0 if no area is left."""
     edges: tuple[str | None, ...]
+    """The plane that made the edge from each corner to the next; None for an original edge."""
 
 
 class EyeCut(NamedTuple):
-    """Segments after lecture 004's cut; ``...`` is their shape.
-
-    Attributes
-    ----------
-    case : (...) int
-        Lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind.
-    points_view : (..., 2, 3) float64
-        The drawn part; NaN in case 2.
-    """
+    """Segments after lecture 004's cut; ``...`` is their shape."""
 
     case: NDArray[np.intp]
+    """(...), lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind."""
     points_view: Array
+    """(..., 2, 3): the drawn part; NaN in case 2."""
 
 
 # --------------------------------------------------------------------------- checks
@@ -157,10 +137,13 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
 
 
 def _boundaries(points_clip: Array, depth: str) -> Array:
-    """Return the six sums of the module's table, (..., 6): negative beyond the plane, 0 on it."""
+    """Return the six sums of the module's table, (..., 6): negative beyond the plane, 0 on it.
+
+    Those of rationals are rationals.
+    """
     x, y, z, w = np.moveaxis(points_clip, -1, 0)
-    z_near, z_far = DEPTH_RANGES[depth]
-    sign = math.copysign(1.0, z_far - z_near)
+    z_near, z_far = map(int, DEPTH_RANGES[depth])
+    sign = 1 if z_far > z_near else -1
     near, far = sign * (z - z_near * w), sign * (z_far * w - z)
     return np.stack([near, far, w + x, w - x, w + y, w - y], axis=-1)
 
@@ -193,6 +176,9 @@ def clip_segments(
 ) -> ClippedSegments:
     """Cut segments to the view volume in homogeneous clip space (Liang & Barsky 1984).
 
+    Raises a `Refusal` for another depth range or plane, a coordinate that is not finite or larger
+    than `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
+
     Parameters
     ----------
     starts_clip, ends_clip : (..., 4) array_like
@@ -200,12 +186,6 @@ def clip_segments(
     depth : {"opengl", "direct3d", "reversed"}
         The NDC range of z.
     planes : names in `PLANES`
-
-    Raises
-    ------
-    Refusal
-        For another depth range or plane, a coordinate that is not finite or larger than
-        `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
 
     Notes
     -----
@@ -268,11 +248,8 @@ def clip_segments(
 def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool_]) -> bool:
     """Whether one segment has a point inside, in rational numbers."""
     low, high = Fraction(0), Fraction(1)
-    z_near, z_far = (Fraction(z) for z in DEPTH_RANGES[depth])
-    sign = 1 if z_far > z_near else -1
-    sums = []
-    for x, y, z, w in ([Fraction(float(part)) for part in point] for point in (start, end)):
-        sums.append((sign * (z - z_near * w), sign * (z_far * w - z), w + x, w - x, w + y, w - y))
+    ends: Any = np.array([list(map(Fraction, point.tolist())) for point in (start, end)])
+    sums = _boundaries(ends, depth)
     for b_start, b_end, asked in zip(*sums, chosen, strict=True):
         if not asked or (b_start >= 0 and b_end >= 0):
             continue

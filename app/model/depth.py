@@ -36,27 +36,18 @@ Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
 
 class DepthFormat(NamedTuple):
-    """How a depth in [0, 1] is stored.
-
-    Attributes
-    ----------
-    bits : int
-        Size of one pixel.
-    largest : int
-        The code of depth 1; codes start at 0.
-    code_type : numpy dtype
-        Unsigned type of the codes.
-    float_type : numpy dtype or None
-        The float type whose bit patterns are the codes; None for unsigned normalised integers.
-    digits : int
-        Significant bits of the float, 0 for an integer.
-    """
+    """How a depth in [0, 1] is stored."""
 
     bits: int
+    """Size of one pixel."""
     largest: int
+    """The code of depth 1; codes start at 0."""
     code_type: DTypeLike
+    """Unsigned type of the codes."""
     float_type: DTypeLike | None = None
+    """The float type whose bit patterns are the codes; None for unsigned normalised integers."""
     digits: int = 0
+    """Significant bits of the float, 0 for an integer."""
 
 
 FORMATS: dict[str, DepthFormat] = {
@@ -77,23 +68,13 @@ class DepthBuffer:
 
     Its methods take arrays of any shape and return the same shape. Distances are measured from the
     eye plane in world units. The lens clips them to near and far: any other distance raises a
-    `Refusal`.
-
-    Parameters
-    ----------
-    format : name in `FORMATS`
-    mapping : name in `MAPPINGS`
-        How a distance becomes a depth.
-
-    Raises
-    ------
-    Refusal
-        For an unknown name, and for a typed matrix; for a logarithmic mapping if far is infinite or
-        if depth is linear in the distance.
+    `Refusal`. So does an unknown name, a typed matrix, and a logarithmic mapping if far is infinite
+    or if depth is linear in the distance.
     """
 
     format: str = "fixed24"
     mapping: str = "opengl"
+    """How a distance becomes a depth."""
     lens: Lens = Perspective()  # noqa: RUF009
 
     def __post_init__(self) -> None:
@@ -142,10 +123,7 @@ class DepthBuffer:
     def decode(self, code: ArrayLike) -> Array:
         """The distance that a code stands for, to a few ulp; inf for an infinite far plane.
 
-        Raises
-        ------
-        Refusal
-            For a number that is not a code in this format.
+        Raises a `Refusal` for a number that is not a code in this format.
         """
         kind = FORMATS[self.format]
         codes = np.asarray(code)

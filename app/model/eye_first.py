@@ -71,15 +71,12 @@ class EyeFirst:
         whole numbers of a unit, less than 2^53 of them: no order of summing rounds them. The rest
         has 2^-25 of the size, and its rounding 2^-75.
         """
+        exact = WorldPoints(world, rest, np.zeros(0)).offset(self._of.camera.eye)
         if not self._of.stretch <= _LARGE_STRETCH:
-            parts = self._view_double_double(
-                WorldPoints(world, rest, np.zeros(0)).offset(self._of.camera.eye)
-            )
+            parts = self._view_double_double(exact)
             return np.stack([part.hi for part in parts]), parts[2].lo
         large, small = self._of.camera.frame_parts
-        offset, left_over = dd.two_sum(np.ascontiguousarray(world.T), self._of.minus_eye)
-        if rest is not None:
-            offset, left_over = dd.two_sum(offset, left_over + rest.T)
+        offset, left_over = exact
         unit = np.abs(offset)
         unit = unit[0] + unit[1] + unit[2]
         unit *= _ABOVE_OFFSETS

@@ -28,11 +28,8 @@ A_DIRECTION = QT_TRANSLATE_NOOP(
 def homogeneous(x: object, y: object, z: object, w: object) -> Row:
     """The point ``(x/w, y/w, z/w, 1)``, each rounded once, or the direction ``(x, y, z, 0)``.
 
-    Raises
-    ------
-    Refusal
-        For a number that is not finite or larger than `LARGEST`, also after the divide, and for
-        four zeros.
+    Raises a `Refusal` for a number that is not finite or larger than `LARGEST`, also after the
+    divide, and for four zeros.
     """
     given = [finite(name, value) for name, value in zip("xyzw", (x, y, z, w), strict=True)]
     *parts, weight = given

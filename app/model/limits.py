@@ -172,6 +172,11 @@ def between(field: str, value: Any, low: int, high: int) -> float:
     return number
 
 
+def vector(values: ArrayLike) -> Vector:
+    x, y, z = np.asarray(values, dtype=np.float64).tolist()
+    return x, y, z
+
+
 def finite_vector(field: str, value: Any) -> Vector:
     """Three finite numbers as a tuple of floats, or a `Refusal`."""
     try:

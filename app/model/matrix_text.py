@@ -35,13 +35,9 @@ def read_matrix(
 ) -> list[list[float]]:
     """Return 16, 12 or 9 numbers in rows for column vectors: (3, 3), (3, 4), (4, 3) or (4, 4).
 
-    Notations that have columns first, such as those of glm and GLSL, are known.
-
-    Raises
-    ------
-    Refusal
-        With the `field`'s name, for a count of numbers that is not one of `sizes`, for what is not
-        finite, and for what is not understood.
+    Notations that have columns first, such as those of glm and GLSL, are known. Raises a `Refusal`
+    with the `field`'s name, for a count of numbers that is not one of `sizes`, for what is not
+    finite, and for what is not understood.
     """
     try:
         if len(text) > LONGEST:

@@ -132,6 +132,9 @@ FACTORS = {
 class ObjectTransform:
     """How the object is scaled, rotated and moved from its own space into the world.
 
+    Raises a `Refusal` for a number that is not finite or larger than `LARGEST`, a scale beyond
+    `LARGEST_SCALE`, or another order.
+
     Parameters
     ----------
     translate : sequence of 3 floats
@@ -142,12 +145,6 @@ class ObjectTransform:
         Along the object's own axes; 0 flattens it, a negative number mirrors it.
     order : {"trs", "rts"}
         Scale, rotate, move; or scale, move, rotate about the world's origin.
-
-    Raises
-    ------
-    Refusal
-        For a number that is not finite or larger than `LARGEST`, a scale beyond `LARGEST_SCALE`,
-        or another order.
     """
 
     translate: Vector = (0.0, 0.0, 0.0)

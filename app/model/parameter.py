@@ -32,21 +32,14 @@ PARTS: dict[str, Part] = {
 
 
 class Computed(NamedTuple):
-    """Numbers that the model computes together from a part of a projection and does not keep.
-
-    Attributes
-    ----------
-    source : callable
-        Returns the part of a projection that the numbers are computed from.
-    compute : callable
-        Returns a named tuple of the numbers of a projection.
-    apply : callable
-        Returns a projection with other numbers.
-    """
+    """Numbers that the model computes together from a part of a projection and does not keep."""
 
     source: Read
+    """Returns the part of a projection that the numbers are computed from."""
     compute: Read
+    """Returns a named tuple of the numbers of a projection."""
     apply: Write
+    """Returns a projection with other numbers."""
 
 
 @dataclass(frozen=True)
@@ -55,96 +48,70 @@ class Parameter:
 
     The type of a setting's default says what it is: a bool is a switch, a str one of `choices`, a
     tuple a point or a direction of the world, a float a number with a slider.
-
-    Attributes
-    ----------
-    name, section : str
-        Its path in the document is ``SECTION.NAME``.
-    default : float, bool, str or tuple of 3 floats
-        None if the scene's camera and lens have it.
-    low, high : float
-        Bounds of a number, included. Camera and lens check their own.
-    span : (float, float), optional
-        The range of the slider within the bounds; all of it if not given.
-    step : float
-        Of the slider's arrow keys; 0 for about a 500th of its range.
-    logarithmic, whole : bool
-        Of a number: its slider is logarithmic; it is an integer.
-    per_second : float
-        How fast a number moves while it is played; 0 if it cannot be played.
-    only_with : (str, value), optional
-        The name of another setting, and the only value of it with which this one has an effect.
-    title, row, tip : str
-        Its name, that of its row if it is another one, and its tooltip. They come from a content
-        file, like `choices`, `tips`, `also` and `drag` (`app.model.content_file`).
-    choices : tuple of (str, str)
-        The values of a choice and their texts.
-    tips : tuple of str
-        The explanation of each choice, if there are any.
-    said, other : str
-        Its unit in words, if they are its own. What a choice shows when it is none of its choices.
-    buttons : bool
-        Whether the choices stand side by side.
-    also : str
-        Other names, by which the finder finds it.
-    letter : str
-        In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture.
-    formula : str
-        In the formulas of lessons; a vector's components have ``_x``, ``_y`` and ``_z`` behind it.
-    place : str
-        The part of the dock with its row; empty if it has none.
-    needs : str
-        The property or field of the lenses that have it; by default the field of its own name.
-    changes : tuple of str
-        The fields of the document that it changes, if it is none itself.
-    shows : tuple of str, optional
-        What it highlights (`app.lecture.highlight`), if that has another name.
-    makes : tuple of str
-        Other things computed from it; highlighting these marks its row too.
-    handle, drag : str
-        The handle of the world pane that changes it, and what a drag of it does.
-    vector : bool
-        Whether it has three components.
-    computed : Computed, optional
-        The numbers of which it is one.
-    read, write : callable, optional
-        Read and change it in a `Projection`, if it is no field there.
     """
 
     name: str
     default: Value | None = None
+    """None if the scene's camera and lens have it."""
     low: float = -math.inf
     high: float = math.inf
+    """Bounds of a number, included. Camera and lens check their own."""
     span: tuple[float, float] | None = None
+    """The range of the slider within the bounds; all of it if not given."""
     unit: str = ""
     logarithmic: bool = False
     whole: bool = False
+    """Of a number: its slider is logarithmic; it is an integer."""
     per_second: float = 0.0
+    """How fast a number moves while it is played; 0 if it cannot be played."""
     only_with: tuple[str, Value] | None = None
+    """The name of another setting, and the only value of it with which this one has an effect."""
     title: str = ""
     tip: str = ""
+    """Its name and its tooltip. A content file has them, and `choices`, `tips`, `row`, `also`
+    and `drag` (`app.model.content_file`)."""
     choices: tuple[tuple[str, str], ...] = ()
+    """The values of a choice and their texts."""
     section: str = "settings"
+    """Its path in the document is ``SECTION.NAME``."""
     step: float = 0.0
+    """Of the slider's arrow keys; 0 for about a 500th of its range."""
     tips: tuple[str, ...] = ()
+    """The explanation of each choice, if there are any."""
     row: str = ""
+    """The name of its row, if that is not its title."""
     said: str = ""
+    """Its unit in words, if they are its own."""
     other: str = ""
+    """What a choice shows when it is none of its choices."""
     buttons: bool = False
+    """Whether the choices stand side by side."""
     also: str = ""
+    """Other names, by which the finder finds it."""
     letter: str = ""
+    """In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture."""
     formula: str = ""
+    """In the formulas of lessons; ``_x``, ``_y`` and ``_z`` follow for a vector's components."""
     place: str = ""
+    """The part of the dock with its row; empty if it has none."""
     needs: str = ""
+    """The property or field of the lenses that have it; by default the field of its own name."""
     changes: tuple[str, ...] = ()
+    """The fields of the document that it changes, if it is none itself."""
     shows: tuple[str, ...] | None = None
+    """What it highlights (`app.lecture.highlight`), if that has another name."""
     makes: tuple[str, ...] = ()
+    """Other things computed from it; highlighting these marks its row too."""
     handle: str = ""
     drag: str = ""
+    """The handle of the world pane that changes it, and what a drag of it does."""
     vector: bool = False
+    """Whether it has three components."""
     computed: Computed | None = None
+    """The numbers of which it is one."""
     read: Read | None = None
     write: Write | None = None
+    """Read and change it in a `Projection`, if it is no field there."""
 
     @property
     def path(self) -> str:

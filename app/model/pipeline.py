@@ -141,6 +141,8 @@ def _shift(*offset: Fraction | int) -> Rationals:
 class Pipeline:
     """Everything that a picture depends on, and the matrices of its steps.
 
+    Raises a `Refusal` for an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
+
     Parameters
     ----------
     image_size : (int, int)
@@ -149,11 +151,6 @@ class Pipeline:
         The NDC range of z.
     placement : ObjectTransform
         Where the scene's object stands.
-
-    Raises
-    ------
-    Refusal
-        For an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
     """
 
     camera: Camera = Camera()
@@ -239,11 +236,6 @@ class Pipeline:
         }
 
     # -- matrices in float64
-
-    @cached_property
-    def minus_eye(self) -> Array:
-        """The negated eye, (3, 1)."""
-        return read_only([[-part] for part in self.camera.eye])
 
     @cached_property
     def view_rotation(self) -> Array:

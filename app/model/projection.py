@@ -120,23 +120,14 @@ class Projection(Pipeline):
         """The perspective camera's K, or a `Refusal` for a lens without one."""
         return self.lens.intrinsics(self.image_size)
 
-    @property
-    def shear(self) -> tuple[float, float]:
-        """``cot(alpha), cot(beta)`` of an oblique lens, else 0 and 0."""
-        return self.lens.shear
-
     # -- matrices, with the eye subtracted first
 
-    def clip_from_world_at(self, origin: ArrayLike) -> Array:
-        """`clip_from_world` for points given relative to a world point `origin`, (4, 4).
+    def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
+        """The matrix to clip space from world or object points relative to `origin`, (4, 4).
 
         The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
         loses no digits.
         """
-        return self.clip_from_local(origin)
-
-    def clip_from_local(self, origin: ArrayLike, space: Space = "world") -> Array:
-        """The matrix to clip space from world or object points relative to `origin`, (4, 4)."""
         return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
@@ -150,7 +141,7 @@ class Projection(Pipeline):
         return translation(np.asarray(origin, dtype=np.float64) - self.camera.eye)
 
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
-        """The inverse of `clip_from_world_at`, (4, 4).
+        """The inverse of `clip_from_local`, (4, 4).
 
         Raises
         ------
@@ -175,10 +166,7 @@ class Projection(Pipeline):
     def trace(self, points: ArrayLike, space: Space = "world") -> Trace:
         """Follow points (..., 3) of a space through every stage, eye first and in closed form.
 
-        Raises
-        ------
-        Refusal
-            If a coordinate is not a finite number.
+        Raises a `Refusal` if a coordinate is not a finite number.
 
         Notes
         -----

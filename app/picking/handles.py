@@ -20,6 +20,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from app.model import parameters
+from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.parameters import (
     BOTTOM,
@@ -186,8 +187,7 @@ def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) ->
         return np.array(getattr(projection.camera, handle.name))
     if handle.name == "object":
         return object_points(projection.placement, handle.at[0])[handle.setting]
-    at: Array = _places(projection, drawn)[_ON_FACES.index(handle)]
-    return at
+    return np.asarray(_places(projection, drawn)[_ON_FACES.index(handle)])
 
 
 def dragged(
@@ -201,26 +201,18 @@ def dragged(
 ) -> Change:
     """New field values when a handle is dragged to a pixel; `changed` checks them.
 
-    Parameters
-    ----------
-    projection : Projection
-        The projection when the drag began.
-    drawn : (float, float)
-        Distances at which near and far were drawn then.
-    sight : Sight
-        How the pane looks at the world.
-    shift : bool
-        Move the eye or the target along the world's vertical instead of in the plane that faces
-        the pane. Move a window's corner symmetrically about the window's middle.
+    The projection is that when the drag began, when near and far were drawn at the two distances
+    `drawn`. `shift` moves the eye or the target along the world's vertical instead of in the plane
+    that faces the pane, and a window's corner symmetrically about the window's middle.
 
-    Notes ----- Near keeps its window: it moves towards the eye for a `Perspective` lens, and
-    straight along the view direction for lenses whose window is given in numbers. If a plane is
-    drawn at a break, short of its true distance, a drag inwards puts it where it is drawn, and a
-    drag outwards moves it in proportion.
+    Near keeps its window: it moves towards the eye for a `Perspective` lens, and straight along the
+    view direction for lenses whose window is given in numbers. If a plane is drawn at a break,
+    short of its true distance, a drag inwards puts it where it is drawn, and a drag outwards moves
+    it in proportion.
     """
     if handle.name in _CAMERA:
         before = getattr(projection.camera, handle.name)
-        return {handle.name: _moved_point(before, sight, pixel, shift)}
+        return {handle.name: moved_point(before, sight, pixel, shift)}
     if handle.name == "object":
         return _moved_object(projection.placement, handle, sight, pixel, shift)
     if handle.name in (NEAR.handle, FAR.handle):
@@ -229,11 +221,6 @@ def dragged(
     if before is not None:
         return {FOV_Y.name: _opened(projection, before, handle, drawn, sight, pixel)}
     return _resized(projection, handle, drawn, sight, pixel, shift)
-
-
-def dragged_grip(point: Vector, sight: Sight, pixel: Spot, *, shift: bool = False) -> Vector:
-    """The new position of a world point dragged to a pixel, moved like the eye in `dragged`."""
-    return _moved_point(point, sight, pixel, shift)
 
 
 def slid_grip(
@@ -259,30 +246,24 @@ def panned(projection: Projection, shift_px: tuple[float, float]) -> Change:
         for sign, unit, px in zip((-1.0, 1.0), per_px, shift_px, strict=True)
     )
     shift = across * camera.frame[0] + up * camera.frame[1]
-    return {name: _vector(np.array(getattr(camera, name)) + shift) for name in _CAMERA}
+    return {name: vector(np.array(getattr(camera, name)) + shift) for name in _CAMERA}
 
 
 def dollied(projection: Projection, factor: float) -> Change:
     """The eye at `factor` times its distance from the target, in the same direction.
 
-    Raises
-    ------
-    Refusal
-        If a typed view matrix has replaced the camera.
+    Raises a `Refusal` if a typed view matrix has replaced the camera.
     """
     if not projection.has_camera:
         raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
-    return {EYE.name: _vector(target + factor * (eye - target))}
+    return {EYE.name: vector(target + factor * (eye - target))}
 
 
 def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Projection:
     """The projection with new field values.
 
-    Raises
-    ------
-    Refusal
-        If the camera or the lens cannot have these values.
+    Raises a `Refusal` if the camera or the lens cannot have these values.
     """
     parts: dict[str, Change] = {}
     for name, value in change.items():
@@ -327,8 +308,7 @@ def object_points(placement: ObjectTransform, reach: float) -> dict[str, Array]:
 
 def _turned(placement: ObjectTransform) -> Array:
     """Directions of the object's axes as columns (3, 3), also for a flattened axis."""
-    rotation: Array = ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3]
-    return rotation
+    return np.asarray(ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3])
 
 
 def _moved_object(
@@ -339,10 +319,10 @@ def _moved_object(
     points = object_points(placement, reach)
     origin = points["origin"]
     if handle.setting == "origin":
-        moved = np.array(_moved_point(_vector(origin), sight, pixel, shift))
+        moved = np.array(moved_point(vector(origin), sight, pixel, shift))
         if placement.order == "rts":  # it is rotated after it is translated
             moved = turned.T @ moved
-        return {TRANSLATE.name: _vector(moved)}
+        return {TRANSLATE.name: vector(moved)}
     if handle.setting == "turn":
         return {ROTATE.name: _turned_as_seen(placement, points, sight, pixel)}
     axis = "xyz".index(handle.setting)
@@ -350,8 +330,7 @@ def _moved_object(
     along, per_px = sight.slide(origin, reach * turned[:, axis], pixel)
     scale = list(placement.scale)
     scale[axis] = _tidy(along, before, per_px)
-    x, y, z = scale
-    return {SCALE.name: (x, y, z)}
+    return {SCALE.name: vector(scale)}
 
 
 def _turned_as_seen(
@@ -397,8 +376,7 @@ def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
     half = np.array([(right - left) / 2.0, (top - bottom) / 2.0])
     on_near = middle + _AT * half
     points = np.column_stack([_outwards(projection, on_near, distances[:, None]), -distances])
-    world: Array = points @ projection.camera.frame + projection.camera.eye
-    return world
+    return np.asarray(points @ projection.camera.frame + projection.camera.eye)
 
 
 def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array:
@@ -481,8 +459,7 @@ def _resized(
 
     def in_world(on_near: Array) -> Array:
         view = np.append(_outwards(projection, on_near, np.array(distance)), -distance)
-        world: Array = camera.frame.T @ view + camera.eye
-        return world
+        return np.asarray(camera.frame.T @ view + camera.eye)
 
     if keep != "stretch":
         start = in_world(fixed)
@@ -525,7 +502,8 @@ def _on_window(
 # --------------------------------------------------------------------------- on the screen
 
 
-def _moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vector:
+def moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vector:
+    """The new position of a world point dragged to a pixel, moved like the eye in `dragged`."""
     point = np.array(before)
     if shift:
         up, per_px = sight.slide(point, np.array([0.0, 1.0, 0.0]), pixel)
@@ -550,8 +528,3 @@ def _tidy(value: float, before: float, per_px: float) -> float:
     digits = -math.floor(math.log10(step))
     rounded = round(value, digits)
     return before if rounded == round(before, digits) else rounded
-
-
-def _vector(point: Array) -> Vector:
-    x, y, z = point.tolist()
-    return x, y, z

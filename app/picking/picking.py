@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.infinity import trace_at_infinity
-from app.model.limits import Row
+from app.model.limits import Row, vector
 from app.model.projection import LARGEST, Array, Projection, Vector
 from app.picking.sight import Sight
 
@@ -50,18 +50,10 @@ _ON_FACE = 1e-6  # relative: a line on a face, each rounded to float32
 
 
 class Hit(NamedTuple):
-    """A picked point.
+    """A picked world point; `vertex` is its index in the surface, if it is a vertex.
 
-    Attributes
-    ----------
-    point : Vector
-        World coordinates.
-    vertex : int or None
-        Index of the surface's vertex, if it is one.
-    order : float
-        Smaller in front.
-    plane : (3,) array or None
-        For a point on a face: ``plane @ (x, y, 1)`` is the order of the face's plane at any pixel.
+    A smaller `order` is in front. For a point on a face, ``plane @ (x, y, 1)`` is the order of the
+    face's plane at any pixel.
     """
 
     point: Vector
@@ -74,16 +66,7 @@ class Hit(NamedTuple):
 class Probe:
     """A point that is followed through every stage, the ray of a pixel, or a point at infinity.
 
-    Parameters
-    ----------
-    number : int
-        Its name in the panes.
-    point : Vector, optional
-        World coordinates.
-    pixel : (float, float), optional
-        Pixel of the image, for a ray.
-    direction : Vector, optional
-        Direction, for a point at infinity (w = 0).
+    It has a world point, a pixel of the image, or a direction (w = 0). The panes show its number.
     """
 
     number: int
@@ -106,18 +89,17 @@ class Probe:
 
 
 def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Array | None:
-    """Points of a probe's projector at distances (k,) from the eye plane along the line of sight.
+    """World points (k, 3) of a probe's projector at distances (k,) from the eye plane.
 
-    Returns
-    -------
-    (k, 3) array or None
-        World coordinates; None for a point at or behind the eye plane, which has no image.
+    None for a point at or behind the eye plane, which has no image.
 
-    Notes ----- The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the
-    distance ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line
-    is the un-projected line of the cube between near and far, `distances` are shares of the way,
-    and the result is None if the matrix has no inverse. For a line through infinity only the part
-    in front of the eye plane is returned.
+    Notes
+    -----
+    The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
+    ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line is the
+    un-projected line of the cube between near and far, `distances` are shares of the way, and the
+    result is None if the matrix has no inverse. For a line through infinity only the part in front
+    of the eye plane is returned.
     """
     at, pixel = np.asarray(distances, dtype=np.float64), probe.pixel
     if probe.direction is not None:  # all lines in this direction meet in one pixel
@@ -133,17 +115,10 @@ def dragged(
 ) -> Vector | None:
     """Return the new position of a world point when its image is dragged by (right, down) pixels.
 
-    Parameters
-    ----------
-    along_ray : bool
-        Keep the image in place and move the point away (drag up) or nearer (drag down): by the
-        width of a pixel for a parallel lens, in proportion to the distance for others, so that the
-        point never reaches the eye. Otherwise the point stays in its plane parallel to the image.
-
-    Returns
-    -------
-    Vector or None
-        None if the point has no image, or if it would lie too far away to have one.
+    None if the point has no image, or would lie too far away to have one. The point stays in its
+    plane parallel to the image. With `along_ray` its image stays in place instead, and the point
+    moves away (drag up) or nearer (drag down): by the width of a pixel for a parallel lens, in
+    proportion to the distance for others, so that it never reaches the eye.
 
     Notes
     -----
@@ -154,18 +129,13 @@ def dragged(
     if not trace.in_front:
         return None
     moved = projection.passage.dragged(trace, shift_px, along_ray=along_ray)
-    return None if moved is None or not np.abs(moved).max() <= LARGEST else _vector(moved)
+    return None if moved is None or not np.abs(moved).max() <= LARGEST else vector(moved)
 
 
 class PickSurface:
-    """Triangles, sorted into grid cells for picking.
+    """Triangles (m, 3) of points (n, 3), sorted into grid cells for picking.
 
-    Parameters
-    ----------
-    points : (n, 3) array
-        Relative to the world point `origin`; not copied.
-    triangles : (m, 3) int array
-        Indices of the corners.
+    The points are relative to the world point `origin`, and are not copied.
     """
 
     def __init__(
@@ -224,7 +194,7 @@ class PickSurface:
         vertex = self._vertex(sight, pixel, vertex_px, triangles, corners, seen)
         if vertex is not None:
             number, order = vertex
-            return Hit(_vector(self._points[number] + self._origin), number, order)
+            return Hit(vector(self._points[number] + self._origin), number, order)
         cast = _cast(sight, pixel, corners, seen)
         if cast is None:
             return None
@@ -232,7 +202,7 @@ class PickSurface:
         which, weights, order = cast
         point = weights @ self._points[triangles[which]].astype(np.float64)
         plane = np.linalg.lstsq(seen[which][:, [0, 1, 3]], seen[which][:, 2])[0]
-        return Hit(_vector(point + self._origin), None, order, plane)
+        return Hit(vector(point + self._origin), None, order, plane)
 
     def _near(
         self, sight: Sight, pixel: tuple[float, float], margin_px: float
@@ -291,18 +261,10 @@ class PickSurface:
 
 
 class Stop(NamedTuple):
-    """A vertex that the keyboard can go to.
+    """A vertex, by its number, that the keyboard can go to: row by row, from left to right.
 
-    Attributes
-    ----------
-    row : int
-        Row of the pane, from above. The keyboard visits stops row by row, from left to right.
-    spot : (float, float)
-        Pixel, from the pane's top left.
-    number : int
-        Index of the vertex.
-    order : float
-        Smaller in front.
+    Rows count from above, `spot` is the pixel from the pane's top left, and a smaller `order` is in
+    front.
     """
 
     row: int
@@ -325,16 +287,9 @@ def stops(
     grow until few enough are left. A million vertices take one pass over the points and a sort of
     `_SPREAD` of them, spread evenly over those in view.
 
-    Parameters
-    ----------
-    points : (n, 3) array
-        Relative to `origin`.
-    rectangle_px : (float, float, float, float)
-        Left, top, width and height.
-    pixel_ratio : float
-        Device pixels per pixel of `VERTEX_WITHIN_PX`.
-    at : int, optional
-        A vertex that is always kept while it is in view.
+    The points (n, 3) are relative to `origin`. The rectangle is left, top, width and height;
+    `pixel_ratio` is the number of device pixels per pixel of `VERTEX_WITHIN_PX`. The vertex `at` is
+    always kept while it is in view.
     """
     left, top, width, height = rectangle_px
     x, y, _, w = sight.rows
@@ -388,18 +343,10 @@ class Lines:
     def near(
         self, sight: Sight, pixel: tuple[float, float], end_px: float, line_px: float
     ) -> list[tuple[bool, tuple[float, float], Hit]]:
-        """Points of the lines near a pixel, hidden or not.
+        """Points of the lines near a pixel, hidden or not: whether it is an end, pixel, and point.
 
-        Parameters
-        ----------
-        end_px, line_px : float
-            Largest distance of an end, and of any other point.
-
-        Returns
-        -------
-        list of (bool, (float, float), Hit)
-            Whether the point is an end, its pixel, and the point. Ends come first, then the nearest
-            point of each line; both by distance.
+        Ends are at most `end_px` away, other points `line_px`. Ends come first, then the nearest
+        point of each line; both by distance.
         """
         offset = self._origin - sight.eye
         tests = _tests(sight, pixel, max(end_px, line_px))
@@ -450,7 +397,7 @@ class Lines:
                 start, end = ends[which[i]]
                 # Return the ends exactly.
                 point = end if there[i] == 1.0 else start + there[i] * (end - start)
-                hit = Hit(_vector(point + self._origin), None, float(order[i] / w[i]))
+                hit = Hit(vector(point + self._origin), None, float(order[i] / w[i]))
                 spot = float(x[i] / w[i]), float(y[i] / w[i])
                 hits.append((not is_end, float(away[i]), hit.order, is_end, spot, hit))
         hits.sort(key=lambda place: place[:3])
@@ -505,8 +452,7 @@ def _in_front(order: float, other: float) -> bool:
 
 def _mapped(corners: Array, columns: Array) -> Array:
     """All corners (k, 3, 3) times a (3, m) matrix, in one product."""
-    product: Array = (corners.reshape(-1, 3) @ columns).reshape(len(corners), 3, -1)
-    return product
+    return np.asarray((corners.reshape(-1, 3) @ columns).reshape(len(corners), 3, -1))
 
 
 def _tests(sight: Sight, pixel: tuple[float, float], margin_px: float) -> Array:
@@ -543,8 +489,3 @@ def _cast(
     order = np.where(drawn, order / np.where(drawn, w, 1.0), np.inf)
     first = int(order.argmin())
     return int(inside[first]), weights[first], float(order[first])
-
-
-def _vector(point: Array) -> Vector:
-    x, y, z = point.tolist()
-    return x, y, z

@@ -82,27 +82,22 @@ class Sight(NamedTuple):
 
     def per_px(self, point: Array, along: Array) -> float:
         """Distance along a direction that moves a point by one pixel; infinite if it stays."""
-        line = self._line(point, along)
-        length = math.hypot(*line.way)
-        return float(line.start[2]) ** 2 / length if length > 0.0 else math.inf
+        one, _, way = self._line(point, along)
+        length = math.hypot(*way)
+        return float(one[2]) ** 2 / length if length > 0.0 else math.inf
 
     def slide(self, start: Array, along: Array, pixel: tuple[float, float]) -> tuple[float, float]:
-        """The point ``start + t along`` whose image is nearest to a pixel.
+        """t of the point ``start + t along`` whose image is nearest, and its change per pixel.
 
-        Returns
-        -------
-        t : float
-            Infinite if the pixel is at the line's vanishing point or beyond it. NaN for a line that
-            is seen end-on.
-        per_px : float
-            Change of t from one pixel to the next; infinite where t is not finite.
+        t is infinite if the pixel is at the line's vanishing point or beyond it, and NaN for a line
+        that is seen end-on; then the change is infinite.
         """
-        line = self._line(start, along)
-        length = math.hypot(*line.way)
+        one, two, way = self._line(start, along)
+        length = math.hypot(*way)
         if not length > 0.0:
             return math.nan, math.inf
-        (x0, y0, w0), (x1, y1, w1) = line.start.tolist(), line.along.tolist()
-        right, down = line.way[0] / length, line.way[1] / length
+        (x0, y0, w0), (x1, y1, w1) = one.tolist(), two.tolist()
+        right, down = way[0] / length, way[1] / length
         # Intersect the line with its perpendicular through the pixel.
         offset = right * pixel[0] + down * pixel[1]
         slope = right * x1 + down * y1 - offset * w1
@@ -112,25 +107,11 @@ class Sight(NamedTuple):
             return math.copysign(math.inf, w1), math.inf
         return t, w * w / length
 
-    def _line(self, start: Array, along: Array) -> _LineImage:
+    def _line(self, start: Array, along: Array) -> tuple[Array, Array, tuple[float, float]]:
+        """The image of a line ``start + t along``.
+
+        Both as homogeneous pixels (3,), and the pixel's derivative by t, times w squared.
+        """
         rows = self.rows[[0, 1, 3]]
         one, two = rows[:, :3] @ (start - self.eye) + rows[:, 3], rows[:, :3] @ along
-        return _LineImage(
-            one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])
-        )
-
-
-class _LineImage(NamedTuple):
-    """The image of a line ``start + t along``.
-
-    Attributes
-    ----------
-    start, along : (3,) array
-        Homogeneous pixels: x w, y w and w.
-    way : (float, float)
-        Derivative of the pixel with respect to t, times w squared.
-    """
-
-    start: Array
-    along: Array
-    way: tuple[float, float]
+        return one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])

@@ -39,21 +39,11 @@ _ROUNDED_UP = 1.0 + 2.0**-40
 class Hardware:
     """What the picture is computed with.
 
-    Parameters
-    ----------
-    vertices : name in `FORMATS` or `QUANTISED`
-        How the vertices are stored.
-    numbers : name in `FORMATS`
-        The format of every result of the arithmetic.
-    snap : name in `SNAPS`
-        The grid of the screen positions.
-    reciprocal : name in `RECIPROCALS`
-        How x, y and z are divided by w.
+    Vertices are stored as one of `FORMATS` or `QUANTISED`, and `numbers` is the one of `FORMATS`
+    that every result of the arithmetic has. `snap` is the grid of the screen positions, of `SNAPS`;
+    `reciprocal`, of `RECIPROCALS`, is how x, y and z are divided by w.
 
-    Raises
-    ------
-    Refusal
-        For an unknown name.
+    Raises a `Refusal` for an unknown name.
     """
 
     vertices: str = "float32"
@@ -107,18 +97,10 @@ def cheap(
 ) -> CheapPicture:
     """Project world points (n, 3); those before the near plane have numbers, too.
 
-    Parameters
-    ----------
-    origin : Vector
-        World point from which the vertices are measured before they are stored.
-    box : (2, 3) array_like, optional
-        Lower and upper corner of the mesh, over which vertices are quantised; by default those of
-        the points. A point outside has no number.
+    The vertices are measured from the world point `origin` before they are stored, and quantised
+    over the mesh's box (2, 3), by default that of the points. A point outside has no number.
 
-    Raises
-    ------
-    Refusal
-        For coordinates that are not finite numbers.
+    Raises a `Refusal` for coordinates that are not finite numbers.
 
     Notes
     -----

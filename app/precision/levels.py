@@ -69,18 +69,9 @@ def predict(
 ) -> dict[Precision, Prediction] | None:
     """Bound the largest error of every precision over points, from the roundings of its operations.
 
-    Parameters
-    ----------
-    points : (n, 3) array_like
-        All points in front of the eye plane count, whether they are in the view volume or not.
-    origin : Vector
-        Point from which the GPU's vertices are measured (a scene's origin).
-    space : {"world", "object"}
-        The space of the points and of the origin.
-
-    Returns
-    -------
-    dict from precision to Prediction, or None if no point has a picture
+    All points (n, 3) in front of the eye plane count, whether they are in the view volume or not;
+    None if no point has a picture. `origin`, in the same space, is the point from which the GPU's
+    vertices are measured.
     """
     placed = projection.placed(points, space)
     given = np.reshape(points, (-1, 3))
@@ -220,8 +211,7 @@ def _on_the_screen(projection: Projection, off: Array, unit: float) -> Array:
     width, height = projection.image_size
     summed = np.array([[1.0], [1.0], [float(projection.depth == "opengl")]])
     sizes = np.array([[width / 2.0], [height / 2.0], [1.0]])
-    errors: Array = _ROUNDED_UP * sizes * (off + 2.0 * unit * summed) + dd.UNDERFLOW
-    return errors
+    return np.asarray(_ROUNDED_UP * sizes * (off + 2.0 * unit * summed) + dd.UNDERFLOW)
 
 
 def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
@@ -236,8 +226,7 @@ def _single_sizes(projection: Projection, local_to_eye: Array) -> Array:
 def cell_terms(projection: Projection, local_to_eye: Array) -> Array:
     """Sizes of the terms whose sums are the cells of a GPU's matrix, (4, 4)."""
     cells, axes = projection.passage.stated_in
-    terms: Array = projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye)
-    return terms
+    return np.asarray(projection.lens.cell_sizes(cells) @ np.abs(axes) @ np.abs(local_to_eye))
 
 
 def _lost_single(sizes: Array, local: Array) -> Array:
@@ -272,14 +261,8 @@ def drawing_bounds_px(
     are at most 1. It is fast enough for every step of a slider, and coarse: up to a hundred times
     the error.
 
-    Parameters
-    ----------
-    boxes : (n, 8, 3) array
-        Each must contain its objects completely: an edge may be as wrong as either of its ends.
-    origin : Vector
-        Point from which the GPU's vertices are measured.
-    space : {"world", "object"}
-        The space of the boxes and of the origin.
+    Each box (8, 3) must contain its objects completely: an edge may be as wrong as either of its
+    ends. `origin`, in the same space, is the point from which the GPU's vertices are measured.
     """
     local = boxes - origin
     if not len(local):
@@ -317,8 +300,7 @@ def _least_w_seen(clip: Array, sizes: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         cut = here + a / (a - b) * (there - here)
     cut = np.where((a >= 0.0) & (b < 0.0), cut, np.where(a >= 0.0, here, np.inf))
-    least: Array = cut.min(axis=(2, 3)).max(axis=0)
-    return least
+    return np.asarray(cut.min(axis=(2, 3)).max(axis=0))
 
 
 def precision_for_reading(predictions: Mapping[Precision, Prediction] | None) -> Precision:
@@ -345,10 +327,7 @@ def trace(
     `origin` is the point, in the same space, from which the GPU's vertices are measured: for
     `float32` only.
 
-    Raises
-    ------
-    Refusal
-        For coordinates that are not finite numbers, or an unknown precision.
+    Raises a `Refusal` for coordinates that are not finite numbers, or an unknown precision.
     """
     if precision not in PRECISIONS:
         raise Refusal("precision", precision, ONE_OF, ", ".join(PRECISIONS))

@@ -48,10 +48,7 @@ class Quality:
     depth_mapping : name in `app.model.depth.MAPPINGS`, or empty
         Empty for the projection's own depth range.
 
-    Raises
-    ------
-    Refusal
-        For an unknown name, or a share that cannot be drawn.
+    Raises a `Refusal` for an unknown name, or a share that cannot be drawn.
     """
 
     rung: str = AUTO

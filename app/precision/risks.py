@@ -81,16 +81,9 @@ def risks(
 ) -> list[Risk]:
     """Return the risks of the present numbers, worst first.
 
-    Parameters
-    ----------
-    lower, upper : Vector
-        Bounds of the scene's objects, in object coordinates.
-    drawn : {"float32", "float64"}
-        The precision of the panes.
-    drawing_px : float
-        The largest of `levels.drawing_bounds_px`.
-    predictions : dict from precision to Prediction, or None
-        From `levels.predict`, for the scene's vertices.
+    `lower` and `upper` bound the scene's objects, in object coordinates, and `drawn` is the
+    precision of the panes. `drawing_px` is the largest of `levels.drawing_bounds_px`; the
+    predictions are those of `levels.predict` for the scene's vertices.
     """
     present = []
     size = math.dist(lower, upper)

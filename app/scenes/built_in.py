@@ -7,7 +7,7 @@ The cube and the receding row of posts prepare and follow it.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -38,7 +38,7 @@ NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
 SIDE = (20.0, 14.0)
 """The world is seen from beside the camera, so that near and far stand apart."""
-CUBE_SIDE = (75.0, 10.0)
+OF_POSTS: dict[str, Any] = {"side": None, "cube_side": (75.0, 10.0)}
 """The cube of the posts is seen nearly from the side, along which they crowd."""
 WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
 """The title of each scene, and what to try there."""

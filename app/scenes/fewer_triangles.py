@@ -56,7 +56,8 @@ def reduced(scene: Scene, share: float) -> Scene:
             return scene
         surface, dots = scene.surface, scene.dots
         if surface is not None and scene.triangles >= LEAST_TRIANGLES:
-            surface = _fewer(_triangles(surface), share)
+            surface = surface if surface.is_all_triangles else surface.triangulate()
+            surface = _fewer(surface, share)
         if dots is not None and dots.n_points >= LEAST_TRIANGLES:
             kept = slice(None, None, round(1.0 / share))
             dots = dot_set(dots.points[kept], dots.point_data["rgb"][kept])
@@ -74,10 +75,6 @@ def is_made(scene: Scene, share: float) -> bool:
     if share >= 1.0 or share in _reduced.get(scene, {}):
         return True
     return not can_be_reduced(scene)
-
-
-def _triangles(surface: pv.PolyData) -> pv.PolyData:
-    return surface if surface.is_all_triangles else surface.triangulate()
 
 
 def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
@@ -153,5 +150,4 @@ def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integ
     tree.SetDataSet(pv.PolyData(middles))
     tree.BuildLocator()
     nearest = [tree.FindClosestPoint(middle) for middle in fewer.cell_centers().points.tolist()]
-    nearest_of: NDArray[np.integer] = first[np.array(nearest, dtype=np.int64)]
-    return nearest_of
+    return np.asarray(first[np.array(nearest, dtype=np.int64)])

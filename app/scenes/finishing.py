@@ -11,9 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from app.model.limits import Vector
+from app.model.limits import Vector, vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.mesh import PAINT_RGB, Colours, Floats, Ints, Mesh, Progress, report
 from app.scenes.polygons import are_convex, area_vectors, divided, following
@@ -91,10 +90,7 @@ class Finished(NamedTuple):
 def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     """Prepare the mesh of a file.
 
-    Raises
-    ------
-    Refusal
-        For a mesh of no size, too large, too far away, or of faces on one line.
+    Raises a `Refusal` for a mesh of no size, too large, too far away, or of faces on one line.
     """
     report(progress, 0.5)
     faces = len(mesh.offsets) - 1
@@ -107,11 +103,6 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
     divided_faces = _divided(mesh, rgb, progress)
     return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
-
-
-def vector(values: ArrayLike) -> Vector:
-    x, y, z = np.asarray(values, dtype=np.float64).tolist()
-    return x, y, z
 
 
 def _check(path: Path, points: Floats, *, has_area: bool) -> None:
@@ -158,8 +149,7 @@ def _dot_colours(dots: Floats) -> Colours:
         return flat(DRAWN_RGB, len(dots))
     away = dots - dots.mean(axis=0)
     away /= np.maximum(np.linalg.norm(away, axis=1, keepdims=True), 1e-30)
-    shades: Colours = (brightness(away)[:, None] * np.multiply(1.5, DRAWN_RGB)).astype(np.uint8)
-    return shades
+    return np.asarray((brightness(away)[:, None] * np.multiply(1.5, DRAWN_RGB)).astype(np.uint8))
 
 
 def _normals(mesh: Mesh, which: slice) -> Floats:
@@ -169,8 +159,7 @@ def _normals(mesh: Mesh, which: slice) -> Floats:
     areas = area_vectors(mesh.points, offsets - offsets[0], corners)
     lengths = np.sqrt((areas**2).sum(axis=1))
     lengths[lengths == 0.0] = 1.0
-    normals: Floats = areas / lengths[:, None]
-    return normals
+    return np.asarray(areas / lengths[:, None])
 
 
 def _feature_edges(mesh: Mesh) -> Floats:
@@ -197,8 +186,7 @@ def _feature_edges(mesh: Mesh) -> Floats:
     one_side, other_side = (normals[face[first[two] + i]] for i in (0, 1))
     drawn = ~two
     drawn[two] = (one_side * other_side).sum(axis=1) <= _SHARP
-    edges: Floats = points[np.stack(np.divmod(distinct[drawn], len(points)), axis=1)]
-    return edges
+    return np.asarray(points[np.stack(np.divmod(distinct[drawn], len(points)), axis=1)])
 
 
 def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints, Ints, Colours]:

@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.projection import Camera, Perspective, Projection, Vector
-from app.scenes.finishing import vector
 from app.scenes.shapes import box_corners
 
 FRAMED_FROM = (0.6, 0.45, 0.9)

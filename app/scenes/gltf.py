@@ -248,8 +248,7 @@ class _Gltf:
             else np.tile(default, (copies, 1))
             for name, default in _STILL.items()
         )  # fmt: skip
-        places: Floats = self._world_from_node[node] @ self._matrices(turns, scales, moves)
-        return places
+        return np.asarray(self._world_from_node[node] @ self._matrices(turns, scales, moves))
 
     def _world_from_bind(self, index: int) -> Floats:
         """Return how each joint of a skin moves the vertices (n, 4, 4)."""

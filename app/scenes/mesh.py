@@ -278,13 +278,7 @@ class Mesh:
 
 @dataclass(frozen=True)
 class MeshSource:
-    """A file that is being read.
-
-    Attributes
-    ----------
-    largest : tuple of 2 ints
-        Most triangles of the mesh, and most bytes of its triangles and vertices.
-    """
+    """A file that is being read; `largest` is as `LARGEST`."""
 
     path: Path
     file: BinaryIO
@@ -350,8 +344,7 @@ def wrong_line(lines: list[bytes], read_lines: Callable[[list[bytes]], object]) 
 
 def joins_left_out(triangles: Ints) -> Ints:
     """Return the triangles (n, 3) of strips without those that only lead to the next strip."""
-    whole: Ints = triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)]
-    return whole
+    return np.asarray(triangles[(triangles != np.roll(triangles, 1, axis=1)).all(axis=1)])
 
 
 def report(progress: Progress | None, fraction: float) -> None:
@@ -383,8 +376,7 @@ def open_mesh(path: Path) -> BinaryIO:
 
 def rgb_bytes(colours: NDArray[np.floating]) -> Colours:
     """Round colours from 0 to 255 to bytes; NaN becomes 0."""
-    rgb: Colours = np.clip(np.rint(np.nan_to_num(colours)), 0, 255).astype(np.uint8)
-    return rgb
+    return np.asarray(np.clip(np.rint(np.nan_to_num(colours)), 0, 255).astype(np.uint8))
 
 
 def full_scale(kind: np.dtype[Any]) -> float:

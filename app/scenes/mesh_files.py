@@ -48,29 +48,13 @@ BLOCK = 1 << 24
 
 
 def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] = LARGEST) -> Mesh:
-    """Read a mesh file.
+    """Read a mesh file with one of `ENDINGS`; `largest` is as `LARGEST`.
 
-    Parameters
-    ----------
-    path : Path
-        A file with one of `ENDINGS`.
-    progress : callable, optional
-        Called now and then with the fraction done, from 0 to 1, on the caller's thread. Reading
-        stops when it returns False.
-    largest : tuple of 2 ints
-        Most triangles of the mesh, and most bytes of its triangles and vertices.
+    The mesh has at least a face, a line or a dot, and no vertex that is not drawn. `progress` is
+    called now and then with the fraction done, from 0 to 1, on the caller's thread. When it returns
+    False, reading stops with a `Cancelled`.
 
-    Returns
-    -------
-    Mesh
-        With a face, a line or a dot at least, and no vertex that is not drawn.
-
-    Raises
-    ------
-    Refusal
-        For a file that cannot be read or holds nothing to draw.
-    Cancelled
-        When `progress` returned False.
+    Raises a `Refusal` for a file that cannot be read or holds nothing to draw.
     """
     with open_mesh(path) as file:
         report(progress, 0.0)

@@ -96,8 +96,7 @@ def _largest(values: NDArray[np.floating], count: int) -> Ints:
     which: NDArray[np.intp] = np.arange(len(values))
     if count < len(values):
         which = np.argpartition(-values, count)[:count]
-    largest: Ints = which[np.argsort(-values[which], kind="stable")]
-    return largest
+    return np.asarray(which[np.argsort(-values[which], kind="stable")])
 
 
 def values_of(array: vtkDataArray) -> NDArray[Any]:

@@ -44,8 +44,7 @@ def area_vectors(points: Floats, offsets: Ints, corners: Ints) -> Floats:
         a, b, c = (points[corners[i::3]] for i in range(3))
         return _crossed(b - a, c - a)
     away = points[corners] - np.repeat(points[corners[offsets[:-1]]], counts, axis=0)
-    areas: Floats = np.add.reduceat(_crossed(away, away[following(offsets)]), offsets[:-1])
-    return areas
+    return np.asarray(np.add.reduceat(_crossed(away, away[following(offsets)]), offsets[:-1]))
 
 
 def _crossed(one: Floats, other: Floats) -> Floats:
@@ -121,8 +120,7 @@ def _returning(corners: Floats, counts: Ints) -> Ints:
     is_same = (owner[one] == owner[other]) & (corners[one] == corners[other]).all(axis=1)
     away = (other - one)[is_same]
     polygon = owner[one[is_same]]
-    returning: Ints = polygon[(away > 1) & (away < counts[polygon] - 1)]
-    return returning
+    return np.asarray(polygon[(away > 1) & (away < counts[polygon] - 1)])
 
 
 def _cut(points: Floats, area: Floats) -> Ints:

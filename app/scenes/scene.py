@@ -18,7 +18,7 @@ import difflib
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, cast
@@ -26,6 +26,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.model.limits import vector
 from app.model.projection import (
     Array,
     ObjectTransform,
@@ -34,14 +35,14 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, CUBE_SIDE, NAMES, SIDE, WORDS, WORDS_OF_A_MESH
-from app.scenes.finishing import Finished, vector
+from app.scenes.built_in import BUILDERS, NAMES, OF_POSTS, SIDE, WORDS, WORDS_OF_A_MESH
+from app.scenes.finishing import Finished
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
 from app.scenes.own_mesh import cells_of, own_mesh
 from app.scenes.phenomena import PHENOMENA, Phenomenon
-from app.scenes.phenomena.illustration import Illustration, Subject
+from app.scenes.phenomena.illustration import Appearance, Illustration, Subject
 from app.scenes.poly_data import LaterMesh, dot_set, line_set, poly_data, surface_of
 from app.scenes.reading import read
 from app.scenes.shapes import (
@@ -121,7 +122,7 @@ class _MeshField:
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
-class Scene:
+class Scene(Appearance):
     """Geometry that is ready to draw, and the first camera.
 
     Attributes
@@ -159,75 +160,24 @@ class Scene:
     own_mesh: bool = False
     dots: pv.PolyData | None = None
     notes: tuple[Refusal, ...] = ()
+    names: tuple[str, ...] = NAMES
+    side: tuple[float, float] | None = SIDE
 
     @property
     def title(self) -> str:
         """Its title, translated like the phenomena's texts, or the name of the mesh's file."""
         if self.phenomenon is not None:
-            return self.phenomenon.title
+            return self.phenomenon.words.title
         if self.name in WORDS:
             return WORDS[self.name].title
         return printable(Path(self.name).name)
 
     @property
-    def leading(self) -> str:
-        """The pane that shows the scene best."""
-        return "world" if self.phenomenon is None else self.phenomenon.leading
-
-    @property
-    def fixed(self) -> str:
-        """The fixed view of the world with which it opens; empty for the free one."""
-        return "" if self.phenomenon is None else self.phenomenon.fixed
-
-    @property
-    def pale(self) -> frozenset[str]:
-        """The panes that draw it as a pale silhouette."""
-        return frozenset() if self.phenomenon is None else self.phenomenon.pale
-
-    @property
-    def leaves_out(self) -> frozenset[str]:
-        return frozenset() if self.phenomenon is None else self.phenomenon.leaves_out
-
-    @property
-    def inks(self) -> Mapping[str, str]:
-        return {} if self.phenomenon is None else self.phenomenon.inks
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """The ids of the things named in its pictures, unless the document names others."""
-        return NAMES if self.phenomenon is None else self.phenomenon.names
-
-    @property
-    def side(self) -> tuple[float, float] | None:
-        """From where the world is seen: degrees from beside the camera to behind it, and upwards.
-
-        None for the direction that shows most.
-        """
-        if self.phenomenon is not None:
-            return self.phenomenon.side
-        return None if self.name == "posts" else SIDE
-
-    @property
-    def cube_side(self) -> tuple[float, float] | None:
-        """From where the cube is seen: degrees to the right of its near face, and upwards.
-
-        None for the ordinary place.
-        """
-        if self.phenomenon is not None:
-            return self.phenomenon.cube_side
-        return CUBE_SIDE if self.name == "posts" else None
-
-    @property
     def tries(self) -> tuple[str, ...]:
         """Three short suggestions, translated like the phenomena's texts."""
         if self.phenomenon is not None:
-            return self.phenomenon.tries
+            return self.phenomenon.words.tries
         return WORDS.get(self.name, WORDS_OF_A_MESH).tries
-
-    @cached_property
-    def requires(self) -> frozenset[str]:
-        """Parts of the drawings for this scene beyond faces, lines and marks."""
-        return frozenset() if self.phenomenon is None else self.phenomenon.requires
 
     def illustration(
         self, projection: Projection, settings: Mapping[str, Any]
@@ -260,8 +210,7 @@ class Scene:
             parts.append(distinct_rows(ends.reshape(-1, 3))[0])
         if len(parts) == 1:
             return parts[0]
-        points: NDArray[Any] = np.concatenate([np.empty((0, 3), dtype=np.float32), *parts])
-        return points
+        return np.asarray(np.concatenate([np.empty((0, 3), dtype=np.float32), *parts]))
 
     @cached_property
     def own_lines(self) -> NDArray[np.bool_]:
@@ -408,8 +357,7 @@ class Scene:
     def vertices(self) -> Array:
         """All vertices in world coordinates, (n, 3)."""
         points = np.concatenate([mesh.points for mesh in self._meshes])
-        vertices: Array = points.astype(np.float64) + self.origin
-        return vertices
+        return np.asarray(points.astype(np.float64) + self.origin)
 
     @cached_property
     def sample(self) -> Array:
@@ -419,26 +367,14 @@ class Scene:
 
 
 def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") -> Scene:
-    """Open a built-in scene or a mesh file.
+    """Open one of `BUILT_IN`, or a mesh file with one of `ENDINGS`.
 
-    Parameters
-    ----------
-    name_or_path : str
-        One of `BUILT_IN`, or the path of a file with one of `ENDINGS`.
-    progress : callable, optional
-        Called now and then with the fraction done, from 0 to 1, on the caller's thread; when it
-        returns False, loading stops.
-    mesh : str, optional
-        Path of a mesh file that replaces a phenomenon's subject. It is scaled uniformly into the
-        subject's bounds, and stands where the subject stood.
+    `progress` is called as in `app.scenes.mesh_files.read`. `mesh` is the path of a mesh file that
+    replaces a phenomenon's subject. It is scaled uniformly into the subject's bounds, and stands
+    where the subject stood.
 
-    Raises
-    ------
-    Refusal
-        For an unknown name, for a file that cannot be read or has nothing to draw, and for a mesh
-        with a scene that accepts none.
-    Cancelled
-        When `progress` returned False.
+    Raises a `Refusal` for an unknown name, for a file that cannot be read or has nothing to draw,
+    and for a mesh with a scene that accepts none.
     """
     phenomenon = PHENOMENA.get(name_or_path)
     if mesh and not (phenomenon is not None and phenomenon.own_mesh):
@@ -446,14 +382,12 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     if name_or_path in BUILDERS:
-        return _built_in(name_or_path, *BUILDERS[name_or_path]())
+        shown = OF_POSTS if name_or_path == "posts" else {}
+        return _built_in(name_or_path, *BUILDERS[name_or_path](), **shown)
     path = Path(name_or_path)
-    if path.suffix.lower() in ENDINGS:
-        return _scene_of_mesh(name_or_path, path, progress)
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or os.path.exists(path)):
-        open_mesh(path).close()
-        raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
+        return _scene_of_mesh(name_or_path, path, progress)
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
     template = NEARLY_A_SCENE if likely else NOT_A_SCENE
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
@@ -468,11 +402,7 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
 
 
 def _built_in(
-    name: str,
-    quads: Coloured,
-    lines: Coloured,
-    start: Projection,
-    phenomenon: Phenomenon | None = None,
+    name: str, quads: Coloured, lines: Coloured, start: Projection, **shown: Any
 ) -> Scene:
     points = quads[0].reshape(-1, 3)
     return Scene(
@@ -483,7 +413,7 @@ def _built_in(
         lower=vector(points.min(axis=0)),
         upper=vector(points.max(axis=0)),
         start=start,
-        phenomenon=phenomenon,
+        **shown,
     )
 
 
@@ -516,7 +446,10 @@ def _scene_of_phenomenon(
 ) -> Scene:
     """Build a phenomenon with its own subject, or with a mesh in its place."""
     faces, lines = phenomenon.geometry()
-    scene = _built_in(phenomenon.name, faces, lines, phenomenon.start, phenomenon)
+    shown = {each.name: getattr(phenomenon, each.name) for each in fields(Appearance)}
+    scene = _built_in(
+        phenomenon.name, faces, lines, phenomenon.start, phenomenon=phenomenon, **shown
+    )
     if not mesh_path:
         return scene
     mesh = _read_mesh(Path(mesh_path), progress)

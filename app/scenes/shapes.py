@@ -170,21 +170,27 @@ def ground_grid(
     return np.array(along_z + along_x), rgb
 
 
+def cubes(lowers: Sequence[Vector]) -> Coloured:
+    """Return unit cubes by their lower corners, without touching faces."""
+    quads, rgb = [], []
+    for x, y, z in lowers:
+        faces = box_faces((x, y, z), (x + 1.0, y + 1.0, z + 1.0))
+        beside_x, beside_y = [(x + 1.0, y, z), (x - 1.0, y, z)], [(x, y + 1.0, z), (x, y - 1.0, z)]
+        touching = [*beside_x, *beside_y, (x, y, z + 1.0), (x, y, z - 1.0)]
+        for face, colour, beside in zip(faces, SIDE_RGB, touching, strict=True):
+            if beside not in lowers:
+                quads.append(face)
+                rgb.append(colour)
+    return np.array(quads), np.array(rgb)
+
+
 # Column and row of each cube: a stem of five, two more at the top, one more in the middle.
 _LETTER_F = ((0, 0), (0, 1), (0, 2), (0, 3), (0, 4), (1, 4), (2, 4), (1, 2))
 
 
 def letter_f() -> Coloured:
-    """Return the letter F of lecture 004 (Horvat): eight unit cubes without touching faces."""
-    quads, rgb = [], []
-    for column, row in _LETTER_F:
-        faces = box_faces((column - 1.5, row, -0.5), (column - 0.5, row + 1.0, 0.5))
-        touching = [(column + 1, row), (column - 1, row), (column, row + 1), (column, row - 1)]
-        for side, face in enumerate(faces):
-            if side >= 4 or touching[side] not in _LETTER_F:
-                quads.append(face)
-                rgb.append(SIDE_RGB[side])
-    return np.array(quads), np.array(rgb)
+    """Return the letter F of lecture 004 (Horvat): eight unit cubes."""
+    return cubes([(column - 1.5, float(row), -0.5) for column, row in _LETTER_F])
 
 
 LETTER_F = Projection(
@@ -198,8 +204,7 @@ def letter_f_on_grid(
     low: tuple[float, float], high: tuple[float, float]
 ) -> tuple[Coloured, Coloured]:
     """Return the letter F, and its edges with a grid of unit squares between two corners."""
-    faces, rgb = letter_f()
-    return (faces, rgb), joined(ground_grid(low, high, (1.0, 1.0), 0.0), edges_of(faces))
+    return letter_f(), joined(ground_grid(low, high, (1.0, 1.0), 0.0), letter_f_edges())
 
 
 @cache

@@ -38,7 +38,7 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
     assert sweep.values[0] == pytest.approx(0.01) and sweep.values[-1] == pytest.approx(5.0)
     assert results.machine["opengl"] not in ("", "none")
     assert "fixed24, reversed" in done.stdout and "smallest gap in world units" in done.stdout
-    assert meaning(results.trades[0]).sentence() in done.stdout
+    assert meaning(results.trades[0]) in done.stdout
     lines = table.read_text().splitlines()
     assert lines[0].startswith("choice,cost_B") and "" in lines
     for choice in results.trades[0].choices:  # what is printed is what is written
@@ -202,9 +202,9 @@ def choice(name: str, cost: float | None, error: float | None, note: str = "") -
     ],
 )
 def test_a_trade_has_one_sentence(choices: list[ChartPoint], words: str) -> None:
-    said = meaning(Trade("arithmetic", "ns", "px", tuple(choices), 5))
-    assert words in said.sentence()
-    assert said.sentence(lambda template: template.upper()) != said.sentence()
+    trade = Trade("arithmetic", "ns", "px", tuple(choices), 5)
+    assert words in meaning(trade)
+    assert meaning(trade, lambda template: template.upper()) != meaning(trade)
 
 
 @pytest.mark.parametrize(

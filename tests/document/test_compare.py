@@ -156,7 +156,7 @@ def test_pictures_are_set_by_values_or_by_the_name_of_a_comparison() -> None:
 def test_every_ready_made_comparison_has_pictures_that_differ() -> None:
     found = 0
     for name, phenomenon in PHENOMENA.items():
-        for comparison in phenomenon.comparisons:
+        for comparison in phenomenon.words.comparisons:
             pictures = ready_made(name, comparison.name)
             assert all(one != other for one in pictures for other in pictures if one is not other)
             found += 1

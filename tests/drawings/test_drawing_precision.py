@@ -56,8 +56,8 @@ def triangle_at(
         scale = 1.0 if lens.parallel else distance / lens.near
         x = scale * (left + (right - left) * (x_ndc + 1.0) / 2.0)
         y = scale * (bottom + (top - bottom) * (y_ndc + 1.0) / 2.0)
-        x -= projection.shear[0] * (lens.near - distance)
-        y -= projection.shear[1] * (lens.near - distance)
+        x -= projection.lens.shear[0] * (lens.near - distance)
+        y -= projection.lens.shear[1] * (lens.near - distance)
         offset = np.array([x, y, -distance]) @ camera.frame
         points.append((np.array(camera.eye) - origin) + offset)
     return np.array(points).astype(kind)
@@ -100,8 +100,8 @@ def expected(
     image = []
     for x, y, distance in corners:
         if lens.parallel:
-            x += mp.mpf(projection.shear[0]) * (mp.mpf(lens.near) - distance)
-            y += mp.mpf(projection.shear[1]) * (mp.mpf(lens.near) - distance)
+            x += mp.mpf(projection.lens.shear[0]) * (mp.mpf(lens.near) - distance)
+            y += mp.mpf(projection.lens.shear[1]) * (mp.mpf(lens.near) - distance)
         else:
             x, y = (part * mp.mpf(lens.near) / distance for part in (x, y))
         image.append(

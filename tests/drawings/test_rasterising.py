@@ -422,7 +422,7 @@ def tree_scene(level: int) -> Scene:
     first = 4 * np.arange(len(quads))[:, None]
     mesh = pv.PolyData.from_regular_faces(points, first + np.arange(4))
     mesh.cell_data["rgb"] = rgb_
-    return replace(scene, surface=mesh, phenomenon=None)
+    return replace(scene, surface=mesh, phenomenon=None, requires=frozenset())
 
 
 @pytest.mark.parametrize(
@@ -521,7 +521,7 @@ def test_an_opengl_that_refuses_the_shader_is_named(
     assert "this is no GLSL" in said.GetOutput()
     assert picture.drawing.problem.template == REFUSED
     refused = picture.show().pixels()
-    ordinary = make(name, replace(picture.scene, phenomenon=None))
+    ordinary = make(name, replace(picture.scene, phenomenon=None, requires=frozenset()))
     ordinary.drawing.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
     plain = ordinary.pixels()
     scene_rgb = np.unique(picture.scene.surface.cell_data["rgb"], axis=0)

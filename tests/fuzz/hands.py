@@ -269,8 +269,8 @@ class Hands:
         lesson, talks = window.lessons.lesson, window.talks
         self.states.update({
             "Present": window.present.is_on, "a lesson": lesson is not None,
-            "a talk in Present": talks.is_on, "a comparison": window.comparing.is_on,
-            "a held picture in a lesson": window.comparing.is_on and lesson is not None,
+            "a talk in Present": talks.is_on, "a comparison": window.comparing.pictures.is_on,
+            "a held picture in a lesson": window.comparing.pictures.is_on and lesson is not None,
             "motion": window.lessons.is_moving, "the pen": window.menus.pen.isChecked(),
             "the speaker's window": talks.speaker is not None, "a dialog or menu": top is not None,
             "a test or review": lesson is not None and not talks.has_lesson,

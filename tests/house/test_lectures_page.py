@@ -28,4 +28,4 @@ def test_every_picture_and_every_scene_of_the_page_is_there() -> None:
     for name in re.findall(r"\]\(([^)]+)\)", PAGE):
         assert (Path(ROOT) / "docs" / name).is_file(), name
     for phenomenon in PHENOMENA.values():
-        assert f"*{phenomenon.title}*" in PAGE, phenomenon.title
+        assert f"*{phenomenon.words.title}*" in PAGE, phenomenon.words.title

@@ -31,6 +31,7 @@ from app.model.projection import (
     focal_length_e,
     fov_x_from_fov_y,
 )
+from app.model.refusal import format_value
 from tests.support.commands import told_matrices
 from tests.support.lenses import LENSES
 from tests.support.samples import pairwise
@@ -160,9 +161,9 @@ def test_numbers_are_the_commands(lens: str, depth: str) -> None:
         assert list(map(list, matrix.values)) == told[matrix.name]
         for factor in matrix.factors:
             for row in factor.values:
-                assert all(copying.cell_text(value) in text for value in row)
+                assert all(format_value(value) in text for value in row)
         words = text.split()
-        assert all(copying.cell_text(value) in words for row in matrix.values for value in row)
+        assert all(format_value(value) in words for row in matrix.values for value in row)
 
 
 def test_running_products_are_shown_on_request() -> None:
@@ -454,4 +455,4 @@ def test_copies() -> None:
     assert r"z_{\mathrm{min}}" in copying.as_latex(matrix, "000", formulas=True)
     assert copying.latex_number(-1.5e-9) == r"-1.5 \cdot 10^{-9}"
     numbers_only = copying.as_latex(matrix, "own")
-    assert copying.cell_text(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only
+    assert format_value(matrix.values[2][2]) in numbers_only and "frac" not in numbers_only

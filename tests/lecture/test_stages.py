@@ -88,9 +88,7 @@ def test_a_stop_is_the_product_of_the_pipelines_own_stages(lens: Lens, depth: st
         shown = strip.display_from_local(float(stop))
         framed = strip.display_from_stage(stop) @ matrix
         assert np.abs(shown - framed).max() <= 1e-15 * np.abs(framed).max(), STOPS[stop]
-    assert np.array_equal(
-        strip.stage_from_local(NDC), strip.projection.clip_from_world_at((0, 0, 0))
-    )
+    assert np.array_equal(strip.stage_from_local(NDC), strip.projection.clip_from_local((0, 0, 0)))
 
 
 @pytest.mark.parametrize("lens", LENSES.values(), ids=LENSES)

@@ -52,7 +52,7 @@ from app.measure.results import (
     to_csv,
     to_json,
 )
-from app.measure.run import Watch, in_turns, part_of, percentile95, steady
+from app.measure.run import Watch, in_turns, part_of, steady
 from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
 from app.measure.smoothing import measure as measure_smoothing
 from app.measure.sweeps import SWEEPS, WORLD, in_view, sweep, values_of
@@ -501,11 +501,19 @@ def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
     )
 
 
-def test_a_part_scales_its_progress_and_the_percentile_interpolates() -> None:
+def test_a_part_scales_its_progress() -> None:
     seen: list[float] = []
     part_of(seen.append, 0.5, 1.0)(0.5)
     assert seen == [0.75]
-    assert percentile95([1.0]) == 1.0 and percentile95([1.0, 2.0, 3.0]) == pytest.approx(2.9)
+
+
+def test_a_time_is_the_least_with_its_95th_percentile(monkeypatch: pytest.MonkeyPatch) -> None:
+    ends = itertools.accumulate([1.0, 1.0, *map(float, range(1, 8))])  # two runs are not counted
+    clock = [0.0]
+    fake = types.SimpleNamespace(perf_counter=lambda: clock[0])
+    monkeypatch.setattr(app.measure.run, "time", fake)
+    times = in_turns({"a": lambda: clock.__setitem__(0, next(ends))}, seconds=0.0)
+    assert times["a"] == pytest.approx((1.0, 6.7, 7))
 
 
 def test_a_cancelled_run_keeps_what_was_done() -> None:

@@ -305,7 +305,7 @@ def rounding_ndc(projection: Projection) -> float:
     """
     lens, (left, right, bottom, top) = projection.lens, projection.window
     width, height = right - left, top - bottom
-    depth, shear = lens.far - lens.near, projection.shear
+    depth, shear = lens.far - lens.near, projection.lens.shear
     off = max(abs(left) + abs(right), abs(shear[0]) * depth if shear[0] else 0.0) / width
     off = max(off, (abs(bottom) + abs(top)) / height)
     off = max(off, abs(shear[1]) * depth / height if shear[1] else 0.0)
@@ -338,7 +338,7 @@ def test_world_from_clip_undoes_clip_from_world(projection: Projection) -> None:
     for there, back, offset in (
         (projection.clip_from_view, projection.view_from_clip, None),
         (projection.clip_from_world, projection.world_from_clip_at((0.0, 0.0, 0.0)), np.zeros(3)),
-        (projection.clip_from_world_at(origin), projection.world_from_clip_at(origin), origin),
+        (projection.clip_from_local(origin), projection.world_from_clip_at(origin), origin),
     ):
         # What rounding can do at most: the product of the factors' absolute values.
         size, size_back = lens, lens_back
@@ -811,7 +811,7 @@ def test_pixels_of_any_projection_against_80_digits(projection: Projection, part
         2.0 + min(projection.stretch, 8.0)
         + (abs(low) + abs(high) + abs(cot) * depth) / (high - low)
         for low, high, cot in (
-            (left, right, projection.shear[0]), (bottom, top, projection.shear[1]),
+            (left, right, projection.lens.shear[0]), (bottom, top, projection.lens.shear[1]),
         )
     ]  # fmt: skip
     for point, found in zip(points, image, strict=True):
@@ -831,7 +831,7 @@ def test_the_matrix_for_a_far_scene_keeps_its_digits() -> None:
     projection = Projection(camera_at(rng, 1e9), lens, (1920, 1080))
     origin = np.round(projection.camera.eye)
     local = points_in_view(projection, rng.uniform(0.0, 1.0, (20, 3))) - origin
-    clip = homogeneous(local) @ projection.clip_from_world_at(origin).T
+    clip = homogeneous(local) @ projection.clip_from_local(origin).T
     image = projection.image_from_ndc @ homogeneous(clip[:, :3] / clip[:, 3:]).T
     oracle = exact.Exact(projection)
     expected = np.array([[float(x) for x in oracle(p + origin).image] for p in local])
@@ -994,7 +994,7 @@ def test_matrices_are_those_of_vtk_camera(projection: Projection) -> None:
         assume(fov_y_deg < 179.0)  # it takes no more
         other.SetViewAngle(fov_y_deg)
     if isinstance(lens, Oblique):  # per distance, not z; from near on, in units of the target's
-        cot_alpha, cot_beta = projection.shear
+        cot_alpha, cot_beta = projection.lens.shear
         other.SetViewShear(-cot_alpha, -cot_beta, lens.near / camera.distance)
     z_near, z_far = projection.depth_range
     found = from_vtk(other.GetProjectionTransformMatrix(width / height, z_near, z_far))
@@ -1084,7 +1084,7 @@ def test_arrays_cannot_be_written_into(projection: Projection) -> None:
             arrays[name] = value
     arrays |= {stage.name: stage.matrix for stage in projection.stages}
     arrays |= {name: factor for stage in projection.stages for name, factor in stage.factors}
-    arrays["at"] = projection.clip_from_world_at((1, 2, 3))
+    arrays["at"] = projection.clip_from_local((1, 2, 3))
     arrays["back"] = projection.world_from_clip_at((1, 2, 3))
     assert len(arrays) >= 12
     for array in arrays.values():
@@ -1440,6 +1440,6 @@ def test_matrices_are_called_target_from_source() -> None:
         and value.shape == (4, 4)
     }
     assert len(names) == 8
-    for name in names - factors | {"clip_from_world_at", "world_from_clip_at"}:
+    for name in names - factors | {"world_from_clip_at"}:
         assert re.fullmatch(f"{space}_from_{space}(_at)?", name), name
         assert hasattr(projection, name)

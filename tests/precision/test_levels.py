@@ -134,8 +134,8 @@ def points_in_view(projection: Projection, rng: np.random.Generator, count: int)
     x = rng.uniform(left, right, count) * spread
     y = rng.uniform(bottom, top, count) * spread
     if lens.parallel:
-        x += projection.shear[0] * (distance - lens.near)
-        y += projection.shear[1] * (distance - lens.near)
+        x += projection.lens.shear[0] * (distance - lens.near)
+        y += projection.lens.shear[1] * (distance - lens.near)
     return in_world(projection.camera, np.column_stack([x, y, -distance]))
 
 
@@ -506,7 +506,7 @@ def test_float32_is_what_a_gpu_does_step_by_step(kind: str, depth: DepthRange) -
     origin = beside(rng, projection)
     points = points_in_view(projection, rng, 50)
     traced = trace(projection, points, "float32", origin)
-    matrix = projection.clip_from_world_at(origin)
+    matrix = projection.clip_from_local(origin)
     one = single(1.0)
     for i, point in enumerate(points):
         # The vertex that is uploaded, and the uniform matrix, in 24 bits each.
@@ -932,7 +932,7 @@ def test_no_point_of_an_edge_is_drawn_worse_than_the_bound_of_its_boxes(name: st
             chosen = local[random.integers(len(local), size=400)].astype(float)
             bound = drawing_bound_px(projection, boxes, scene.origin)
             boxed += bound < drawing_bound_px(projection, scene.corners, scene.origin)
-            matrix = projection.clip_from_world_at(scene.origin).astype(np.float32)
+            matrix = projection.clip_from_local(scene.origin).astype(np.float32)
             homogeneous = np.concatenate([chosen, np.ones((*chosen.shape[:2], 1))], axis=2)
             ends = (homogeneous.astype(np.float32) @ matrix.T).astype(float)
             part = random.uniform(size=(len(chosen), 30, 1))

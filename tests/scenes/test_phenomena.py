@@ -71,10 +71,10 @@ def wild_settings(phenomenon: Phenomenon) -> list[Settings]:
 @EVERY
 def test_the_data_are_whole(phenomenon: Phenomenon) -> None:
     assert re.fullmatch(r"[a-z]+(-[a-z]+)*", phenomenon.name)
-    assert 1 <= phenomenon.explanation.count(". ") + 1 <= 5
+    assert 1 <= phenomenon.words.explanation.count(". ") + 1 <= 5
     assert phenomenon.lectures and list(phenomenon.lectures) == sorted(set(phenomenon.lectures))
     assert set(phenomenon.lectures) <= {"000", "001", "002", "003", "004"}
-    said = set(re.findall(r"\b00\d\b", phenomenon.explanation))
+    said = set(re.findall(r"\b00\d\b", phenomenon.words.explanation))
     assert said <= set(phenomenon.lectures)
     names = [setting.name for setting in phenomenon.settings]
     assert len(set(names)) == len(names)

@@ -241,7 +241,7 @@ def test_the_ticks_are_codes(name: str, largest: int) -> None:
 def test_the_explanations_figures_are_the_readings() -> None:
     """Near decides, far hardly; only the control that decides is offered."""
     start = PHENOMENON.start
-    ((near, far),) = re.findall(r"near (\S+), \d+ % with far (\d+)", PHENOMENON.explanation)
+    ((near, far),) = re.findall(r"near (\S+), \d+ % with far (\d+)", PHENOMENON.words.explanation)
     nearer, farther = (
         start.lens.replaced(near=float(near)),
         start.lens.replaced(far=float(far)),
@@ -251,6 +251,6 @@ def test_the_explanations_figures_are_the_readings() -> None:
     counts = {len(distances(projection, 0.25, SUBJECT)[0]) for projection in seen}
     assert PHENOMENON.checked({})["gap"] == 0.25 and len(counts) == 1
     shares = [shown(projection).readings[0].value for projection in seen]
-    percents = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.explanation)]
+    percents = [float(share) for share in re.findall(r"(\d+) %", PHENOMENON.words.explanation)]
     assert percents == pytest.approx(shares, abs=0.5)
     assert "lens.near" in PHENOMENON.controls and "lens.far" not in PHENOMENON.controls

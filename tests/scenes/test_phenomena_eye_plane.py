@@ -309,7 +309,7 @@ def test_nothing_is_named_that_is_not_drawn() -> None:
     assert "image of AB" not in named[3]
     start = show()
     assert "image of AB" in {curve.label for curve in start.diagrams[3].curves}
-    assert "With one end behind" in PHENOMENON.explanation
+    assert "With one end behind" in PHENOMENON.words.explanation
 
 
 @pytest.mark.parametrize(

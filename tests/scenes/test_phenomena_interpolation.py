@@ -154,8 +154,8 @@ def test_points_outside_the_view_volume_are_not_marked_in_the_picture() -> None:
 
 def test_twice_as_many_parts_leave_a_quarter_in_the_limit_and_more_before() -> None:
     """As the explanation says, of both readings."""
-    assert "more than a quarter" in PHENOMENON.explanation and "in the limit" in (
-        PHENOMENON.explanation
+    assert "more than a quarter" in PHENOMENON.words.explanation and "in the limit" in (
+        PHENOMENON.words.explanation
     )
     errors = [
         largest_errors(PHENOMENON.start, TRIANGLES, BOARD_TEXTURE, parts)

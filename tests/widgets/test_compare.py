@@ -176,7 +176,8 @@ def test_the_divider_is_dragged_and_goes_by_keys_as_far_as_the_picture(window: M
     assert compare.dividers == (0.0,)
     QTest.keyClick(handle, Qt.Key.Key_Escape)
     settle()
-    assert not window.comparing.is_on and not handle.isVisible() and not compare.bar.isVisible()
+    assert not window.comparing.pictures.is_on
+    assert not handle.isVisible() and not compare.bar.isVisible()
 
 
 def test_keys_hold_toggle_and_end_a_comparison_without_undo_steps(window: MainWindow) -> None:
@@ -186,7 +187,7 @@ def test_keys_hold_toggle_and_end_a_comparison_without_undo_steps(window: MainWi
     compare = window.comparing.pictures
     assert compare.dividers == (0.5,) and window.slots.large == "image"
     QTest.keyClick(window, Qt.Key.Key_F6, Qt.KeyboardModifier.ShiftModifier)
-    assert compare.dividers == () and window.comparing.is_on
+    assert compare.dividers == () and window.comparing.pictures.is_on
     settle()
     live, held = (pane.canvas for pane in (window.panes["image"], compare.others[0].pane))
     room = window.panes["image"].surface.height()
@@ -194,7 +195,7 @@ def test_keys_hold_toggle_and_end_a_comparison_without_undo_steps(window: MainWi
     click(compare.way)
     assert compare.dividers == (0.5,) and live.height() == room
     QTest.keyClick(window, Qt.Key.Key_Escape)
-    assert not window.comparing.is_on and window.slots.large == large
+    assert not window.comparing.pictures.is_on and window.slots.large == large
     assert not window.store.can_undo and not window.store.modified
     assert compare.others == []
 
@@ -236,7 +237,7 @@ def test_it_comes_back_from_a_file_and_goes_with_another_scene(
     there = surface_of(window)
     window.guide.choose("posts")
     settle()
-    assert not window.comparing.is_on and window.store.seen.view.compare == ()
+    assert not window.comparing.pictures.is_on and window.store.seen.view.compare == ()
     window.store.undo()
     settle()
     assert window.store.seen.view == view, "undo of the scene brings back how it was looked at"
@@ -343,7 +344,7 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
         assert 0.022 * screen_px <= letters <= 0.03 * screen_px, "a class reads them"
     QTest.keyClick(window, Qt.Key.Key_Escape)
     settle()
-    assert window.comparing.is_on and not window.present.is_on and compare.bar.isVisible()
+    assert window.comparing.pictures.is_on and not window.present.is_on and compare.bar.isVisible()
     assert compare.captions[0].fontMetrics().capHeight() < 0.022 * screen_px
     title, first = window.panes["image"].title, compare.captions[0]
     place = first.mapToGlobal(QPoint()).y(), first.height()

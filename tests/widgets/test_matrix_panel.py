@@ -23,7 +23,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolBut
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import LIGHT
-from app.lecture import copying, notation
+from app.lecture import notation
 from app.lecture.conventions import in_convention
 from app.lecture.copying import as_latex
 from app.lecture.letters import LETTERS
@@ -32,6 +32,7 @@ from app.lecture.typesetting import pieces_of
 from app.model.formula import ARROW
 from app.model.formula_text import OVER, stacked_fraction
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, Perspective, Projection
+from app.model.refusal import format_value
 from app.picking.picking import Probe
 from tests.support import controls as dock
 from tests.support.commands import told_matrices
@@ -130,7 +131,7 @@ def test_numbers_are_those_of_the_command(panel: MatrixPanel) -> None:
                 value = told[matrix.name][i][j]
                 assert plain(view.texts[i][j]) == f"{value:.4g}"
                 assert f"{view.texts[i][j]}. " in panel.sentence(matrix, i, j)
-                assert copying.cell_text(value) in words
+                assert format_value(value) in words
 
 
 def lit(view: MatrixView) -> set[tuple[int, int]]:
@@ -210,13 +211,13 @@ def test_four_digits_are_shown_all_with_the_switch_and_all_are_copied(
         return QGuiApplication.clipboard().text()
 
     few, width, whole = view.texts, view.width(), copied()
-    number = copying.cell_text(told["view_from_world"][0][0])
+    number = format_value(told["view_from_world"][0][0])
     assert number in whole and len(number) > 12
     qtbot.mouseClick(view, Qt.MouseButton.LeftButton, pos=view.cell_rect(0, 0).center().toPoint())
     assert number not in panel.explanation.text() and few[0][0] in panel.explanation.text()
     with all_digits_shown():
         for matrix in panel.shown:
-            exact = [[copying.cell_text(cell) for cell in row] for row in told[matrix.name]]
+            exact = [[format_value(cell) for cell in row] for row in told[matrix.name]]
             assert panel.views[matrix.name].texts == exact
         assert number in panel.explanation.text() and copied() == whole
         assert view.width() > 1.5 * width
@@ -420,7 +421,7 @@ def test_a_cell_is_typed_and_goes_out_once(
     panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
 ) -> None:
     field = double_click(panel, qtbot, "clip_from_view", 0, 2)
-    assert field.text() == copying.cell_text(panel.shown[-3].values[0][2])  # with all its digits
+    assert field.text() == format_value(panel.shown[-3].values[0][2])  # with all its digits
     assert field.text() != panel.views["clip_from_view"].texts[0][2]
     assert field.accessibleName() == "clip ← view, row 1, column 3"
     type_cell(panel, qtbot, "clip_from_view", 0, 2, "1/4")

@@ -128,7 +128,7 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     trade = results.trades[0]
     assert [heads(panel), *cells(panel)] == table(trade)  # as the command prints them
     (current,) = (c for c in trade.choices if c.name == "fixed24, reversed")
-    assert panel.sentence.text() == f"{bargain(trade, current)} {meaning(trade).sentence()}"
+    assert panel.sentence.text() == f"{bargain(trade, current)} {meaning(trade)}"
     assert panel.where.toolTip() == chart.where(results)
     assert "letter-f; eye (6, 5, 9)" in panel.seen.toolTip()
     assert not panel.list.currentItem().icon().isNull() and panel.list.item(0).icon().isNull()
@@ -625,7 +625,8 @@ def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
 ) -> None:
     panel = window.measure_panel
     window.panels.open(panel)
-    for name, (hardware, drawn) in CHEAP.items():
+    for name, settings in CHEAP.items():
+        drawn = {f"settings.{setting}": value for setting, value in settings.items()}
         choice = ChartPoint(
             name, None, None, 1.0, 2.0, use={"scene": "cheap-arithmetic", **drawn}, bytes=6.0
         )
@@ -634,7 +635,7 @@ def test_a_cheap_format_opens_the_scene_that_draws_it_and_is_marked_there(
         panel.table.cellClicked.emit(1, 0)
         document = window.store.document
         assert document.scene == "cheap-arithmetic" and window.messages.text == "", name
-        assert hardware_of(document.settings) == hardware, name
+        assert hardware_of(document.settings) == hardware_of(settings), name
         assert chart.in_use(trade, window.quality.in_use()) == choice
         window.store.undo()
         assert window.store.document.scene == "letter-f"

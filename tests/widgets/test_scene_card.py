@@ -329,7 +329,7 @@ def test_another_scene_is_shown_at_once_during_a_gesture(
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
     card.readable.begin_gesture()
     triangles = PHENOMENA["similar-triangles"]
-    card.show_scene("Similar triangles", triangles.tries, triangles)
+    card.show_scene("Similar triangles", triangles.words.tries, triangles)
     settings = triangles.checked({"distance": 3.0})
     card.show_illustration(
         triangles.illustration(triangles.start, settings, SUBJECT), settings, triangles.start
@@ -341,12 +341,12 @@ def test_another_scene_has_other_rows_and_none_of_the_old(
     owner: Owner, qtbot: QtBot, qapp: QApplication
 ) -> None:
     triangles = PHENOMENA["similar-triangles"]
-    owner.card.show_scene("Similar triangles", triangles.tries, triangles)
+    owner.card.show_scene("Similar triangles", triangles.words.tries, triangles)
     assert list(owner.card.rows) == ["distance", "point"] and not owner.card.motions
     qapp.processEvents()
     qapp.sendPostedEvents(None, 52)  # QEvent.DeferredDelete
     assert len(owner.card.findChildren(QSlider)) == 1
-    assert owner.card.tries.text() == "\n".join(triangles.tries)
+    assert owner.card.tries.text() == "\n".join(triangles.words.tries)
     owner.card.show_scene("Letter F", TRIES, None)
     assert not owner.card.rows and owner.card.title.text() == "Letter F"
     assert readings(owner.card) == []

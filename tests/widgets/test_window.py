@@ -685,7 +685,7 @@ def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
     messages.show_message("An offer.", ("Take it", partial(taken.append, "it")))
     assert window.files.save_to(path) and messages.text == "An offer."
     assert not window.files.save_to(nowhere / "lesson.json")
-    assert "no such folder" in messages.text and messages.choices == ()
+    assert "no such folder" in messages.text and not messages.choices
     assert window.files.save_to(path) and messages.text == "An offer."
     messages.show_message("A refusal.")
     named(messages, QToolButton, "Dismiss this message").click()
@@ -1022,6 +1022,7 @@ def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window.messages.choices[0].click()
     assert other.name in window.messages.text and not window.messages.choices
     window.recovery.offer()
+    window.messages.done()  # the offer waits until the warning is dismissed
     window.messages.choices[0].click()
     assert window.store.document.scene == "posts"
 

@@ -204,9 +204,8 @@ class Readout(QWidget):
             set_tip(value, exact)
         if label.text() != name:
             label.setText(name)
-            value.setAccessibleDescription(
-                name
-            )  # a screen reader would read a name instead of the number
+            # A screen reader would read a name instead of the number.
+            value.setAccessibleDescription(name)
             self._widen(label)
         unit.setText("" if reading.value is None else of_phenomena(reading.unit))
 

@@ -136,7 +136,7 @@ class SceneCard(QWidget, RowHolder):
             self._problem = None
             self._make_rows(() if phenomenon is None else phenomenon.settings)
             self._highlight_subject(())  # marks these rows
-            self._offer_comparisons(() if phenomenon is None else phenomenon.comparisons)
+            self._offer_comparisons(() if phenomenon is None else phenomenon.words.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
             self.readout.show_readings(())
             self.warning.show_text("")

@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
-from PySide6.QtGui import QEnterEvent, QFont, QHideEvent, QShowEvent
+from PySide6.QtGui import QEnterEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
 
 from app.lecture.camera_frame import (
@@ -39,7 +39,7 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Log
-from widgets.parts.typeset import TypesetLabel, in_line, matrix
+from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
 from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500
@@ -80,8 +80,7 @@ class FramePanel(Panel):
         self._projection = Projection()
         self._highlight = NOTHING
         self._steps = self._make_steps()
-        self._timer = QTimer(self)
-        self._timer.setInterval(STEP_MS)
+        self._timer = QTimer(self, interval=STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
         self.back = _button(
@@ -94,8 +93,7 @@ class FramePanel(Panel):
         self.all = _button(
             self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
         )
-        self.title = PlainLabel()
-        self.title.setObjectName("paneTitle")
+        self.title = PlainLabel(objectName="paneTitle")
         self.formula, self.numbers = TypesetLabel(), TypesetLabel()
         self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
         self.sentence = PlainLabel(wordWrap=True)
@@ -192,9 +190,7 @@ class FramePanel(Panel):
         self.warning = WarningLabel()
 
     def _set_fonts(self) -> None:
-        larger = QFont(self.font())
-        larger.setPointSizeF(1.25 * larger.pointSizeF())
-        self.formula.setFont(larger)
+        self.formula.setFont(resized(self.font(), 1.25))
 
     def _lay_out(self) -> None:
         buttons = (self.back, self.next, self.play, self.all)

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
 from app.drawings.style import LIGHT, Style
-from app.lecture.copying import as_latex, as_numpy, as_text, cell_text
+from app.lecture.copying import as_latex, as_numpy, as_text
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import WrittenMatrix, cell_sign, has_own_signs, matrices
@@ -39,7 +39,7 @@ from app.model.formula import ARROW
 from app.model.limits import finite_matrix
 from app.model.matrix_text import read_matrix
 from app.model.projection import Projection
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
@@ -110,25 +110,25 @@ class MatrixPanel(ReadablePanel):
     def _lay_out(self) -> None:
         self.cells = self._choice(
             self.tr("Cells"), self.tr("What each cell shows"),
-            (("numbers", self.tr("Numbers")), ("formulas", self.tr("Formulas"))),
+            ((self.tr("Numbers"), "numbers"), (self.tr("Formulas"), "formulas")),
         )  # fmt: skip
         self.vectors = self._choice(
             self.tr("Vectors"),
             self.tr("Points as columns, right of the matrix, or as rows, left of it; rows "
                     "transpose every matrix and reverse every product"),
-            (("columns", self.tr("Column vectors")), ("rows", self.tr("Row vectors"))),
+            ((self.tr("Column vectors"), "columns"), (self.tr("Row vectors"), "rows")),
         )  # fmt: skip
         self.letters = self._choice(
             self.tr("Letters"),
             self.tr("The lecture whose letters the formulas use; vectors are bold; lecture "
                     "002 has its own signs too"),
             (
-                ("own", self.tr("own: u v n, n f, fov")),
-                ("000", self.tr("xₘᵢₙ … zₘₐₓ")),
-                ("001", self.tr("u v w, θ")),
-                ("002", self.tr("z of near, far: negative")),
-                ("003", self.tr("e, n f")),
-                ("004", self.tr("x₀ y₀ z₀, V")),
+                (self.tr("own: u v n, n f, fov"), "own"),
+                (self.tr("xₘᵢₙ … zₘₐₓ"), "000"),
+                (self.tr("u v w, θ"), "001"),
+                (self.tr("z of near, far: negative"), "002"),
+                (self.tr("e, n f"), "003"),
+                (self.tr("x₀ y₀ z₀, V"), "004"),
             ),
         )  # fmt: skip
         for place, letters in enumerate(LETTERS):
@@ -161,11 +161,7 @@ class MatrixPanel(ReadablePanel):
         in_column(*parts, on=self, margins=(2, 0, 2, 2), gap=2)
 
     def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
-        box = Combo()
-        box.setAccessibleName(name)
-        set_tip(box, tip)
-        for value, text in choices:
-            box.addItem(text, value)
+        box = Combo(name, tip, choices)
         box.currentIndexChanged.connect(self._readable.changed)
         return box
 
@@ -231,7 +227,7 @@ class MatrixPanel(ReadablePanel):
             return
         if "/" in text:
             taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
-            self.adjusted.emit(taken.format(text.strip(), cell_text(value)))
+            self.adjusted.emit(taken.format(text.strip(), format_value(value)))
         cells: Any = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
         cells[into][of] = sign * value

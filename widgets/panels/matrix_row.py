@@ -36,9 +36,8 @@ class MatrixBox(QWidget):
     ) -> None:
         super().__init__()
         self.name = matrix.name
-        self._title, self._note = PlainLabel(), PlainLabel()
-        self._title.setObjectName("paneTitle")
-        self._note.setObjectName("paneNote")
+        self._title = PlainLabel(objectName="paneTitle")
+        self._note = PlainLabel(objectName="paneNote")
         self._note.hide()
         fold = self._fold = tool_button(
             "", self.tr("Show the factors of this matrix"),

@@ -30,16 +30,16 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.lecture.copying import cell_text
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.lecture.letters import Letters, stacked, written
 from app.lecture.notation import WrittenMatrix, letters_in
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
+from app.model.refusal import format_value
 from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
-from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, typeset
+from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
 from widgets.parts.writing import all_digits
 
 VIEW = ("view_from_world", "rotation")
@@ -238,9 +238,7 @@ class MatrixView(QWidget):
     # -- places
 
     def _small(self) -> QFont:
-        font = QFont(self.font())
-        font.setPointSizeF(font.pointSizeF() * 0.75)
-        return font
+        return resized(self.font(), 0.75)
 
     def _typeset(self, text: str) -> Typeset:
         return typeset(text, self.font(), is_formula=self._writing.formulas)
@@ -371,7 +369,7 @@ class MatrixView(QWidget):
             return
         self.abandon()
         self.place = (row, column)
-        self.field = field = _CellField(cell_text(self._matrix.values[row][column]), self)
+        self.field = field = _CellField(format_value(self._matrix.values[row][column]), self)
         place = self.tr("{0}, row {1}, column {2}")
         field.setAccessibleName(place.format(self.accessibleName(), row + 1, column + 1))
         field.setPlaceholderText("1/3")

@@ -144,13 +144,10 @@ class MeasurePanel(DiagramPanel):
         self.list.currentItemChanged.connect(self._readable.changed)
         self.list.setMinimumHeight(40)
         self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
-        self.how = Combo()
-        self.how.addItem(self.tr("Quick"), True)
-        self.how.addItem(self.tr("Full"), False)
-        self.how.setAccessibleName(self.tr("How exactly"))
-        set_tip(
-            self.how,
+        self.how = Combo(
+            self.tr("How exactly"),
             self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values"),
+            ((self.tr("Quick"), True), (self.tr("Full"), False)),
         )
         self.run_button = push_button(
             self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
@@ -167,12 +164,11 @@ class MeasurePanel(DiagramPanel):
         self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
         tip = self.tr("Remove the results of the file")
         self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
-        self.cost = Combo()
-        self.cost.addItem(self.tr("Time"), "time")
-        self.cost.addItem(self.tr("Memory"), "bytes")
-        self.cost.setAccessibleName(self.tr("Cost"))
-        tip = self.tr("What errors are drawn over: time, or bytes, the same on every machine")
-        set_tip(self.cost, tip)
+        self.cost = Combo(
+            self.tr("Cost"),
+            self.tr("What errors are drawn over: time, or bytes, the same on every machine"),
+            ((self.tr("Time"), "time"), (self.tr("Memory"), "bytes")),
+        )
         self.cost.currentIndexChanged.connect(self._withdraw_refusal)
         self.cost.currentIndexChanged.connect(self._readable.changed)
         buttons = QGridLayout()
@@ -410,7 +406,7 @@ class MeasurePanel(DiagramPanel):
                 picked = next((c for c in part.choices if c.name == self._picked), None)
                 chosen = picked or chart.in_use(part, self._current())
                 said = bargain(part, chosen, of_measurements) if chosen else ""
-                said = f"{said} {meaning(part).sentence(of_measurements)}".strip()
+                said = f"{said} {meaning(part, of_measurements)}".strip()
             if not part.complete:
                 said = f"{chart.title(part, of_measurements)}. {said}"
             said = f"{words} {said}" if words else said

@@ -49,7 +49,8 @@ class ProbePanel(ReadablePanel):
         super().__init__()
         self.probes: tuple[Probe, ...] = ()
         """The probes that the panes mark, in the order of the table."""
-        self._pinned: set[int] = set()
+        self.pinned = frozenset[int]()
+        """Numbers of the probes that the next click does not move."""
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._is_new = False
@@ -66,10 +67,9 @@ class ProbePanel(ReadablePanel):
         self._show_choice()
 
     def _lay_out(self) -> None:
-        self.choice = Combo()
+        tip = self.tr("The probe that the fields and buttons change")
+        self.choice = Combo(self.tr("Probe"), tip)
         self.choice.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
-        self.choice.setAccessibleName(self.tr("Probe"))
-        set_tip(self.choice, self.tr("The probe that the fields and buttons change"))
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
         self.fields = tuple(ShortField(name) for name in "xyzw")
         parts: list[Part] = [self.choice]
@@ -116,11 +116,6 @@ class ProbePanel(ReadablePanel):
         """The probe that the fields and the buttons change."""
         return next((probe for probe in self.probes if probe.number == self._chosen), None)
 
-    @property
-    def pinned(self) -> frozenset[int]:
-        """Numbers of the probes that the next click does not move."""
-        return frozenset(self._pinned)
-
     def follow(
         self,
         *,
@@ -130,9 +125,9 @@ class ProbePanel(ReadablePanel):
     ) -> None:
         """Move an unpinned probe to a point, a pixel's ray or a point at infinity."""
         number = self._chosen
-        if not number or number in self._pinned:
+        if not number or number in self.pinned:
             # A new probe is made only if all probes are pinned.
-            loose = [p.number for p in self.probes if p.number not in self._pinned]
+            loose = [p.number for p in self.probes if p.number not in self.pinned]
             taken = {probe.number for probe in self.probes}
             free = [n for n in range(1, MOST_PROBES + 1) if n not in taken]
             if not loose and not free:
@@ -152,7 +147,7 @@ class ProbePanel(ReadablePanel):
         """
         self._chosen = chosen
         if pinned is not None:
-            self._pinned = set(pinned)
+            self.pinned = pinned
         self._set(probes)
 
     def put(self, number: int, point: Vector) -> None:
@@ -167,9 +162,7 @@ class ProbePanel(ReadablePanel):
     def remove(self) -> None:
         """Remove the chosen probe, and choose the last of the others."""
         probes = tuple(probe for probe in self.probes if probe.number != self._chosen)
-        self.restore(
-            probes, probes[-1].number if probes else 0, frozenset(self._pinned - {self._chosen})
-        )
+        self.restore(probes, probes[-1].number if probes else 0, self.pinned - {self._chosen})
 
     def clear(self) -> None:
         """Remove all probes."""
@@ -187,7 +180,8 @@ class ProbePanel(ReadablePanel):
         self._show_choice()
 
     def _pin_clicked(self, pinned: bool) -> None:
-        (self._pinned.add if pinned else self._pinned.discard)(self._chosen)
+        chosen = {self._chosen}
+        self.pinned = self.pinned | chosen if pinned else self.pinned - chosen
         self._show_choice()
 
     # -- the fields
@@ -226,7 +220,7 @@ class ProbePanel(ReadablePanel):
         for other in self.probes:
             name = self._name(other)
             self.choice.addItem(name, other.number)
-            if other.number in self._pinned:
+            if other.number in self.pinned:
                 place, role = self.choice.count() - 1, Qt.ItemDataRole.AccessibleTextRole
                 self.choice.setItemIcon(place, icon("pin"))
                 self.choice.setItemData(place, self.tr("{0}, pinned").format(name), role)
@@ -237,7 +231,7 @@ class ProbePanel(ReadablePanel):
             field.take_back()
             field.setAccessibleDescription("")
         self.error.show_text("")
-        self.pin.setChecked(self._chosen in self._pinned)
+        self.pin.setChecked(self._chosen in self.pinned)
         for button in (self.pin, self._remove):
             button.setEnabled(probe is not None)
         for needs_probes in (self.choice, self._clear):

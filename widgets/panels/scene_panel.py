@@ -63,7 +63,7 @@ class ScenePanel(DiagramPanel):
         self.explanation.setText(
             self.tr("This scene has no diagram: the panes show everything.")
             if phenomenon is None
-            else subscripts(of_phenomena(phenomenon.explanation))
+            else subscripts(of_phenomena(phenomenon.words.explanation))
         )
         self._show_diagrams(())
 

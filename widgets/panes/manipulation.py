@@ -20,7 +20,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
 from app.drawings.drawing import Drawing
-from app.model.limits import OTHER_SIDE
+from app.model.limits import OTHER_SIDE, vector
 from app.model.projection import NOT_THE_EYE, Projection, Vector
 from app.model.refusal import Refusal, six_digits
 from app.picking.handles import (
@@ -30,8 +30,8 @@ from app.picking.handles import (
     changed,
     dollied,
     dragged,
-    dragged_grip,
     moved_by,
+    moved_point,
     panned,
     place,
     present,
@@ -276,7 +276,7 @@ class Manipulation(Gestures, QObject):
             if number is not None:
                 self.setting_edited.emit({held.setting: number})
             return
-        point = dragged_grip(before, sight, pixel, shift=shift)
+        point = moved_point(before, sight, pixel, shift)
         if point == before:  # dragged back
             self.setting_edited.emit({held.setting: drag.before})
         else:
@@ -405,8 +405,7 @@ def _value(grip: Grip) -> Vector | float:
     away = grip.point - grip.base
     if grip.along is not None:
         return float(away @ grip.along / np.dot(grip.along, grip.along))
-    x, y, z = away.tolist()
-    return x, y, z
+    return vector(away)
 
 
 def _shown(value: Any) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QAbstractButton, QPushButton, QToolButton
+from PySide6.QtWidgets import QAbstractButton, QDialog, QDialogButtonBox, QPushButton, QToolButton
 
 from widgets.parts.icons import show_icon
 from widgets.parts.plain import set_tip
@@ -44,6 +44,14 @@ def tool_button(
 def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:
     """Make a push button; see `tool_button`."""
     return _filled(QPushButton(), text, tip, act, name)
+
+
+def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> QDialogButtonBox:
+    """Make the buttons that accept a dialog and cancel it."""
+    buttons = QDialogButtonBox(accept | QDialogButtonBox.StandardButton.Cancel)
+    buttons.accepted.connect(dialog.accept)
+    buttons.rejected.connect(dialog.reject)
+    return buttons
 
 
 def _filled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:

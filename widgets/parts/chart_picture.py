@@ -63,12 +63,12 @@ def picture(
     for part in parts:
         over = others.get(part.name if isinstance(part, Trade) else part.parameter)
         name = chart.machine(other) if other else ""
-        said = meaning(part).sentence(translate) if isinstance(part, Trade) else "-"
+        said = meaning(part, translate) if isinstance(part, Trade) else "-"
         diagrams = chart.diagrams(part, current, over, name, translate)
         shown += diagrams or [f"{chart.title(part, translate)}\n\n{said}"]
     lines = [chart.seen(results, translate), chart.where(results)]
     if len(parts) == 1 and isinstance(parts[0], Trade):
-        lines.insert(0, meaning(parts[0]).sentence(translate))
+        lines.insert(0, meaning(parts[0], translate))
     rows = max(1, -(-len(shown) // 2))
     size = ONE_PX if len(shown) == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
     draw = partial(_paint, size=size, font=font, shown=shown, lines=lines)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from PySide6.QtCore import QEvent, QRect, QSize
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox
 
 from widgets.parts.icons import paint_icon
+from widgets.parts.plain import set_tip
 
 ARROW = 0.8
 """Width of the arrow relative to its room, which is as wide as a line is high."""
@@ -15,10 +18,16 @@ BESIDE = 0.3
 
 
 class Combo(QComboBox):
-    """A combo box that paints its own arrow."""
+    """A combo box that paints its own arrow; an option is a text and its value."""
 
-    def __init__(self) -> None:
+    def __init__(
+        self, name: str = "", tip: str = "", options: Iterable[tuple[str, object]] = ()
+    ) -> None:
         super().__init__()
+        self.setAccessibleName(name)
+        set_tip(self, tip)
+        for text, value in options:
+            self.addItem(text, value)
         self._fit()
 
     def changeEvent(self, event: QEvent) -> None:

@@ -270,9 +270,8 @@ class LessonText(QTextEdit):
     def heightForWidth(self, width: int) -> int:
         if width not in self._heights:
             document = self.document()
-            blocker = QSignalBlocker(
-                document.documentLayout()
-            )  # otherwise Qt sets its own width again
+            # Otherwise Qt sets its own width again.
+            blocker = QSignalBlocker(document.documentLayout())
             before = document.textWidth()
             document.setTextWidth(width)
             self._heights[width] = math.ceil(document.size().height())

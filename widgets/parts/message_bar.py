@@ -34,7 +34,8 @@ class MessageBar(QFrame):
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._sentence, self._warns = "", False
-        self._choices: list[QPushButton] = []
+        self.choices: tuple[QPushButton, ...] = ()
+        """The buttons of the message shown."""
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
         tip = self.tr("Dismiss this message")
@@ -55,12 +56,12 @@ class MessageBar(QFrame):
         is_news = sentence != self.text
         if choices:
             self._offer = sentence, choices, warns
-            if is_news and warns and self.text and self._warns and not self._choices:
+            if is_news and warns and self.text and self._warns and not self.choices:
                 return
         self._warns = warns
-        for button in self._choices:
+        for button in self.choices:
             button.deleteLater()
-        self._choices = []
+        self.choices = ()
         self._sentence = sentence
         self._text.set_is_warning(warns)
         self._text.setText(breakable(sentence))
@@ -68,7 +69,7 @@ class MessageBar(QFrame):
             button = push_button(label, act=self._dismiss)
             button.clicked.connect(partial(act))
             self._line.insertWidget(self._line.count() - 1, button)
-            self._choices.append(button)
+            self.choices += (button,)
         self.show()
         if is_news:  # a screen reader would not notice it, far from the focus
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, sentence))
@@ -80,7 +81,7 @@ class MessageBar(QFrame):
 
     def done(self) -> None:
         """Hide a sentence that is no longer true; an offer stays."""
-        if self._choices:
+        if self.choices:
             return
         self.hide()
         self._offer_again()
@@ -88,7 +89,7 @@ class MessageBar(QFrame):
     def put_off(self, waits: bool) -> None:
         """Hide an offer from a class, or show it again."""
         self._waits = waits
-        if waits and self._choices:
+        if waits and self.choices:
             self.hide()
         elif self.isHidden():
             self._offer_again()
@@ -107,12 +108,8 @@ class MessageBar(QFrame):
         return super().event(event)
 
     def _dismiss(self) -> None:
-        if self._choices:
+        if self.choices:
             self._offer = None
             self.hide()
         else:
             self.done()
-
-    @property
-    def choices(self) -> tuple[QPushButton, ...]:
-        return tuple(self._choices)

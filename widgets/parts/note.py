@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from bisect import bisect_left
 
-from PySide6.QtCore import QEvent, QRect, QSize, Qt
-from PySide6.QtGui import QAbstractTextDocumentLayout, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QSizePolicy
 
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
@@ -121,9 +121,6 @@ class Balanced(PlainLabel):
         document.setDocumentMargin(0.0)
         document.setHtml(subscripts(text))
         document.setTextWidth(width)
-        context = QAbstractTextDocumentLayout.PaintContext()
-        context.palette.setColor(QPalette.ColorRole.Text, painter.pen().color())
-        painter.save()
-        painter.translate(left, top)
-        document.documentLayout().draw(painter, context)
-        painter.restore()
+        palette = QPalette(self.palette())
+        palette.setColor(QPalette.ColorRole.Text, painter.pen().color())
+        document.paint(painter, QPointF(left, top), palette)

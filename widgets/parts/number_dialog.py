@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
+from widgets.parts.buttons import dialog_buttons
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import sentence
@@ -42,11 +43,7 @@ class NumberDialog(QDialog):
         self.field.selectAll()
         asked.setBuddy(self.field)
         self.problem = RefusalLabel()
-        self.buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        self.buttons.accepted.connect(self.accept)
-        self.buttons.rejected.connect(self.reject)
+        self.buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Ok)
         in_column(asked, self.field, self.problem, self.buttons, on=self)
 
     def accept(self) -> None:

@@ -13,8 +13,8 @@ import re
 from typing import Any
 
 from PySide6 import QtGui
-from PySide6.QtCore import QPoint, Qt, QUrl
-from PySide6.QtGui import QAction, QTextDocument
+from PySide6.QtCore import QPoint, QPointF, Qt, QUrl
+from PySide6.QtGui import QAbstractTextDocumentLayout, QAction, QPainter, QPalette, QTextDocument
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QToolTip, QWidget
 
 
@@ -78,6 +78,15 @@ class TextDocument(QTextDocument):
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
         return None
+
+    def paint(self, painter: QPainter, place: QPointF, palette: QPalette) -> None:
+        """Paint the document with its upper left corner at a place."""
+        context = QAbstractTextDocumentLayout.PaintContext()
+        context.palette = palette
+        painter.save()
+        painter.translate(place)
+        self.documentLayout().draw(painter, context)
+        painter.restore()
 
 
 def message_box(

@@ -60,17 +60,12 @@ def _reach_display() -> Callable[[], object] | None:
 
 
 def _unreachable(problem: str) -> DisplayError:
-    return DisplayError(
-        f"{problem}: start the program in a desktop session, over ssh with -X, or with "
-        f"{_virtual()} in front; {WITHOUT_DISPLAY}"
-    )
-
-
-def _virtual() -> str:
-    """Return the command for a virtual display, and how to install it if it is missing."""
     missing = [] if shutil.which("xvfb-run") else [system_packages.System("xvfb-run", "xvfb xauth")]
     how = f" ({system_packages.advice(missing)})" if missing else ""
-    return f"xvfb-run -s '+extension GLX'{how}"
+    return DisplayError(
+        f"{problem}: start the program in a desktop session, over ssh with -X, or with "
+        f"xvfb-run -s '+extension GLX'{how} in front; {WITHOUT_DISPLAY}"
+    )
 
 
 def _wayland_answers() -> bool:

@@ -24,6 +24,7 @@ from app.lessons.text import escaped
 from app.model.refusal import QT_TRANSLATE_NOOP
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import FEW, figure_text
+from widgets.parts.typeset import paint_brackets
 from widgets.program import paper
 from widgets.program.paper import (
     BETWEEN_PT,
@@ -157,13 +158,8 @@ def key(
             first, last = (seeds[id(page.pieces[place].block)] for place in (0, -1))
             shown = f"{first}" if first == last else f"{first}–{last}"
             left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, shown)
-            yield partial(paint, page, left, f"{number} / {len(pages)}", width, height)
-
-    def paint(
-        page: paper.PaperPage, left: str, right: str, width: float, height: float, painter: QPainter
-    ) -> None:
-        paper.paint_page(painter, page, width, height, False)
-        paper.foot(painter, left, right, width, height)
+            right = f"{number} / {len(pages)}"
+            yield partial(paper.paint_page, page, left, right, width, height)
 
     return paper.pdf(title, lay_out)
 
@@ -336,9 +332,8 @@ def _place_of_answer(question: Asked) -> PageBlock:
                 cell = QRectF(left + column * wide, row * high, wide, high)
                 painter.drawRect(cell.adjusted(2.0, 2.0, -2.0, -2.0))
         painter.setPen(QPen(QColor(LIGHT.ink), 1.0))
-        for x, inwards in ((left - BRACKET_PT, BRACKET_PT), (right + BRACKET_PT, -BRACKET_PT)):
-            corners = ((x + inwards, 0.0), (x, 0.0), (x, low), (x + inwards, low))
-            painter.drawPolyline([QPointF(*corner) for corner in corners])
+        box = QRectF(left - BRACKET_PT, 0.0, right - left + 2.0 * BRACKET_PT, low)
+        paint_brackets(painter, box, BRACKET_PT)
 
     return PageBlock(low, paint)
 

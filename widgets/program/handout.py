@@ -58,11 +58,8 @@ def handout(course: Course, *, answers: bool = True) -> bytes:
 
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
         for number, page in enumerate(paged(course, width, height, answers), 1):
-            yield partial(paint, page, number, width, height)
-
-    def paint(page: PaperPage, number: int, width: float, height: float, painter: QPainter) -> None:
-        paper.paint_page(painter, page, width, height, not answers)
-        paper.foot(painter, course.lesson.title, str(number), width, height)
+            left, right = course.lesson.title, str(number)
+            yield partial(paper.paint_page, page, left, right, width, height, is_ruled=not answers)
 
     return paper.pdf(course.lesson.title, lay_out)
 

@@ -314,9 +314,19 @@ def best(layouts: Sequence[list[PaperPage]]) -> list[PaperPage]:
 
 
 def paint_page(
-    painter: QPainter, page: PaperPage, width: float, height: float, is_ruled: bool
+    page: PaperPage,
+    left: str,
+    right: str,
+    width: float,
+    height: float,
+    painter: QPainter,
+    *,
+    is_ruled: bool = False,
 ) -> None:
-    """Paint a page; what is blank becomes space between its blocks, or lines to write on."""
+    """Paint a page; what is blank becomes space between its blocks, or lines to write on.
+
+    The two texts are at its foot.
+    """
     blank = page.blank * height
     gaps = sum(not piece.block.kept for piece in page.pieces[:-1])
     more = 0.0 if is_ruled else min(blank / max(1, gaps), BETWEEN_STEPS_PT)
@@ -332,6 +342,7 @@ def paint_page(
         painter.translate(0.0, height - blank + BETWEEN_PT)
         ruled(width, blank - BETWEEN_PT).paint(painter, QRectF(0.0, 0.0, width, blank))
         painter.restore()
+    foot(painter, left, right, width, height)
 
 
 def _paint_block(painter: QPainter, block: PageBlock, part: QRectF) -> None:

@@ -73,7 +73,7 @@ class Actions(QObject):
             name: of_phenomena(title)
             for name, title in (
                 *((name, words.title) for name, words in WORDS.items()),
-                *((each.name, each.title) for each in PHENOMENA.values()),
+                *((each.name, each.words.title) for each in PHENOMENA.values()),
             )
         }
         keys = QKeySequence.StandardKey
@@ -179,7 +179,7 @@ class Actions(QObject):
         self.play = self._action(
             self.tr("Play"), None, PLAY_KEY, self.tr("Play or pause the camera's orbit")
         )
-        self.scene_box = Combo()
+        self.scene_box = Combo(self.tr("Scene"), self.tr("The scene in front of the camera"))
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
         # They work without the menu bar, and in the window of a floating pane.
@@ -321,15 +321,12 @@ class Actions(QObject):
         tools.setObjectName("tools")
         tools.setMovable(False)
         tools.setIconSize(QSize(ICON_PX, ICON_PX))
-        self.scene_box.setAccessibleName(self.tr("Scene"))
-        set_tip(self.scene_box, self.tr("The scene in front of the camera"))
         self.scene_box.activated.connect(
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
         )
         tools.addWidget(self.scene_box)
-        label = PlainLabel(
-            self.tr("Scene"), tools
-        )  # on Linux a box takes its label's name, even hidden
+        # On Linux a box takes its label's name, even hidden.
+        label = PlainLabel(self.tr("Scene"), tools)
         label.setBuddy(self.scene_box)
         label.hide()
         rest = QWidget()

@@ -71,17 +71,13 @@ class Comparing(QObject):
         name = "world" if "world" in slide and "image" not in slide else "image"
         self.pictures.move_to(self._panes[name])
 
-    @property
-    def is_on(self) -> bool:
-        return self.pictures.is_on
-
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Redraw the other pictures; the image pane must have been notified first."""
         self.pictures.refresh()
 
     def toggle(self) -> None:
         """Hold the current picture for comparison, or end the comparison."""
-        if self.is_on:
+        if self.pictures.is_on:
             self.end()
         else:
             held = ComparedPicture(held=self._store.document.state)
@@ -115,7 +111,8 @@ class Comparing(QObject):
         self.pictures.refresh()
 
     def _mark(self) -> None:
-        self.concerns = EVERYTHING if self.is_on else frozenset()
-        self.button.setChecked(self.is_on)
-        self._menus.compare.setChecked(self.is_on)
-        self._menus.compare_way.setEnabled(self.is_on)
+        is_on = self.pictures.is_on
+        self.concerns = EVERYTHING if is_on else frozenset()
+        self.button.setChecked(is_on)
+        self._menus.compare.setChecked(is_on)
+        self._menus.compare_way.setEnabled(is_on)

@@ -109,12 +109,13 @@ class EquationSlide(QWidget):
         self.cells: list[QRectF] = []
         """Where the cells were painted; of a 0 its digit alone."""
         self._readable = Readable(self, self._fill, lambda: self._is_slide)
+        self.begin_gesture = self._readable.begin_gesture
+        self.end_gesture = self._readable.end_gesture
         self.hide()
 
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        self._shown = shown
         self.show_equation(shown)
 
     def show_equation(self, shown: ShownData) -> None:
@@ -131,12 +132,6 @@ class EquationSlide(QWidget):
     def set_screen(self, screen_px: float) -> None:
         self._screen_px = screen_px
         self._readable.changed()
-
-    def begin_gesture(self) -> None:
-        self._readable.begin_gesture()
-
-    def end_gesture(self) -> None:
-        self._readable.end_gesture()
 
     def set_is_slide(self, asked: bool) -> None:
         """Note whether the equation is the slide; otherwise nothing is computed."""

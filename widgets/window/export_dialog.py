@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
@@ -15,6 +16,7 @@ from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Cancelled, Refusal
+from widgets.parts.buttons import dialog_buttons
 from widgets.parts.combo import Combo
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_column, in_row
@@ -109,19 +111,13 @@ class ExportDialog(QDialog):
         set_tip(self._crop, self.tr("Leaves a margin of 2 mm around what is drawn"))
         self._crop.toggled.connect(self._check)
         self._problem = WarningLabel()
-        self._preview = PlainLabel("")
-        self._preview.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._preview = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
         self._preview.setAccessibleName(self.tr("Preview"))
-        self._preview.setWordWrap(True)
         em = self.fontMetrics().height()
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._timer.timeout.connect(self.show_preview)
-        self._buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel
-        )
-        self._buttons.accepted.connect(self.accept)
-        self._buttons.rejected.connect(self.reject)
+        self._buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Save)
         form = QFormLayout()
         form.addRow(self.tr("&Format"), self._combos["ending"])
         form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
@@ -149,10 +145,7 @@ class ExportDialog(QDialog):
         return field
 
     def _combo(self, tip: str, values: Mapping[str, object]) -> Combo:
-        combo = Combo()
-        set_tip(combo, tip)
-        for text, value in values.items():
-            combo.addItem(text, value)
+        combo = Combo("", tip, values.items())
         combo.currentIndexChanged.connect(self._check)
         return combo
 
@@ -203,14 +196,11 @@ class ExportDialog(QDialog):
         chosen, text = self._chosen, self._fields["text"]
         del chosen["unit"]
         chosen |= {"hidden": "none"} if chosen.pop("ending") == "png" else {"scale": 1.0}
-        number = _whole if self._unit == "px" else self._length
+        number = _whole if self._unit == "px" else partial(parse_number, self.tr("Size"))
         width, height = (number(field.text()) for field in self._sides)
         text_pt = parse_number(self.tr("Letters"), text.text()) if text.isModified() else None
         size = Size(width, height, self._unit)
         return replace(self._shown, **chosen, size=size, text_pt=text_pt)
-
-    def _length(self, text: str) -> float:
-        return parse_number(self.tr("Size"), text)
 
     def _panes_changed(self) -> None:
         width, height = 600 * max(1, len(self._panes)), 600

@@ -26,6 +26,7 @@ from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
+from widgets.parts.buttons import dialog_buttons
 from widgets.parts.layouts import in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
@@ -145,11 +146,7 @@ class Files(QObject):
         views.itemActivated.connect(dialog.accept)
         asked = PlainLabel(self.tr("The file has {0} views:").format(len(names)))
         asked.setBuddy(views)
-        buttons = QDialogButtonBox(
-            QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel
-        )
-        buttons.accepted.connect(dialog.accept)
-        buttons.rejected.connect(dialog.reject)
+        buttons = dialog_buttons(dialog, QDialogButtonBox.StandardButton.Ok)
         in_column(asked, views, buttons, on=dialog)
         if not dialog.exec():
             raise Cancelled

@@ -353,9 +353,6 @@ class MainWindow(QMainWindow):
         self.settings.all_digits = on
         all_digits.set(on)
 
-    def set_reduced_motion(self, on: bool) -> None:
-        self.settings.reduce_motion = on
-
     def show_motion(self) -> None:
         self.menus.reduce_motion.setChecked(not self.transition.is_wanted)
 
@@ -454,7 +451,7 @@ class MainWindow(QMainWindow):
             return self.present.leave
         if self.messages.text and not self.messages.choices:  # otherwise an offer would be lost
             return self.messages.done
-        if self.comparing.is_on:
+        if self.comparing.pictures.is_on:
             return self.comparing.end
         return partial(self.slots.make_large, self.slots.whole) if self.slots.whole else None
 

@@ -11,7 +11,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
-from PySide6.QtCore import QEvent, QObject, QPointF, QRect, QRectF, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import (
     QColor,
     QImage,
@@ -236,9 +236,8 @@ class Pen(QWidget):
         assert layout is not None
         layout.activate()  # with the buttons that are there now
         size = self._bar.sizeHint()
-        room = self._slide.size()
-        place = QSize(room.width() - size.width(), room.height() - size.height())
-        self._bar.setGeometry(QRect(place.width(), place.height(), size.width(), size.height()))
+        room = self._slide.size() - size
+        self._bar.setGeometry(room.width(), room.height(), size.width(), size.height())
 
     def set_style(self, style: Style) -> None:
         self._style = style

@@ -57,7 +57,7 @@ class DrawnQuality(QObject):
         self._settings, self._store = settings, store
         self._shown, self._scene, self._refuse = shown, scene, refuse
         status.set_tolerance(settings.tolerance_px)
-        status.set_frame(settings.frame_ms)
+        status.frame_ms = settings.frame_ms
         status.tolerance_edited.connect(self._set_tolerance)
         status.frame_edited.connect(self._set_frame)
         status.automatic_wanted.connect(self._automatic)
@@ -102,7 +102,7 @@ class DrawnQuality(QObject):
 
     def _set_frame(self, frame_ms: float) -> None:
         self._settings.frame_ms = frame_ms
-        self._status.set_frame(frame_ms)
+        self._status.frame_ms = frame_ms
         self._look.adaptive.set_target(frame_ms)
         self._show_quality()
 

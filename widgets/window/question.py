@@ -6,9 +6,8 @@ import math
 from collections.abc import Callable, Iterable
 from itertools import product
 
-from PySide6.QtCore import QPoint, QRect, QRectF, QSize
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize
 from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
     QFont,
     QPainter,
     QPaintEvent,
@@ -124,10 +123,8 @@ class QuestionOverlay(QFrame):
         line = 0 if self.y() else self.height() - 3  # towards the picture
         painter.fillRect(QRect(0, line, self.width(), 3), painter.pen().color())
         painter.setClipRect(room)
-        painter.translate(room.left(), room.top() - self._moved_px)
-        context = QAbstractTextDocumentLayout.PaintContext()
-        context.palette = self.palette()
-        self._document.documentLayout().draw(painter, context)
+        place = room.topLeft() - QPointF(0.0, self._moved_px)
+        self._document.paint(painter, place, self.palette())
         painter.end()
 
 

@@ -27,6 +27,7 @@ log = logging.getLogger(__name__)
 
 _T = TypeVar("_T")
 _N = TypeVar("_N", int, float)
+_D = TypeVar("_D", bool, None)
 THEMES = ("system", "light", "dark")
 NAME = "frustum-lab"
 
@@ -79,10 +80,6 @@ def _valid(value: _T, *conditions: bool) -> _T:
     if not all(conditions):
         raise ValueError
     return value
-
-
-def _theme(text: str) -> str:
-    return _valid(text, text in THEMES)
 
 
 def _flag(text: str) -> bool:
@@ -172,7 +169,7 @@ class _KeptSetting(Generic[_T]):
         settings.write(self._key, self._text_of(value))
 
 
-def _kept_flag(key: str, default: bool) -> _KeptSetting[bool]:
+def _kept_flag(key: str, default: _D) -> _KeptSetting[bool | _D]:
     return _KeptSetting(key, _flag, default, lambda on: "true" if on else "false")
 
 
@@ -203,7 +200,7 @@ class Settings:
             self._file = QSettings(str(path), QSettings.Format.IniFormat)
             self._values = {key: self._file.value(key) for key in self._file.allKeys()}
 
-    theme = _KeptSetting("theme", _theme, "system")
+    theme = _KeptSetting("theme", lambda text: _valid(text, text in THEMES), "system")
     """One of `THEMES`."""
     all_digits = _kept_flag("all-digits", False)
     """Whether panels show all digits of a number instead of four."""
@@ -215,9 +212,7 @@ class Settings:
     """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _KeptSetting("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
-    reduce_motion = _KeptSetting[bool | None](
-        "reduce-motion", _flag, None, lambda on: "true" if on else "false"
-    )
+    reduce_motion = _kept_flag("reduce-motion", None)
     """Whether steps of talks follow each other without a transition; None for the system's."""
     start_card = _kept_flag("start_card", True)
     """Whether the program starts with the start card."""

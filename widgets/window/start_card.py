@@ -49,12 +49,6 @@ BARE = View(layers=frozenset({"labels"}))
 """The view of a thumbnail, without labels."""
 
 
-def _heading(text: str) -> PlainLabel:
-    heading = PlainLabel(text)
-    heading.setObjectName("paneTitle")
-    return heading
-
-
 class StartCard(QWidget):
     """The scenes, the lessons and the recent files, over the whole window.
 
@@ -105,9 +99,9 @@ class StartCard(QWidget):
             tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
-            _heading(self.tr("Learn")), *self._lessons(progress),
+            PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),
             *self._review(review, next_review), 12,
-            _heading(self.tr("Files")), *self._files(recent), FREE, gap=2,
+            PlainLabel(self.tr("Files"), objectName="paneTitle"), *self._files(recent), FREE, gap=2,
         )  # fmt: skip
         always = QCheckBox(self.tr("Show this at every start"))
         set_tip(always, self.tr("Help > Start card shows it at any time"))
@@ -129,8 +123,8 @@ class StartCard(QWidget):
         self._drawing.start(0)
 
     def _head(self) -> QHBoxLayout:
-        title = PlainLabel(self.tr("How a camera turns a 3-D scene into a picture"))
-        title.setObjectName("cardTitle")
+        text = self.tr("How a camera turns a 3-D scene into a picture")
+        title = PlainLabel(text, objectName="cardTitle")
         tip = self.tr("Begin with the letter F (Esc)")
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
         return in_row((title, 1), leave)
@@ -170,8 +164,7 @@ class StartCard(QWidget):
             act = partial(self._leave_for, self.review_wanted)
             yield tool_button(text, tip, act, icon="reset", flat=True)
         if following:
-            said = PlainLabel(following)
-            said.setObjectName("paneNote")
+            said = PlainLabel(following, objectName="paneNote")
             said.setIndent(round(1.3 * said.fontMetrics().height()))  # below the text
             yield said
 

@@ -58,7 +58,7 @@ class StatusLine(QStatusBar):
         self._predictions: dict[Precision, Prediction] | None = None
         self._drawn: Precision = "float32"
         self._quality = AUTOMATIC
-        self._frame_ms = 0.0
+        self.frame_ms = 0.0
         self._risks: list[str] = []
         self._notes: list[str] = []
         self.health = _Elided("health")
@@ -118,9 +118,6 @@ class StatusLine(QStatusBar):
     def set_tolerance(self, tolerance_px: float) -> None:
         self.tolerance_px = tolerance_px
         self._wait_for_rest()
-
-    def set_frame(self, frame_ms: float) -> None:
-        self._frame_ms = frame_ms
 
     def show_quality(self, quality: Quality, notes: list[str]) -> None:
         """Show the chosen part of the quality, and notes: sentences without their full stops."""
@@ -212,8 +209,8 @@ class StatusLine(QStatusBar):
             uses = [use for use, chosen in each_use if chosen == precision]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
-        text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self._frame_ms:g}")
-        if not self._frame_ms:
+        text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self.frame_ms:g}")
+        if not self.frame_ms:
             text = self.tr("No limit on the frame time while dragging…")
         menu.addAction(text).triggered.connect(self._ask_frame)
         text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
@@ -226,7 +223,7 @@ class StatusLine(QStatusBar):
                 "While you drag a control, antialiasing and triangles may be left out to keep each"
                 " frame within this many milliseconds; 0 for no limit:"
             ),
-            self._frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
+            self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
         )  # fmt: skip
         if dialog.exec():
             self.frame_edited.emit(dialog.number)

@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
 from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
     QFont,
     QPainter,
     QPaintEvent,
@@ -178,8 +177,9 @@ class TalkBand(QFrame):
         painter, room = QPainter(self), self._room
         below = room.top() + TITLE_SHARE * self._screen_px
         free = LINE_SHARE * self._screen_px - self._words.size().height()
-        self._draw(painter, self._title, room.topLeft())
-        self._draw(painter, self._words, QPointF(room.left(), below + max(0.0, free / 3.0)))
+        self._title.paint(painter, room.topLeft(), self.palette())
+        corner = QPointF(room.left(), below + max(0.0, free / 3.0))
+        self._words.paint(painter, corner, self.palette())
         font = QFont(self.font())
         font.setPixelSize(max(8, round(NUMBER_SHARE * self._screen_px)))
         painter.setFont(font)
@@ -192,14 +192,6 @@ class TalkBand(QFrame):
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
             painter.drawText(room, at_foot, self.message)
         painter.end()
-
-    def _draw(self, painter: QPainter, document: QTextDocument, place: QPointF) -> None:
-        painter.save()
-        painter.translate(place)
-        context = QAbstractTextDocumentLayout.PaintContext()
-        context.palette = self.palette()
-        document.documentLayout().draw(painter, context)
-        painter.restore()
 
 
 def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bool, bool]]:

@@ -40,23 +40,16 @@ Axes: TypeAlias = Callable[[], tuple[Axis, Axis]]
 
 
 class ExactLens(NamedTuple):
-    """A lens in rationals; irrational numbers have `double_double.BITS` bits.
-
-    Attributes
-    ----------
-    scale, shift : (Fraction, Fraction)
-        ``x_clip = scale x + shift w``, where x is measured on the near plane, times w.
-    shear : (Fraction, Fraction)
-        ``cot(alpha), cot(beta)`` of an oblique lens.
-    far : Fraction or None
-        None for infinity.
-    """
+    """A lens in rationals; irrational numbers have `double_double.BITS` bits."""
 
     scale: tuple[Fraction, Fraction]
     shift: tuple[Fraction, Fraction]
+    """``x_clip = scale x + shift w``, where x is measured on the near plane, times w."""
     shear: tuple[Fraction, Fraction]
+    """``cot(alpha), cot(beta)`` of an oblique lens."""
     near: Fraction
     far: Fraction | None
+    """None for infinity."""
 
 
 class Intrinsics(NamedTuple):

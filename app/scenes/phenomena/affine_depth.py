@@ -84,8 +84,7 @@ def slope(projection: Projection) -> float:
 
 def affine_z(projection: Projection, w: Array) -> Array:
     """z' of points at these distances under ``z' = A z + B``."""
-    depths: Array = projection.depth_range[0] + slope(projection) * (w - projection.lens.near)
-    return depths
+    return np.asarray(projection.depth_range[0] + slope(projection) * (w - projection.lens.near))
 
 
 def bow(projection: Projection, part: Inside, steps: Array) -> Array:

@@ -123,8 +123,7 @@ def steps(points_clip: Array, depth: str = "opengl") -> list[Cut]:
 
 def _are_among(points: Array, others: Array) -> NDArray[np.bool_]:
     """Which of some points (n, 4) are among the others, to the last bit."""
-    same: NDArray[np.bool_] = (points[:, None] == others).all(axis=2).any(axis=1)
-    return same
+    return np.asarray((points[:, None] == others).all(axis=2).any(axis=1))
 
 
 def classified(projection: Projection, faces: Array) -> tuple[list[int], list[int], list[int]]:
@@ -160,8 +159,7 @@ def _shares(corners_clip: Array, points_clip: Array) -> Array:
         scaled = rows / size, points_clip.T / size
     if not all(np.isfinite(part).all() for part in scaled):
         return np.full((len(points_clip), 3), np.nan)
-    shares: Array = np.linalg.lstsq(*scaled, rcond=None)[0].T
-    return shares
+    return np.asarray(np.linalg.lstsq(*scaled, rcond=None)[0].T)
 
 
 def _to_ndc(points_clip: Array) -> Array:

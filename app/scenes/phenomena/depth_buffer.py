@@ -136,8 +136,7 @@ def _spread(polygon: Array) -> Array:
     which = np.minimum(np.searchsorted(ends, u, side="right"), len(areas) - 1)
     with np.errstate(divide="ignore", invalid="ignore"):
         part = np.sqrt(np.clip((u - ends[which]) / areas[which] + 1.0, 0.0, 1.0))[:, None]
-    places: Array = first + np.nan_to_num(part) * ((1.0 - v) * one[which] + v * other[which])
-    return places
+    return np.asarray(first + np.nan_to_num(part) * ((1.0 - v) * one[which] + v * other[which]))
 
 
 def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArray[np.bool_]]:

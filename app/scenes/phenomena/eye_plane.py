@@ -268,8 +268,7 @@ def _edges_that_matter(camera: Camera, mesh: OwnMesh) -> Array:
     behind = mesh.edges.reshape(-1, 3) @ n >= np.array(camera.eye) @ n
     crossing = behind[::2] != behind[1::2]
     chosen = np.concatenate([np.flatnonzero(crossing), np.flatnonzero(~crossing)[:_MOST_EDGES]])
-    edges: Array = mesh.edges[chosen[:_MOST_EDGES]]
-    return edges
+    return np.asarray(mesh.edges[chosen[:_MOST_EDGES]])
 
 
 def _readings(

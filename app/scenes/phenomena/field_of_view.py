@@ -21,6 +21,7 @@ from app.model.parameter import CLOSE, Parameter
 from app.model.projection import (
     Array,
     Camera,
+    Orbit,
     Perspective,
     Projection,
     Vector,
@@ -82,10 +83,6 @@ class DollyView(NamedTuple):
     fov_y_deg: float
 
 
-def _fov_y_deg(half_height: float, distance: float) -> float:
-    return math.degrees(2.0 * math.atan2(half_height, distance))
-
-
 def preset_view(name: str, aspect: float, enlarged: bool = True) -> DollyView:
     """The view of a preset: "wide", "tele", "eye", "monitor" or "phone".
 
@@ -99,10 +96,10 @@ def preset_view(name: str, aspect: float, enlarged: bool = True) -> DollyView:
     if name == "wide":
         return DollyView(_WIDE_DISTANCE, wide_deg)
     if name == "tele":
-        own = fov_y_from_focal_length_35mm(_TELE_MM, aspect)
-        return DollyView(
-            _TELE_DISTANCE, _fov_y_deg(half_height, _TELE_DISTANCE) if enlarged else own
-        )
+        fov_y_deg = fov_y_from_focal_length_35mm(_TELE_MM, aspect)
+        if enlarged:
+            fov_y_deg = math.degrees(2.0 * math.atan2(half_height, _TELE_DISTANCE))
+        return DollyView(_TELE_DISTANCE, fov_y_deg)
     fov_y_deg = fov_x_from_fov_y(_SEEN_DEG[name], 1.0 / aspect)
     return DollyView(half_height * Perspective(fov_y_deg).cot_half_fov_y, fov_y_deg)
 
@@ -254,29 +251,18 @@ def _square(camera: Camera, side: float, depth: float) -> Array:
 
 def _beside_target(camera: Camera, offsets_uvn: list[Vector]) -> Array:
     """World points at offsets along u, v, n from the target; a far eye costs no digits."""
-    points: Array = np.array(camera.target) + np.array(offsets_uvn) @ camera.frame
-    return points
+    return np.asarray(np.array(camera.target) + np.array(offsets_uvn) @ camera.frame)
 
 
-_TARGET = (0.0, 0.95, 0.0)
-_AZIMUTH, _ELEVATION = math.radians(20.0), math.radians(8.0)
-
-
-def _start() -> Projection:
-    view = preset_view("wide", 1280 / 720)
-    n = (
-        math.cos(_ELEVATION) * math.sin(_AZIMUTH),
-        math.sin(_ELEVATION),
-        math.cos(_ELEVATION) * math.cos(_AZIMUTH),
-    )
-    x, y, z = (t + view.distance * part for t, part in zip(_TARGET, n, strict=True))
-    return Projection(Camera((x, y, z), _TARGET), Perspective(view.fov_y_deg, 0.1, 200.0))
-
+_WIDE = preset_view("wide", 1280 / 720)
 
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "003"),
-    start=_start(),
+    start=Projection(
+        Camera.from_orbit((0.0, 0.95, 0.0), Orbit(20.0, 8.0, _WIDE.distance)),
+        Perspective(_WIDE.fov_y_deg, 0.1, 200.0),
+    ),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -76,8 +76,7 @@ def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Arr
     """Diameter on the film, in mm, of the discs for points at these distances, in m."""
     opening_mm = f_mm / f_number
     magnification = f_mm * _MM / (focus - f_mm * _MM)
-    discs: Array = opening_mm * magnification * np.abs(1.0 - focus / distances)
-    return discs
+    return np.asarray(opening_mm * magnification * np.abs(1.0 - focus / distances))
 
 
 _POSTS = (2, 3, 4, 5, 6, 8, 10, 12, 15, 20)

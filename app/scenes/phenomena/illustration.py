@@ -28,7 +28,7 @@ from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import Comparison, PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -120,20 +120,48 @@ class Subject:
         return math.dist(self.lower, self.upper)
 
 
-def _keep(projection: Projection, _before: ImpliedSettings, _after: Settings) -> Projection:
-    return projection
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Appearance:
+    """How the panes draw a scene, and from where they look at it first.
 
+    Attributes
+    ----------
+    requires : frozenset of str
+        What drawings build for this scene beyond faces, lines and marks.
+    leading : str
+        The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
+    names : tuple of str
+        The ids of the things that its pictures name, unless the document has a list of its own.
+    inks : dict of str
+        The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
+    side : (float, float), optional
+        From where the world pane looks at first: degrees from beside the camera to behind it, and
+        upwards. By default the pane chooses the side that shows most.
+    cube_side : (float, float), optional
+        From where the cube is seen at first: degrees to the right of its near face, and upwards.
+    fixed : str
+        The fixed view of the world with which the scene opens; empty for the free one.
+    leaves_out : frozenset of str
+        Layers that the world pane leaves out and does not frame, as long as nothing of them is
+        named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
+    pale : frozenset of str
+        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
+        marks beside it matter more.
+    """
 
-def _nothing(_projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {}
-
-
-def _accept_all(_settings: Settings) -> None:
-    """Accept every combination of settings."""
+    requires: frozenset[str] = frozenset()
+    leading: str = "world"
+    names: tuple[str, ...] = ()
+    inks: Mapping[str, str] = field(default_factory=dict)
+    side: tuple[float, float] | None = None
+    cube_side: tuple[float, float] | None = None
+    fixed: str = ""
+    leaves_out: frozenset[str] = frozenset()
+    pale: frozenset[str] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
-class Phenomenon:
+class Phenomenon(Appearance):
     """A phenomenon that the lectures name, as a scene.
 
     Attributes
@@ -166,27 +194,6 @@ class Phenomenon:
         value is None, or not finite, where no value gives it.
     check : callable
         Raises a `Refusal` for settings that do not go together.
-    requires : frozenset of str
-        What drawings build for this scene beyond faces, lines and marks.
-    leading : str
-        The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
-    names : tuple of str
-        The ids of the things that its pictures name, unless the document has a list of its own.
-    inks : dict of str
-        The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
-    side : (float, float), optional
-        From where the world pane looks at first: degrees from beside the camera to behind it, and
-        upwards. By default the pane chooses the side that shows most.
-    cube_side : (float, float), optional
-        From where the cube is seen at first: degrees to the right of its near face, and upwards.
-    fixed : str
-        The fixed view of the world with which the scene opens; empty for the free one.
-    leaves_out : frozenset of str
-        Layers that the world pane leaves out and does not frame, as long as nothing of them is
-        named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
-    pale : frozenset of str
-        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
-        marks beside it matter more.
     own_mesh : bool
         Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
     own_mesh_crosses : bool
@@ -203,18 +210,9 @@ class Phenomenon:
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     numbers: int = 3
-    follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = _keep
-    implied: Callable[[Projection, Settings], ImpliedSettings] = _nothing
-    check: Callable[[Settings], None] = _accept_all
-    requires: frozenset[str] = frozenset()
-    leading: str = "world"
-    names: tuple[str, ...] = ()
-    inks: Mapping[str, str] = field(default_factory=dict)
-    side: tuple[float, float] | None = None
-    cube_side: tuple[float, float] | None = None
-    fixed: str = ""
-    leaves_out: frozenset[str] = frozenset()
-    pale: frozenset[str] = frozenset()
+    follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = lambda given, *_: given
+    implied: Callable[[Projection, Settings], ImpliedSettings] = lambda *_: {}
+    check: Callable[[Settings], None] = lambda _: None
     own_mesh: bool = False
     own_mesh_crosses: bool = False
 
@@ -222,22 +220,6 @@ class Phenomenon:
     def name(self) -> str:
         """The scene's name: ``similar-triangles``."""
         return self.words.name
-
-    @property
-    def title(self) -> str:
-        return self.words.title
-
-    @property
-    def explanation(self) -> str:
-        return self.words.explanation
-
-    @property
-    def tries(self) -> tuple[str, ...]:
-        return self.words.tries
-
-    @cached_property
-    def comparisons(self) -> tuple[Comparison, ...]:
-        return self.words.comparisons
 
     @cached_property
     def settings(self) -> tuple[Parameter, ...]:
@@ -273,10 +255,7 @@ class Phenomenon:
         The other settings take the values that camera and lens have now. A value that was chosen
         before, but no longer holds, can be chosen again.
 
-        Raises
-        ------
-        Refusal
-            If the scene cannot have these values, or no projection fits them.
+        Raises a `Refusal` if the scene cannot have these values, or no projection fits them.
         """
         at_hand = self.at_hand(projection, settings)
         # A setting that is not changed here keeps its value if its implied value cannot be chosen.
@@ -302,10 +281,8 @@ class Phenomenon:
     def checked(self, values: Mapping[str, Any]) -> Settings:
         """Complete the settings with their defaults, and check them.
 
-        Raises
-        ------
-        Refusal
-            For a value that its setting cannot have, and for values that do not go together.
+        Raises a `Refusal` for a value that its setting cannot have, and for values that do not go
+        together.
         """
         settings = MappingProxyType(
             {each.name: each.checked(values.get(each.name, each.default)) for each in self.settings}

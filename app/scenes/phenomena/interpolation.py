@@ -55,8 +55,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
 def edge_error(ratio: Array) -> Array:
     """e(k) of the module's text, for any k: the largest error in parts of an edge."""
     root = np.sqrt(ratio)
-    error: Array = np.abs(root - 1.0) / (root + 1.0)
-    return error
+    return np.asarray(np.abs(root - 1.0) / (root + 1.0))
 
 
 def largest_errors(

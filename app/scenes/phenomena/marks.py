@@ -216,14 +216,9 @@ class Copy:
 class Vertices:
     """Other places for the faces' vertices of a scene that requires ``"vertices"``, in the world.
 
-    Attributes
-    ----------
-    own : (n, 3) array
-        All vertices of the scene's faces, each once; the same array every time.
-    stored : (n, 3) array
-        Where the world pane draws them.
-    projected : (n, 3) array
-        Where NDC, the image and the picture on the near plane draw them.
+    `own` (n, 3) are the vertices of the scene's faces, each once; the same array every time. The
+    world pane draws them at `stored`; NDC, the image and the picture on the near plane at
+    `projected`.
     """
 
     own: Array

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,15 +31,7 @@ from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
-from app.scenes.shapes import (
-    SIDE_RGB,
-    Coloured,
-    box_corners,
-    box_faces,
-    edges_of,
-    ground_grid,
-    joined,
-)
+from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("oblique-drawing")
 
@@ -49,23 +42,15 @@ _COLOURS = ("u", "v", "n")
 _SCALE_NAMES = ("scale_u", "scale_v", "scale_n")  # the names of their texts
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
-_CELLS = tuple(
-    (x, y, z) for x in (-1, 0) for y in (0, 1) for z in (-1, 0) if (x, y, z) != (-1, 1, 0)
-)
+_CELLS = [
+    cell for cell in product((-1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)) if cell != (-1.0, 1.0, 0.0)
+]
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
-    quads, rgb = [], []
-    steps = ((1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1))
-    for x, y, z in _CELLS:
-        faces = box_faces((x, y, z), (x + 1, y + 1, z + 1))
-        for side, (dx, dy, dz) in enumerate(steps):
-            if (x + dx, y + dy, z + dz) not in _CELLS:
-                quads.append(faces[side])
-                rgb.append(SIDE_RGB[side])
-    cube = np.array(quads)
+    cube = cubes(_CELLS)
     grid = ground_grid((-4.0, -4.0), (4.0, 4.0), (1.0, 1.0), 0.0)
-    return (cube, np.array(rgb)), joined(grid, edges_of(cube))
+    return cube, joined(grid, edges_of(cube[0]))
 
 
 class DrawnEdge(NamedTuple):
@@ -228,7 +213,7 @@ def _readings(
 
 def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
     """From the subject's corners (8, 3), in the world and in view space, to the near plane."""
-    cot_alpha, cot_beta = projection.shear
+    cot_alpha, cot_beta = projection.lens.shear
     near = projection.lens.near
     depth = view[:, 2] + near  # 0 on the near plane
     x, y = view[:, 0] + cot_alpha * depth, view[:, 1] + cot_beta * depth

@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.model.clipping import LARGEST_CLIP, clip_segments
 from app.model.projection import PLANES, Array, Projection, Trace, Vector
 from app.scenes.phenomena.marks import Polyline, Text
+from app.scenes.shapes import box_corners
 
 SIDES = ("left", "right", "bottom", "top")
 """The planes that cut a line which may be at any depth, such as the horizon."""
@@ -23,22 +24,14 @@ SIDES = ("left", "right", "bottom", "top")
 
 def box_edges(lower: Vector, upper: Vector) -> Array:
     """The four edges of a box along each of x, y, z, from lower to upper end, (3, 4, 2, 3)."""
-    low, high = np.array(lower), np.array(upper)
-    edges = np.empty((3, 4, 2, 3))
-    for axis in range(3):
-        others = [other for other in range(3) if other != axis]
-        for row, ends in enumerate(edges[axis]):
-            ends[:, axis] = low[axis], high[axis]
-            for bit, other in enumerate(others):
-                ends[:, other] = (low, high)[row >> bit & 1][other]
-    return edges
+    corners = box_corners(lower, upper).reshape(2, 2, 2, 3)  # by z, y and x
+    return np.array([np.moveaxis(corners, 2 - axis, 2).reshape(4, 2, 3) for axis in range(3)])
 
 
 def world_from_view(projection: Projection, points_view: ArrayLike) -> Array:
     """World coordinates of points (..., 3) of view space."""
     camera = projection.camera
-    points: Array = np.asarray(camera.eye) + np.asarray(points_view) @ camera.frame
-    return points
+    return np.asarray(np.asarray(camera.eye) + np.asarray(points_view) @ camera.frame)
 
 
 def drawn_planes(projection: Projection) -> tuple[float, float]:
@@ -110,8 +103,7 @@ def seen_lines(
 
 def seen(trace: Trace) -> NDArray[np.bool_]:
     """Which of traced points (..., 3) are in the view volume, (...) bool."""
-    shown: NDArray[np.bool_] = trace.in_front & ~trace.outside.any(axis=-1)
-    return shown
+    return np.asarray(trace.in_front & ~trace.outside.any(axis=-1))
 
 
 def seen_texts(trace: Trace, texts: Sequence[Text]) -> tuple[Text, ...]:

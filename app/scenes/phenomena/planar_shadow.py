@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.limits import NOT_ZERO
+from app.model.limits import NOT_ZERO, vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
@@ -77,8 +77,7 @@ def shadow_matrix(light: Array, height: float) -> Array:
     """
     plane = np.array([0.0, 1.0, 0.0, -height])
     # For a lamp, p·L is a difference that is rounded once.
-    matrix: Array = (light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane)
-    return matrix
+    return np.asarray((light[1] - height * light[3]) * np.eye(4) - np.outer(light, plane))
 
 
 def on_ray(light: Array, height: float, place: Array) -> Array | None:
@@ -205,8 +204,7 @@ def _grip(light: Array, subject: Subject) -> Grip:
     if light[3] == 1.0:
         return Grip("light", light[:3])
     middle, reach = _reach(subject)
-    x, y, z = middle.tolist()
-    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), (x, y, z))
+    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), vector(middle))
 
 
 def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:

@@ -279,8 +279,8 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
     curves = [Curve(np.stack([w, 100.0 * left], axis=1), "accent", width=2.0)]
     if 0.0 < far <= right:
         curves.append(Curve(np.array([(far, 0.0), (far, 100.0)]), "far", WORDS["far"]))
-    title = WORDS["diagram"]
-    return Diagram(title, tuple(curves), 0.0, right, 0.0, 100.0, x_label="w", y_label="%")
+    axes = (0.0, right, 0.0, 100.0)
+    return Diagram(WORDS["diagram"], tuple(curves), *axes, x_label="w", y_label="%")
 
 
 PHENOMENON = Phenomenon(

@@ -104,8 +104,7 @@ class _Corners:
         """The part of the picture that they may cover: lower and upper corner in NDC, (2, 2)."""
         if not self.depth.size:
             return None
-        window: Array = np.clip([self.low.min(axis=1), self.high.max(axis=1)], -1.0, 1.0)
-        return window
+        return np.asarray(np.clip([self.low.min(axis=1), self.high.max(axis=1)], -1.0, 1.0))
 
     def _cells(self, window: Array, side: int) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         """The first and the last cell of a grid that each triangle may cover, (2, t) each."""
@@ -164,5 +163,4 @@ class _Corners:
 @cache
 def _within_cells(side: int) -> Array:
     """The random place in each cell of a grid, (2, side^2): stripes are rows, places are not."""
-    places: Array = np.random.default_rng(side).random((2, side * side))
-    return places
+    return np.asarray(np.random.default_rng(side).random((2, side * side)))

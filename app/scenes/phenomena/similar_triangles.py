@@ -13,6 +13,7 @@ from functools import partial
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -94,8 +95,7 @@ def onto_plane(projection: Projection, distance: float, slab: float = 0.0) -> Ar
     back[:3, :3], back[:3, 3] = frame.T, eye
     flat = np.diag([distance, distance, distance, 0.0])
     flat[2, 3], flat[3, 2] = slab, -1.0
-    matrix: Array = back @ flat @ view
-    return matrix
+    return np.asarray(back @ flat @ view)
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
@@ -178,8 +178,7 @@ def _grip(projection: Projection, distance: float) -> Grip:
     """The plane's handle: it runs along the lower side of what the lens sees."""
     low = section(projection, distance)[:2].mean(axis=0)
     along = (low - projection.camera.eye) / distance
-    x, y, z = along.tolist()
-    return Grip("distance", low, projection.camera.eye, (x, y, z))
+    return Grip("distance", low, projection.camera.eye, vector(along))
 
 
 def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:

@@ -56,14 +56,9 @@ _WIDEST = 6.0  # times the image's size: the most that the diagram shows beside 
 class Vanishing(NamedTuple):
     """Where the edges along one axis vanish.
 
-    Attributes
-    ----------
-    sign : float
-        1 or -1: which way along the axis is away from the viewer.
-    clip : (4,) array
-        The direction that way in clip space; w is exactly 0 if the image is at infinity.
-    pixel : (2,) array or None
-        None at infinity, or beyond float64's pixels.
+    `sign`, 1 or -1, says which way along the axis is away from the viewer. `clip` (4,) is that
+    direction; w is exactly 0 if the image is at infinity. `pixel` (2,) is None there, and beyond
+    float64's pixels.
     """
 
     sign: float
@@ -173,22 +168,14 @@ def line_in_rectangle(
             t_high = min(t_high, start / (start - end))
     if t_low > t_high:
         return None
-    cut: Array = ends[0] + np.array([[t_low], [t_high]]) * (ends[1] - ends[0])
-    return cut
+    return np.asarray(ends[0] + np.array([[t_low], [t_high]]) * (ends[1] - ends[0]))
 
 
 class Running(NamedTuple):
     """The point P = (1 - t) (C, 1) + t (s D, 0) that runs along an edge to infinity and beyond.
 
-    Attributes
-    ----------
-    w : float
-        Its homogeneous w in the world, 1 - t: 0 at infinity.
-    world : (3,) array or None
-        None at infinity.
-    clip : (4,) array
-    pixel : (2,) array or None
-        Its image after the divide, also if P is behind the eye. None at infinity.
+    Its w in the world is 1 - t: 0 at infinity, where it has no world point (3,) and no pixel. A P
+    behind the eye has the pixel of the divide.
     """
 
     w: float

@@ -40,16 +40,11 @@ _COMPARE = "Compare: "
 
 @dataclass(frozen=True)
 class Comparison:
-    """Pictures of a phenomenon that belong side by side.
+    """Pictures of a phenomenon that belong side by side: ``view.compare=NAME``.
 
-    Attributes
-    ----------
-    name : str
-        In the document: ``view.compare=NAME``.
-    pictures : tuple of (str, tuple of str)
-        From left to right, the translatable label and the assignments of each picture, as in
-        ``--set``: ``"settings.preset=wide"``. In all else they follow the document. The document
-        is one of them, or the last one if it matches none.
+    From left to right, the pictures are a translatable label and assignments as in ``--set``:
+    ``"settings.preset=wide"``. In all else they follow the document. The document is one of them,
+    or the last one if it matches none.
     """
 
     name: str
@@ -57,15 +52,7 @@ class Comparison:
 
 
 class PhenomenonWords:
-    """The words of one phenomenon.
-
-    Parameters
-    ----------
-    name : str
-        The scene's name; the content file is ``NAME.md``.
-    text : str, optional
-        The content, if it is in no file.
-    """
+    """The words of one phenomenon, from the file ``NAME.md`` or from a text."""
 
     def __init__(self, name: str, text: str | None = None) -> None:
         self.name, self._given = name, text
@@ -110,7 +97,7 @@ class PhenomenonWords:
         """The setting with its title, its tooltip and its choices."""
         return worded(setting, self._sections)
 
-    @property
+    @cached_property
     def comparisons(self) -> tuple[Comparison, ...]:
         return tuple(
             Comparison(

@@ -18,7 +18,7 @@ from app.model.refusal import counted
 from app.strangers import printable
 
 
-def lesson(arguments: Sequence[str]) -> int:
+def run(arguments: Sequence[str]) -> int:
     """Do what the first argument says; return 1 if something is wrong with a lesson."""
     options, (what, *names) = parser_of("lesson").read(arguments)
     one_of("lesson", what, ("check", "list", "names", "print", "results"))
