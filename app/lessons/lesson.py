@@ -94,7 +94,7 @@ TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L25, separated 
 AddFault: TypeAlias = Callable[[Refusal], object]
 
 
-@dataclass
+@dataclass(unsafe_hash=True)
 class Step(StepContent):
     """One step: its title, and its texts and blocks in order."""
 

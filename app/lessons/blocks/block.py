@@ -161,12 +161,12 @@ class StepContent:
         None if it shows the previous step's.
     """
 
-    parts: list[ReadBlock] = field(default_factory=list, init=False)
-    words: list[TextBlock] = field(default_factory=list, init=False)
-    asked: list[Asked] = field(default_factory=list, init=False)
-    samples: list[Sample] = field(default_factory=list, init=False)
-    state: State | None = field(default=None, init=False)
-    note: SpeakerNote | None = field(default=None, init=False)
+    parts: list[ReadBlock] = field(default_factory=list, init=False, compare=False)
+    words: list[TextBlock] = field(default_factory=list, init=False, compare=False)
+    asked: list[Asked] = field(default_factory=list, init=False, compare=False)
+    samples: list[Sample] = field(default_factory=list, init=False, compare=False)
+    state: State | None = field(default=None, init=False, compare=False)
+    note: SpeakerNote | None = field(default=None, init=False, compare=False)
 
 
 @dataclass(frozen=True, kw_only=True)
