@@ -176,7 +176,7 @@ def in_turn(
 def repaint(window: Any) -> None:
     """Repaint the panes, and nothing else."""
     for pane in window.panes.values():
-        pane.request_repaint()
+        pane.canvas.redraw()
 
 
 def stepping(row: Any, there: int = 40) -> Callable[[], None]:
@@ -423,9 +423,9 @@ def strip_step(scale: float) -> dict[str, Any]:
         settle(application())
         acts: dict[str, Callable[[], object]] = {
             "step": lambda slider=slider, stride=stride: slider.setValue(slider.value() + stride),
-            "bare repaint": pane.request_repaint,
+            "bare repaint": pane.canvas.redraw,
             "repaint with the slider": lambda pane=pane, slider=slider: (
-                pane.request_repaint(),
+                pane.canvas.redraw(),
                 slider.update(),
             ),
         }

@@ -275,6 +275,12 @@ class SceneActors:
         """The actors of surface, dots, lines and ground."""
         return self.surface, self.dots, self.lines, self.ground
 
+    def place(self, matrices: Sequence[Array]) -> None:
+        """Put surface, dots, lines and ground, those there are, under projective matrices."""
+        for actor, space, matrix in zip(self.all, self.spaces, matrices, strict=True):
+            if actor is not None:
+                space.set_projective(matrix)
+
     def show_grid(self, shown: bool, pale: bool = False) -> None:
         """Show the ground's lines, `pale` where arrows on it matter more, or hide them."""
         if (shown, pale) != (self._has_grid, self._is_pale):

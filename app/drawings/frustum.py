@@ -29,7 +29,8 @@ from app.drawings.layer import Layer
 from app.drawings.names import QUIET
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Targets, outline, volume_edges
 from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolume, WorldState
-from app.lecture.highlight import CORNERS, SIDES, WINDOW
+from app.lecture.highlight import CORNERS, ENDS, SIDES, WINDOW
+from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Lens, Projection
 from app.scenes.phenomena.readout import FEW, digits_apart
 
@@ -44,9 +45,9 @@ _FADE_FROM, _FADED = (
     0.15,
 )  # share of the pane under a plane; share of the tint if that is all of it
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
-_NAMED_BY = {"near": ("near", *WINDOW), "far": ("far",)}
+_NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""
-_VOLUME = ("near", "far", "fov")
+_VOLUME = (*ENDS, "fov")
 """What the edges of the volume belong to."""
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
@@ -69,7 +70,7 @@ class FrustumDrawing(Layer):
     space, apex_space : Space
         From the cube's corners to scene-local coordinates; of the pyramid from the eye to near.
     outlines : mapping from str to vtkActor
-        Edges of ``"near"`` and ``"far"``; `apex` are the lines from the eye to near.
+        Edges of near and far, by name; `apex` are the lines from the eye to near.
     dimmable : tuple of vtkActor
         All but the planes' tints, which `tint` sets.
     """
@@ -88,8 +89,8 @@ class FrustumDrawing(Layer):
         far_line = outline(FAR_FACE, CUBE, style, dashed=True)
         self._volume = far_face, walls, near_face, near_line, far_line
         self.space.add(*self._volume)
-        self.outlines = {"near": near_line, "far": far_line}
-        self.tints = {"near": (near_face, near_tint), "far": (far_face, far_tint)}
+        self.outlines = {NEAR.name: near_line, FAR.name: far_line}
+        self.tints = {NEAR.name: (near_face, near_tint), FAR.name: (far_face, far_tint)}
         self._quiet: frozenset[str] = frozenset()
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(CUBE, edges, style.frustum, width)
@@ -99,7 +100,7 @@ class FrustumDrawing(Layer):
             apex, [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
         )
         self.apex_space.add(self.apex)
-        self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {"near": [], "far": []}
+        self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {end: [] for end in ENDS}
         self._break_ends: dict[str, Array] = {}
         for broken_edges in self.breaks.values():
             for _ in range(4):
@@ -120,7 +121,7 @@ class FrustumDrawing(Layer):
         emphasis.line(self.apex, "fov", of=_VOLUME)
         for line in (self._body, *broken):
             emphasis.line(line, of=_VOLUME)
-        for name in ("near", "far"):
+        for name in ENDS:
             label = state.board.label(name, state.words[name], getattr(state.style, name))
             emphasis.label(label, name)
         for letter, side in WINDOW.items():
@@ -165,7 +166,7 @@ class FrustumDrawing(Layer):
         self._canvas.set_visible(self._body, start < end)
         if start < end:
             self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
-        for name, broken in (("near", reach.near_break), ("far", reach.far_break)):
+        for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
             ends = None
             if broken is not None:
                 ends = applied(frustum @ _cube_from_part(view_from_cube, *broken), CUBE)
@@ -274,16 +275,15 @@ class FrustumDrawing(Layer):
         corners = state.corners_seen
         if corners is None:
             return
-        distances = planes or (None, None)
+        digits = 0 if planes is None else digits_apart(*planes)
         for name, face, distance in zip(
-            ("near", "far"), (corners[:4], corners[4:]), distances, strict=True
+            ENDS, (corners[:4], corners[4:]), planes or (None, None), strict=True
         ):
             if not state.names_point(name):
                 continue
             text = state.words[name]
             if distance is not None:
                 letter = state.words.get(f"{{{name}_distance}}", name)
-                digits = digits_apart(*(each for each in distances if each is not None))
                 text = f"{text} {letter} = {written_distance(distance, digits)}"
             state.board.label(name).set_text(text)
             covered = partial(state.own.pane.covered, face)
@@ -354,8 +354,8 @@ class FrustumDrawing(Layer):
         named = [
             corners[start:end]
             for name, start, end, is_asked in (
-                ("near", 0, 4, True),
-                ("far", 4, 8, fixed != ""),
+                (NEAR.name, 0, 4, True),
+                (FAR.name, 4, 8, fixed != ""),
                 ("height", 5, 7, fixed != ""),
                 ("width", 5, 7, fixed == "axis"),
             )
@@ -367,7 +367,7 @@ class FrustumDrawing(Layer):
     def beside(self) -> list[Array]:
         """Far is seldom whole in a free view: it would make the rest small."""
         is_beside = self._has_planes and not self._state.own.fixed
-        is_beside = is_beside and self._state.names.wants("far")
+        is_beside = is_beside and self._state.names.wants(FAR.name)
         return [self._state.volume.corners[4:]] if is_beside else []
 
     @property

@@ -22,6 +22,7 @@ from app.drawings.layer import Layer
 from app.drawings.style import rgb
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
+from app.lecture.highlight import ENDS
 from app.picking.handles import Handle, Spot, shown
 
 APART_EM = 0.95
@@ -30,8 +31,7 @@ APART_EM = 0.95
 _SHAPES = {
     "eye": (16, 0.52),
     "target": (16, 0.52),
-    "near": (4, 0.68),
-    "far": (4, 0.68),
+    **dict.fromkeys(ENDS, (4, 0.68)),
     "grip": (16, 0.52),
     "origin": (16, 0.52),
     "turn": (16, 0.42),
@@ -60,7 +60,7 @@ class HandleMarks(Handles, Layer):
         self.shown = []
         style = state.style
         fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
-        fills |= {name: getattr(style, name) for name in ("target", "near", "far")}
+        fills |= {name: getattr(style, name) for name in ("target", *ENDS)}
         fills |= {"origin": style.ink, "x": style.u, "y": style.v, "z": style.n}
         self._fills = {name: _bytes(colour) for name, colour in fills.items()}
         self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)

@@ -22,7 +22,7 @@ from app.drawings.label_placement import Ground
 from app.drawings.layer import Layer, Layers
 from app.drawings.marks import MarksDrawing
 from app.drawings.moved_vertices import MovedVertices
-from app.drawings.picture_frame import ImageState, PictureFrame
+from app.drawings.picture_frame import FRAMED, ImageState, PictureFrame, PictureOptions
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import ImageProbes
 from app.drawings.prop_group import PropGroup
@@ -41,16 +41,14 @@ from app.scenes.scene import RASTERISED, Scene
 class SceneInPicture(Layer):
     """The scene under the model's own matrix, rasterised as the phenomenon or the quality asks.
 
-    `copies` are the faces of a phenomenon's copies. `finer` is how many pixels of the window, along
-    each side, become one in the end.
+    The faces of a phenomenon's copies are among its `marks`.
     """
 
     def __init__(
-        self, state: ImageState, marks: MarksDrawing, tolerance_px: float, quality: Quality,
-        finer: int,
-    ) -> None:  # fmt: skip
+        self, state: ImageState, marks: MarksDrawing, tolerance_px: float, quality: Quality
+    ) -> None:
         scene, self._style = state.scene, state.style
-        self._state, self._marks, self._quality, self._finer = state, marks, quality, finer
+        self._state, self._marks, self._quality = state, marks, quality
         self._tolerance_px = least_tolerance(scene, tolerance_px)
         self.model = ModelActors(scene, state.style, self._tolerance_px)
         state.canvas.add(*self.model.actors, renderer=state.renderer)
@@ -129,16 +127,17 @@ class SceneInPicture(Layer):
     def begin_blurring(self) -> None:
         """Begin another blurred picture, if this one has an opening; it is sharp until `refine`."""
         state, aperture, blurring = self._state, self._rendering.aperture, self.blurring
+        finer = state.options.finer
         if blurring is None:
             if aperture is None:
                 return
-            style = self._style.enlarged(1.0 / self._finer)
+            style = self._style.enlarged(1.0 / finer)
             self.blurring = blurring = Blurring(state.scene, style, self._tolerance_px)
             if "grid" in state.canvas.hidden:
                 blurring.model.show_grid(False)
             state.canvas.add(blurring.actor, renderer=state.renderer)
         width, height = state.size_px
-        size = max(1, width // self._finer), max(1, height // self._finer)
+        size = max(1, width // finer), max(1, height // finer)
         blurring.begin(state.projection, aperture, size)
         self._choose_picture(blurring)
 
@@ -157,10 +156,7 @@ class ImageDrawing(Drawing):
     """The picture that the model's camera takes.
 
     `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
-    of `quality`, unless the scene is about a buffer itself. Without `framed`, the picture has no
-    frame, no axes and no margins. A framed picture can have a `caption` above it, at `middle` of
-    its width. It has its axes if they are named. `finer` is how many pixels of the window, along
-    each side, become one in the end.
+    of `quality`, unless the scene is about a buffer itself.
     """
 
     pane = "image"
@@ -174,27 +170,23 @@ class ImageDrawing(Drawing):
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
         quality: Quality = AUTOMATIC,
-        *,
-        framed: bool = True,
-        caption: str = "",
-        middle: float = 0.5,
-        finer: int = 1,
+        options: PictureOptions = FRAMED,
     ) -> None:
         canvas, self._picture = PropGroup(screen, style, self._layout), vtkRenderer()
         self.state = state = ImageState(canvas, scene, words, self._picture)
-        state.has_frame = framed
+        state.options = options
         self.names, self.board = state.names, state.board
         self._hidden: frozenset[str] = frozenset()
         self._add_picture(style)
         self._marks = marks = MarksDrawing(state, over=True)
-        self._scene = SceneInPicture(state, marks, tolerance_px, quality, finer)
+        self._scene = SceneInPicture(state, marks, tolerance_px, quality)
         layers: list[Layer] = [ImageProbes(state), marks, self._scene]
         self._own_camera = canvas.renderer.GetActiveCamera()
         canvas.renderer.SetActiveCamera(identity_camera())
         self._frame: PictureFrame | None = None
-        if framed:
+        if options.framed:
             canvas.renderer.SetBackground(*rgb(style.margin))
-            self._frame = PictureFrame(state, caption, middle)
+            self._frame = PictureFrame(state)
             self.show_layers(frozenset())
             layers.append(self._frame)
         self.layers = Layers(state, *layers)

@@ -48,6 +48,7 @@ from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.style import mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
+from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
 from app.scenes.scene import Scene
@@ -198,7 +199,7 @@ class MarksDrawing(Layer):
         quiet = [self._quiet(line) and not on for line, on in zip(lines, lit, strict=True)]
         wide = np.where(lit, _WIDER, np.where(quiet, QUIET_WIDTH, 1.0))
         if self._style.on_paper:  # near differs from far in grey, too
-            wide = np.where([line.colour == "near" for line in lines], _NEAR_WIDER * wide, wide)
+            wide = np.where([line.colour == NEAR.name for line in lines], _NEAR_WIDER * wide, wide)
         widths = np.repeat([line.width for line in lines] * wide, counts - 1)
         each = zip(lines, quiet, strict=True)
         rgba = [self._rgba(line.colour, quiet=is_quiet) for line, is_quiet in each]

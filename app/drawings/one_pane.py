@@ -19,6 +19,7 @@ from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
+from app.drawings.picture_frame import PictureOptions
 from app.drawings.stage import StageDrawing
 from app.drawings.style import Style, mixed, rgb
 from app.drawings.vectors import Shape, refuse_too_many, shapes_of
@@ -119,10 +120,8 @@ class PanePicture:
         if pane != "world":
             options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
         if pane == "image":
-            options |= {
-                "framed": self.framed, "quality": quality, "caption": self.caption,
-                "middle": self.middle, "finer": finer,
-            }  # fmt: skip
+            shown = PictureOptions(self.framed, self.caption, self.middle, finer)
+            options |= {"quality": quality, "options": shown}
         with off_screen(width, height) as screen:
             window, style = screen.render_window, self.style.enlarged(finer)
             drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,17 +25,31 @@ _FARTHEST_MARK = 1e3  # of half a picture: where lines toward infinity end
 _EM_OF_DIGIT = 0.64  # width of a digit of the labels' font
 
 
-class ImageState(PaneState):
-    """What the layers of the image pane share: where the picture is in the pane.
+class PictureOptions(NamedTuple):
+    """How a picture is shown.
 
-    A picture without a frame has no border, no axes and no margins.
+    Without a frame it has no axes and no margins either. In a frame it has its axes if they are
+    named, and perhaps a caption, which stands at `middle` of the picture's width. `finer` is how
+    many pixels of the window, along each side, become one in the end.
     """
 
+    framed: bool = True
+    caption: str = ""
+    middle: float = 0.5
+    finer: int = 1
+
+
+FRAMED, UNFRAMED = PictureOptions(), PictureOptions(framed=False)
+
+
+class ImageState(PaneState):
+    """What the layers of the image pane share: where the picture is in the pane."""
+
     pane = "image"
-    has_frame = True
+    options = FRAMED
 
     def rectangle_in(self, pane_width_px: int, pane_height_px: int) -> Rectangle:
-        left, top, right, bottom = self._margins_px if self.has_frame else (0, 0, 0, 0)
+        left, top, right, bottom = self._margins_px if self.options.framed else (0, 0, 0, 0)
         room_x = max(1, pane_width_px - left - right)
         room_y = max(1, pane_height_px - top - bottom)
         width, height = self.projection.image_size
@@ -98,22 +112,18 @@ class ImageState(PaneState):
 
 
 class PictureFrame(Layer):
-    """The border, the axes and the caption, which stands at `middle` of the picture's width.
-
-    The axes are there if they are named.
-    """
+    """The border, the axes and the caption."""
 
     _state: ImageState
 
-    def __init__(self, state: ImageState, caption: str, middle: float) -> None:
+    def __init__(self, state: ImageState) -> None:
         self._state, self._canvas, self._style = state, state.canvas, state.style
-        self._middle = middle
         self._add_axes(state.words)
         self.show_axes(AXES not in state.canvas.hidden)
         self._add_sides()
         self._caption: Any = None
-        if caption:
-            self._caption = self._canvas.label(caption, anchor=(0, -1))
+        if state.options.caption:
+            self._caption = self._canvas.label(state.options.caption, anchor=(0, -1))
 
     def show_axes(self, shown: bool) -> None:
         for label in self._axis_labels:
@@ -216,7 +226,7 @@ class PictureFrame(Layer):
         if self._caption is not None:
             bare = AXES in self._canvas.hidden
             higher = above if bare else above - 1.3 * em
-            move(self._caption, left + self._middle * width, higher)
+            move(self._caption, left + self._state.options.middle * width, higher)
         move(self._width_label, width_end, above)
         # Below its axis, as y is beside its own: above it is the title row with its buttons.
         move(self._x_label, right + thin, top + head + gap)

@@ -20,12 +20,13 @@ from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
+from app.model.parameters import FAR, NEAR
 from app.model.projection import Array
 
 NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 FACES = {
-    "near": NEAR_FACE,
-    "far": FAR_FACE,
+    NEAR.name: NEAR_FACE,
+    FAR.name: FAR_FACE,
     **{side: (i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i, side in enumerate(SIDES)},
 }
 """The corners of each plane's face, in the order of `highlight.CORNERS`."""
@@ -171,7 +172,7 @@ def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
     edges = []
     for line in CUBE_EDGES:
         for start, end in pairwise(line):
-            planes = {"near"} if end < 4 else {"far"}
+            planes = {NEAR.name if end < 4 else FAR.name}
             if start < 4 <= end:
                 planes = {name for name in SIDES if start in FACES[name]}
             edges.append((frozenset(planes), spots[start], spots[end]))

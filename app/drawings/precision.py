@@ -127,10 +127,9 @@ class ModelActors:
 
     def show_picture(self, projection: Projection) -> None:
         """Show the picture of `show_projection`, with dots and lines lifted before the faces."""
-        surface, *lines = self.show_projection(projection)
-        matrices = surface, *(lifted(matrix, projection, self._scene) for matrix in lines)
-        for space, matrix in zip(self.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
+        matrices = self.show_projection(projection)
+        forward = {id(matrix): lifted(matrix, projection, self._scene) for matrix in matrices[1:]}
+        self.actors.place([matrices[0], *(forward[id(matrix)] for matrix in matrices[1:])])
 
     def show_placed(self, placement: ObjectTransform) -> Array:
         """Give the actors the scene's own vertices, and return the objects' matrix, (4, 4).

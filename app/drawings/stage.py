@@ -36,7 +36,9 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.stage_box import StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import Style
+from app.lecture.highlight import ENDS
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW
+from app.model.parameters import FAR
 from app.model.projection import Array, Projection
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.scenes.phenomena.illustration import Illustration
@@ -81,8 +83,7 @@ class SceneAtStage(FacesLayer):
             display_from_local = state.morph.display_from_local(state.position)
             of_object = display_from_local @ self.model.show_placed(state.projection.placement)
             matrices = [of_object, of_object, of_object, display_from_local]
-        for space, matrix in zip(self.actors.spaces, matrices, strict=True):
-            space.set_projective(matrix)
+        self.actors.place(matrices)
         super().show()
 
     def ink(self, ground: Ground) -> None:
@@ -192,7 +193,7 @@ class StageDrawing(Drawing):
         shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
         points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
         if morph.has_volume(stop):
-            ends = ("near", "far") if self.names.wants("far") else ("near",)
+            ends = ENDS if self.names.wants(FAR.name) else ENDS[:1]
             volume = volume_ends(fitting(morph.display_from_box(stop)), ends)
             points = np.concatenate([points, volume])
         points = points[np.isfinite(points).all(axis=1)]

@@ -42,7 +42,7 @@ from app.drawings.pointing import (
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, CORNERS, NOTHING, SIDES
+from app.lecture.highlight import AXES, CORNERS, ENDS, NOTHING, SIDES
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -54,12 +54,14 @@ from app.lecture.stages import (
     Morph,
     morph_of,
 )
+from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene
 
+_NAMES = *ENDS, *AXES  # of what is written beside the volume
 _FARTHEST_MARK = 1e3  # where lines toward infinity end
 _BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
 _PALER = 0.6  # of the near plane's tint in the world, where it is smaller
@@ -175,10 +177,10 @@ class StageBox(Layer):
         style = self._canvas.style
         width = style.line_width
         between = [(i + 4, i) for i in NEAR_FACE]
-        ends = {"far": FAR_FACE, "near": NEAR_FACE}
+        ends = ENDS[::-1]
         edges = self._edges = line_actor(CUBE, between, style.frustum, width)
         self._outlines = {
-            name: outline(face, CUBE, style, dashed=name == "far") for name, face in ends.items()
+            name: outline(FACES[name], CUBE, style, dashed=name == FAR.name) for name in ends
         }
         middles = np.array([CUBE[list(FACES[side])].mean(axis=0) for side in (*SIDES, *ends)])
         self._cross = line_actor(middles, [(3, 1), (0, 2), (4, 5)], style.muted, width / 2.0)
@@ -215,12 +217,11 @@ class StageBox(Layer):
 
     def _add_words(self) -> None:
         style, label = self._canvas.style, self._board.label
-        self.near = label("near", self._words["near"], style.near)
-        self.far = label("far", self._words["far"], style.far)
+        self.near, self.far = (label(e, self._words[e], getattr(style, e)) for e in ENDS)
         self._numbers = {name: [label((name, i)) for i in range(2)] for name in "xyz"}
         self._letters = tuple(label(a, "", getattr(style, a)) for a in AXES)
         self._keys = {
-            self.near: "near", self.far: "far", **dict(zip(self._letters, AXES, strict=True)),
+            **dict(zip((self.near, self.far, *self._letters), _NAMES, strict=True)),
             **{pair[i]: (name, i) for name, pair in self._numbers.items() for i in range(2)},
         }  # fmt: skip
 
@@ -230,11 +231,10 @@ class StageBox(Layer):
             put_behind(face)
         for name, line in self._outlines.items():
             emphasis.line(line, name)
-        emphasis.line(self._edges, of=("near", "far"))
+        emphasis.line(self._edges, of=ENDS)
         for name, (_, _, shaft, _) in zip(AXES, self._arrows, strict=True):
             emphasis.line(shaft, name, of=(*"xyz", *AXES))  # visible only if it is named
-        labels = self.near, self.far, *self._letters
-        for name, label in zip(("near", "far", *AXES), labels, strict=True):
+        for label, name in zip((self.near, self.far, *self._letters), _NAMES, strict=True):
             emphasis.label(label, name)
 
     # -- at a position of the strip
@@ -257,7 +257,7 @@ class StageBox(Layer):
             actor.SetVisibility(drawn)
         is_cube = stop in (CANONICAL_PARALLEL, NDC)
         self._cross.SetVisibility(is_cube and "numbers" in self._names)
-        for name, label in (("near", self.near), ("far", self.far)):
+        for name, label in zip(ENDS, (self.near, self.far), strict=True):
             label.set_visible(drawn and has_depth and name in self._names)
         self._place_axes(morph, position, stop)
         for name, numbers in zip("xyz", self._numbers.values(), strict=True):
@@ -335,7 +335,7 @@ class StageBox(Layer):
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
         is_pyramid = lens.has_pyramid
         self._at |= {self.near: near, self.far: far}
-        near_text, far_text = words["near"], words["far"]
+        near_text, far_text = (words[end] for end in ENDS)
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")
         end = 1.0
         if stop == CANONICAL_PERSPECTIVE and is_pyramid:
@@ -453,7 +453,7 @@ def _placed(place: Array, turn: Array) -> Array:
 
 def volume_ends(box: Array, ends: Iterable[str]) -> Array:
     """Where the corners of near and far are shown, or their edges leave the framed ball, (n, 3)."""
-    depths = [{"near": 1.0, "far": 0.0}[end] for end in ends]
+    depths = [float(end == NEAR.name) for end in ends]
     corners = itertools.product(depths, (-1.0, 1.0), (-1.0, 1.0))
     return np.array([_edge(box, x, y, RADIUS, z) for z, x, y in corners])
 

@@ -30,7 +30,7 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import CameraPose, WorldState
-from app.lecture.highlight import AXES, WINDOW, made_of
+from app.lecture.highlight import AXES, ENDS, WINDOW, made_of
 from app.model.projection import Array, Camera, Projection
 from app.picking.handles import Handle, nearest
 from app.scenes.phenomena.illustration import Illustration
@@ -206,7 +206,7 @@ class WorldDrawing(Drawing):
         self.camera.show_step()
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * state.light)
-        for name in ("near", "far"):
+        for name in ENDS:
             self.board.label(name).set_opacity(state.light)
         if not self._look_around():
             self._follow_pane(afresh=True)

@@ -16,7 +16,7 @@ from app.drawings.lengths import written
 from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
-from app.lecture.highlight import AXES, SIDES, WINDOW, Highlight
+from app.lecture.highlight import AXES, ENDS, SIDES, WINDOW, Highlight
 from app.model.projection import Array, Camera, ObjectTransform, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
@@ -172,7 +172,7 @@ class WorldState(PaneState):
         return near
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
-        drawn = {"eye", "target", "near", "far", "fov", *SIDES}
+        drawn = {"eye", "target", *ENDS, "fov", *SIDES}
         if self.step is None:
             drawn |= set(AXES)
         wanted = drawn if self.names.wanted is None else self.names.wanted
@@ -184,7 +184,7 @@ class WorldState(PaneState):
         names, left_out = self.names, self.scene.leaves_out
         if not left_out or names.all or self.step is not None:
             return frozenset()
-        if "near" in names or "far" in names:
+        if any(name in names for name in ENDS):
             left_out -= {"frustum", "near-picture"}
         if any(name in names for name in ("eye", "target", *AXES)):
             left_out -= {"camera"}
@@ -208,7 +208,7 @@ class WorldState(PaneState):
         unseen = set[str]()
         if "frustum" in self.hidden or self.step is not None:
             # They would cover the arrows of the construction.
-            unseen |= {"near", "far", "corner", *WINDOW}
+            unseen |= {*ENDS, "corner", *WINDOW}
         if "camera" in self.hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self.canvas.hidden:  # the pane looks through it, or from right behind it

@@ -184,6 +184,10 @@ class Lesson:
         """Return the index of the step with a name, or `otherwise` if there is none."""
         return next((at for at, each in enumerate(self.steps) if each.name == step), otherwise)
 
+    def practises(self, step: Step) -> bool:
+        """Whether a step has an exercise, in a lesson that has other steps, too."""
+        return step.varies and not all(each.varies for each in self.steps)
+
 
 # --------------------------------------------------------------------------- reading
 

@@ -337,10 +337,6 @@ class Player:
         """The places of the steps where something is left to do."""
         return [at for at, step in enumerate(self.lesson.steps) if not self.is_done(step)]
 
-    def practises(self, step: Step) -> bool:
-        """Whether a step has an exercise, in a lesson that has other steps, too."""
-        return step.varies and not all(each.varies for each in self.lesson.steps)
-
     def keep_answer(self, key: str, answer: str) -> None:
         """Keep an answer by its ``step/block``."""
         self.progress = replace(self.progress, answers={**self.progress.answers, key: answer})

@@ -17,6 +17,7 @@ from app.drawings import WORDS
 from app.drawings.actors import face_actor, identity_camera
 from app.drawings.image import ImageDrawing
 from app.drawings.off_screen import OffScreen, Pixels, off_screen, pixels_of
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT, WHITE
 from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, timed, unwatched
@@ -159,7 +160,7 @@ def pane(
         window = screen.render_window
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
-        drawing = ImageDrawing(screen, scene, WORDS, style, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, style, options=UNFRAMED)
         drawing.show_projection(projection)
         for renderer in window.GetRenderers():
             renderer.SetUseFXAA(smoothing.fxaa)

@@ -11,6 +11,7 @@ import pytest
 from app.drawings import WORDS
 from app.drawings.blurring import FIRST, MOST, spread
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Camera, Projection
 from app.scenes.phenomena.focus import PHENOMENON
@@ -72,7 +73,7 @@ def test_a_picture_is_sharp_at_first_and_becomes_finer_until_another_one_is_show
     off_screen: MakeScreen,
 ) -> None:
     screen = off_screen(640, 360)
-    drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(SIDE, shown(aperture=0.5))
     sharp = screen.pixels()
     assert drawing.is_coarse
@@ -94,7 +95,7 @@ def test_a_picture_is_sharp_at_first_and_becomes_finer_until_another_one_is_show
     assert drawing.is_coarse
     at_once = screen.pixels()
     drawing.remove()
-    again = ImageDrawing(screen, SCENE, WORDS, LIGHT, framed=False)
+    again = ImageDrawing(screen, SCENE, WORDS, LIGHT, options=UNFRAMED)
     again.show_projection(other, shown(other, aperture=0.5))
     assert np.array_equal(at_once, screen.pixels())
 
@@ -102,7 +103,7 @@ def test_a_picture_is_sharp_at_first_and_becomes_finer_until_another_one_is_show
 def test_the_layers_of_the_picture_are_those_of_its_average(off_screen: MakeScreen) -> None:
     def lines_px(hidden: frozenset[str]) -> int:
         screen = off_screen(640, 360)
-        drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, framed=False)
+        drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, options=UNFRAMED)
         drawing.show_projection(SIDE, shown())
         drawing.refine(whole=True)
         drawing.show_layers(hidden)

@@ -12,6 +12,7 @@ import pytest
 from app.drawings import WORDS
 from app.drawings.describing import describe
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.probes import next_vertex, pick_in, vertex_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
@@ -109,7 +110,7 @@ def test_dots_have_their_pixels_and_none_comes_from_behind_the_eye(
     points = np.array([(0, 0, 0), (0.5, 0.25, 0), (-0.5, 0.5, 1), (0.25, 0.75, 7), (1, -1, 9)])
     scene = cloud(tmp_path / "m.obj", points)
     screen = off_screen(1280, 720)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_layers(frozenset({"grid"}))
     drawing.show_projection(CAMERA)
     is_drawn = (np.abs(screen.pixels()[..., :3].astype(int) - DRAWN_RGB) < 3).all(axis=2)
@@ -176,7 +177,7 @@ def test_a_dot_is_as_near_as_its_point(near: float, tmp_path: Path, off_screen: 
     lens = Perspective(50, near, 9)
     projection = replace(CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=lens)
     screen = off_screen(1280, 720)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(projection)
     pixels = screen.pixels()
     places = projection.trace(np.array([(0.25, 0, -0.25), (-0.25, 0, 0), (0, 0.25, 0.25)])).image
@@ -190,7 +191,7 @@ def test_a_probe_and_the_keyboard_find_dots_and_ends_of_lines(
     text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 -1\nv 0.5 0 1\n"
     (tmp_path / "m.obj").write_text(text + "l 1 2\np 3 6 5\n")
     scene = load(str(tmp_path / "m.obj"))
-    drawing = ImageDrawing(off_screen(1280, 720), scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(off_screen(1280, 720), scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(CAMERA)
     sight, room = drawing.sight, drawing.picture_rectangle_px
     found: list[tuple[float, ...]] = []
@@ -218,7 +219,7 @@ def test_a_cloud_that_float32_cannot_draw_is_drawn_in_float64(
     narrow = Perspective(fov_y_deg=0.003, near=1.0, far=6.0)
     projection = Projection(Camera((0.5, 0.25, 4.0), (0, 0, 0)), narrow)
     screen = off_screen(1280, 720)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_layers(frozenset({"grid"}))
     drawing.show_projection(projection)
     assert drawing.precision == "float64"
@@ -240,7 +241,7 @@ def test_the_depth_buffer_of_the_document_decides_between_dots(
     colours = []
     for quality in (Quality(), Quality(depth_format="fixed16")):
         screen = off_screen(640, 360)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, quality=quality, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, quality=quality, options=UNFRAMED)
         drawing.show_layers(frozenset({"grid"}))
         drawing.show_projection(projection)
         colours.append(screen.pixels()[180, 320, :3].tolist())
@@ -257,7 +258,7 @@ def test_fewer_dots_are_drawn_in_every_precision_and_all_again(
     fewer = reduced(scene, 0.05)
     for tolerance_px, precision in ((1.0, "float32"), (0.0, "float64")):
         screen = off_screen(640, 360)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, options=UNFRAMED)
         counts = []
         for shown in (None, fewer, None):
             drawing.show_detail(shown)

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from app.drawings import WORDS
 from app.drawings import precision as precisions
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.model.projection import (
@@ -137,7 +138,7 @@ def mistakes(
     """Draw a triangle: the precision used, wrong pixels, and pixels that must be lit."""
     tolerance_px = options.get("tolerance_px", 0.0)
     scene = scene_at(points, origin)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, options=UNFRAMED)
     drawing.show_projection(projection)
     lit = drawn(screen.pixels(), RED)
     drawing.remove()
@@ -224,7 +225,7 @@ def test_the_picture_has_the_digits_of_the_file(
     scene = load(str(mesh))
     assert scene.surface is not None
     screen = off_screen(*SIZE)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, DRAWING_TOLERANCE_PX, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, DRAWING_TOLERANCE_PX, options=UNFRAMED)
     drawing.show_projection(projection)
     assert drawing.precision == "float64"
     lit = drawn(screen.pixels(), scene.surface.cell_data["rgb"][0])
@@ -361,7 +362,7 @@ def test_lines_are_cut_where_the_model_says(off_screen: MakeScreen) -> None:
         lines = pv.PolyData(ends, lines=[2, 0, 1])
         lines.cell_data["rgb"] = np.array([RED], dtype=np.uint8)
         scene = replace(load("cube"), surface=None, lines=lines)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
         drawing.show_projection(projection)
         assert drawing.precision == "float64"
         lit = drawn(screen.pixels(), RED)
@@ -604,7 +605,7 @@ def test_what_float64_leaves_out_at_a_glance_is_not_seen(
         for many in (10**9, 1_000):
             monkeypatch.setattr(precisions, "MANY_CELLS", many)
             screen = off_screen(*SIZE)
-            drawing = ImageDrawing(screen, replace(ball), WORDS, LIGHT, 0.0, framed=False)
+            drawing = ImageDrawing(screen, replace(ball), WORDS, LIGHT, 0.0, options=UNFRAMED)
             with monkeypatch.context() as patch:
                 patch.setattr(Projection, "trace", counted)
                 drawing.show_projection(projection)

@@ -18,6 +18,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.drawings.world import WorldDrawing
@@ -73,7 +74,7 @@ def drawn_vertices(screen: OffScreen, tolerance_px: float) -> tuple[ImageDrawing
     vertices.cell_data["rgb"] = np.array([(i, 0, 200) for i in range(len(points))], np.uint8)
     # As the scene's lines, they go the way that everything goes: user matrix, identity camera.
     scene = replace(letter, surface=None, lines=vertices)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, tolerance_px, options=UNFRAMED)
     for renderer in screen.window.GetRenderers():
         for actor in renderer.GetActors():
             actor.GetProperty().SetPointSize(3.0)
@@ -140,7 +141,7 @@ def test_a_face_has_the_same_colour_in_all_panes(name: str, off_screen: MakeScre
         assert all(drawn(pictures[1], colour).any() for colour in large)
     # Nothing in between: neither light nor interpolation mixes colours inside the picture.
     screen = off_screen(*scene.start.image_size)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(scene.start)
     codes = np.unique(screen.pixels().astype(int) @ (65536, 256, 1))
     found = {(code >> 16, code >> 8 & 255, code & 255) for code in codes.tolist()}
@@ -423,7 +424,7 @@ def test_edges_are_not_eaten_by_faces_nor_seen_through_them(off_screen: MakeScre
         Oblique(-4, 3, -3, 4, 4, 12, alpha_deg=95, beta_deg=80),
     )
     screen = off_screen(*size)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     for lens in lenses:
         projection = Projection(camera, lens, size)
         drawing.show_projection(projection)
@@ -603,7 +604,7 @@ def test_extreme_projections_draw_without_a_word(off_screen: MakeScreen) -> None
 def test_a_scene_with_nothing_in_it_is_an_empty_pane(off_screen: MakeScreen) -> None:
     scene = replace(load("cube"), surface=None, lines=None)
     screen = off_screen(200, 100)
-    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(scene.start)
     assert (screen.pixels() == to_bytes(LIGHT.background)).all()
     StageDrawing(off_screen(200, 100), scene, WORDS, LIGHT).show_projection(scene.start)
@@ -623,7 +624,7 @@ def test_a_wide_line_that_ends_beside_the_eye_is_drawn_in_a_pane(display: Any, q
     canvas = QtInteractor(auto_update=False, multi_samples=0)
     qtbot.addWidget(canvas, before_close_func=lambda widget: widget.close())
     canvas.resize(200, 200)
-    drawing = ImageDrawing(canvas, scene, WORDS, LIGHT.enlarged(3.0), framed=False)
+    drawing = ImageDrawing(canvas, scene, WORDS, LIGHT.enlarged(3.0), options=UNFRAMED)
     red = []
     for z in (0.0, 1e-3):  # the line's end exactly in the eye's plane, and beside it
         camera = Camera((0, 0, z), (0, 0, -1))

@@ -10,6 +10,7 @@ import pytest
 
 from app.document.view import LAYERS, STAGES, View
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT
 from app.model.projection import Camera, ObjectTransform, Perspective, Projection
 from app.scenes.scene import load
@@ -77,7 +78,7 @@ def test_l2_both_precisions_draw_the_moved_object(
     pictures = []
     for away in (0.0, 1e6):
         screen = off_screen(320, 240)
-        drawing = ImageDrawing(screen, F, words, LIGHT, tolerance_px, framed=False)
+        drawing = ImageDrawing(screen, F, words, LIGHT, tolerance_px, options=UNFRAMED)
         drawing.show_layers(frozenset({"grid"}))
         camera = Camera((6.0 + away, 5.0, 9.0), (away, 2.2, 0.0))
         placement = ObjectTransform((away, 0.0, 0.0), (0.0, 20.0, 0.0), (1.0, 0.5, 1.0))
@@ -94,7 +95,7 @@ def test_l2_no_vertex_is_touched(off_screen: MakeScreen) -> None:
     """Moving the object changes matrices: the meshes and their points stay the same ones."""
     screen = off_screen(320, 240)
     words: Any = dict.fromkeys("xy", "")
-    drawing = ImageDrawing(screen, F, words, LIGHT, framed=False)
+    drawing = ImageDrawing(screen, F, words, LIGHT, options=UNFRAMED)
 
     def meshes() -> list[Any]:
         actors = screen.renderer.GetRenderWindow().GetRenderers()

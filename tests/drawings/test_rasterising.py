@@ -16,6 +16,7 @@ from vtkmodules.vtkCommonCore import vtkStringOutputWindow
 
 from app.drawings import WORDS, rasterising
 from app.drawings.image import ImageDrawing
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.rasterising import REFUSED, TOO_FINE, counted_wrong_share, subdivided
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
@@ -51,7 +52,7 @@ class Picture:
         self.plotter = OffScreen(*SIZE)
         self.window = self.plotter.render_window
         self.window.SetMultiSamples(0)
-        self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, framed=False)
+        self.drawing = ImageDrawing(self.plotter, self.scene, WORDS, LIGHT, options=UNFRAMED)
         self.projection, self.illustration = self.phenomenon.start, Illustration(())
 
     def show(self, projection: Projection | None = None, **settings: Any) -> Picture:
@@ -438,7 +439,7 @@ def test_each_level_is_drawn_where_it_is_due(
     make: Any, plotter: Any, settings: Mapping[str, Any], level: int
 ) -> None:
     picture = make("far-plane-popping").show(**settings)
-    plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, framed=False)
+    plain = ImageDrawing(plotter, tree_scene(level), WORDS, LIGHT, options=UNFRAMED)
     plain.show_projection(replace(picture.phenomenon.start, image_size=SIZE))
     expected = rendered(plotter.render_window)
     drawn = picture.pixels()

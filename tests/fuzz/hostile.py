@@ -268,7 +268,7 @@ def in_a_window(folder: Path) -> None:
         pulse.stop()
         for pane in window.panes.values():
             if pane.drawing is None:
-                problems.append(f"{pane.name} shows nothing")
+                problems.append(f"{pane.accessibleName()} shows nothing")
         if "cannot be drawn" in window.messages.text:
             problems.append(window.messages.text)
         if window.shown.document is not window.store.document:

@@ -23,6 +23,7 @@ from app.drawings.figure import Figure
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor, SceneLabel
 from app.drawings.off_screen import take_screen
+from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT, rgb
 from app.model.projection import Projection
 from app.precision.quality import AUTOMATIC, Quality
@@ -122,7 +123,7 @@ def shown(screen: Any, scene: Scene, projection: Projection, *args: Any, **optio
     """The pixels of an unframed image drawing, or of another `kind`."""
     kind = options.pop("kind", ImageDrawing)
     if kind is ImageDrawing:
-        options.setdefault("framed", False)
+        options.setdefault("options", UNFRAMED)
     drawing = kind(screen, scene, WORDS, LIGHT, *args, **options)
     drawing.show_projection(projection)
     pixels: Pixels = screen.pixels()

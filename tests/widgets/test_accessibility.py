@@ -114,7 +114,7 @@ def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
 @pytest.mark.undrawn
 def test_no_key_of_a_dialog_means_two_things(window: MainWindow) -> None:
     """`tests.support.opened.close` looks at the window itself, in the state of every test."""
-    panes = {name: pane.name for name, pane in window.panes.items()}
+    panes = {name: pane.accessibleName() for name, pane in window.panes.items()}
     window.practice.show_overview()
     window.menus.start_card.trigger()
     for dialog in (

@@ -345,7 +345,8 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
 
 def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
-    titles, shown = {n: pane.name for n, pane in window.panes.items()}, window.pictures.figure()
+    titles = {name: pane.accessibleName() for name, pane in window.panes.items()}
+    shown = window.pictures.figure()
     dialog = ExportDialog(titles, shown, window)
     names = {field.accessibleName(): field for field in dialog.findChildren(QLineEdit)}
     letters = names["Height of the letters in points"]

@@ -310,7 +310,7 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     activate(window)
     compare, drawn = window.comparing.pictures, list[bool]()
     compare.drawn.connect(lambda: drawn.append(True))
-    window.panes["image"].show_probes([Probe(1, seen(window).camera.target)])
+    window.panes["image"].request("probes", [Probe(1, seen(window).camera.target)])
     hold(window)
     change(window, near=8.0)
     assert drawn, "a question looks for its place again"

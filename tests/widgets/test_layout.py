@@ -143,7 +143,7 @@ def test_the_drawing_of_the_world_has_its_share(window: MainWindow, presents: bo
     if presents:
         present(window)
     pane = window.panes["world"]
-    pane.show_layers(frozenset({"labels"}))
+    pane.request("layers", frozenset({"labels"}))
     for scene in ("letter-f", "off-axis-window"):
         window.guide.choose(scene)
         settle()

@@ -578,7 +578,7 @@ def test_a_matrix_stays_in_place_when_its_neighbours_disappear_and_return(
         assert len(panel.shown) == boxes
         assert left_px() == left  # at once, and when all has found its place
         for _ in range(3):
-            window.panes["world"].request_repaint()
+            window.panes["world"].canvas.redraw()
             QApplication.processEvents()
         assert left_px() == left
     assert panel.window().focusWidget() is panel.views["clip_from_view"]

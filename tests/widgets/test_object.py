@@ -74,7 +74,7 @@ def test_l2_a_column_highlights_its_axis_and_an_axis_its_column(window: MainWind
     assert "object_x" in drawing.highlight_at(x, y)
     before = pixels(window, "world")
     assert drawing.show_highlight(frozenset({"object_x"}))
-    window.panes["world"].request_repaint()
+    window.panes["world"].canvas.redraw()
     settle()
     around = np.s_[round(y) - 4 : round(y) + 5, round(x) - 4 : round(x) + 5]
     assert (pixels(window, "world") != before)[around].any(), "the axis, not only its letter"

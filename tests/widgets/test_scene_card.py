@@ -292,8 +292,8 @@ def test_during_a_gesture_only_the_edited_value_is_updated(
 ) -> None:
     card, turn = owner.card, number_row(owner.card, "turn")
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
-    card.gesture_started.connect(card.begin_gesture)
-    card.gesture_finished.connect(card.end_gesture)
+    card.gesture_started.connect(card.readable.begin_gesture)
+    card.gesture_finished.connect(card.readable.end_gesture)
     owner.edited({"turn": 1.0})
     before = readings(card)
     motion = card.motions["turn"]
@@ -312,12 +312,12 @@ def test_a_refusal_stays_when_what_was_accepted_before_it_is_shown_at_last(
     card, motion = owner.card, owner.card.motions["count"]
     owner.edited({"gap": 30.0, "count": 4.0})
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
-    card.begin_gesture()
+    card.readable.begin_gesture()
     motion.play()
     owner.edited({"turn": 5.0})
     motion.speed = -2.0
     motion.advance(1.0)
-    card.end_gesture()
+    card.readable.end_gesture()
     assert "must be less than the count" in card.rows["count"].error
     assert card.rows["turn"].value() == 5.0
 
@@ -327,7 +327,7 @@ def test_another_scene_is_shown_at_once_during_a_gesture(
 ) -> None:
     card = owner.card
     monkeypatch.setattr(Readable, "now_ms", lambda _self: 0.0)
-    card.begin_gesture()
+    card.readable.begin_gesture()
     triangles = PHENOMENA["similar-triangles"]
     card.show_scene("Similar triangles", triangles.words.tries, triangles)
     settings = triangles.checked({"distance": 3.0})

@@ -41,7 +41,7 @@ def visible(panel: ScenePanel) -> int:
 
 def test_it_explains_the_scene_and_names_the_lectures(panel: ScenePanel) -> None:
     assert panel.title.text() == "A setting of every kind"
-    assert panel.explanation.text() == EVERYTHING.explanation
+    assert panel.explanation.text() == EVERYTHING.words.explanation
     assert panel.lectures.text() == "Lectures: 001, 002"
     panel.show_scene("Letter F", None)
     assert panel.title.text() == "Letter F" and not panel.lectures.isVisible()

@@ -645,7 +645,7 @@ def test_a_preview_can_be_cancelled(
 ) -> None:
     window, shown = make_window(shown=False), list[str]()
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
-    titles = {name: pane.name for name, pane in window.panes.items()}
+    titles = {name: pane.accessibleName() for name, pane in window.panes.items()}
     dialog = ExportDialog(titles, window.pictures.figure(), window, preview)
     combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
     for name in ("SVG", "dashed"):  # lines behind faces take long
@@ -717,7 +717,9 @@ def test_the_export_dialog_refuses_what_cannot_be_drawn(make_window: MakeWindow)
     window = make_window(shown=False)
     window.store.set_projection(seen(window, image_size=(640, 360)))
     shown = window.pictures.figure()
-    dialog = ExportDialog({n: pane.name for n, pane in window.panes.items()}, shown, window)
+    dialog = ExportDialog(
+        {n: pane.accessibleName() for n, pane in window.panes.items()}, shown, window
+    )
     save = dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save)
     problem = dialog.findChild(WarningLabel)
     (scale,) = (each for each in dialog.findChildren(Combo) if each.itemText(0) == "1 ×")

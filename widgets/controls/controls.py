@@ -282,7 +282,7 @@ class Controls(Dock, RowHolder):
 
     def take_back(self) -> None:
         """Put every row that was lent back into the dock."""
-        if not self._lent and not self.card.has_lent:
+        if not self._lent and not self.card.lent:
             return
         self._lent.clear()
         for part in self._parts:

@@ -84,12 +84,10 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.motions: dict[str, SettingMotion] = {}
-        self._lent: set[str] = set()
+        self.lent: set[str] = set()
         """Names of the settings whose rows are elsewhere."""
-        self._readable = Readable(self, self._fill, lambda: self._is_seen)
-        self.begin_gesture = self._readable.begin_gesture
-        self.end_gesture = self._readable.end_gesture
-        all_digits.changed.connect(self._readable.changed)
+        self.readable = Readable(self, self._fill, lambda: self._is_seen)
+        all_digits.changed.connect(self.readable.changed)
 
         self.title, self.tries = Balanced(name=True), Balanced()
         self.warning = RefusalLabel()
@@ -160,23 +158,19 @@ class SceneCard(QWidget, RowHolder):
 
     def lend(self, names: Iterable[str]) -> list[Row]:
         """Return the rows of these settings to another place; `take_back` ends that."""
-        self._lent = {name for name in names if name in self.rows}
-        self._readable.changed()
-        return [self.rows[name] for name in self.rows if name in self._lent]
+        self.lent = {name for name in names if name in self.rows}
+        self.readable.changed()
+        return [self.rows[name] for name in self.rows if name in self.lent]
 
     def take_back(self) -> None:
         """Put every row that was lent back into its place."""
-        self._lent.clear()
+        self.lent.clear()
         for place, row in enumerate(self.rows.values()):
             self._rows.insertWidget(place, row)
 
     @property
-    def has_lent(self) -> bool:
-        return bool(self._lent)
-
-    @property
     def _is_seen(self) -> bool:
-        return self.isVisible() or self.has_lent
+        return self.isVisible() or bool(self.lent)
 
     def set_guided(self, guided: bool) -> None:
         """Leave the scene's own questions out beside a lesson, which asks others."""
@@ -228,9 +222,9 @@ class SceneCard(QWidget, RowHolder):
             motion.show_value(float(settings[name]))  # type: ignore[arg-type]
         if self._edits in settings and self._is_seen:
             self.rows[self._edits].setValue(settings[self._edits])
-        self._readable.changed()
+        self.readable.changed()
         if anew:  # values of the previous scene must not stay
-            self._readable.settle()
+            self.readable.settle()
 
     def _highlight_subject(self, names: Iterable[str]) -> None:
         """Highlight what the scene is about."""
@@ -243,20 +237,20 @@ class SceneCard(QWidget, RowHolder):
         """Show what was counted in the picture of an illustration, while it is shown."""
         self._counted = illustration, 100.0 * share
         if illustration is self._illustration:
-            self._readable.changed()
+            self.readable.changed()
 
     def show_problem(self, problem: Phrase | None) -> bool:
         """Say why the picture is not drawn as the scene requires; return whether that is new."""
         if problem == self._problem:
             return False
         self._problem = problem
-        self._readable.changed()
+        self.readable.changed()
         return True
 
     def refuse(self, error: Refusal) -> None:
         """Show a refusal at the row that was just edited; the last value stays."""
         row = self.rows[self._edits or next(iter(self.rows))]
-        self._readable.settle()  # otherwise earlier accepted values would remove the sentence
+        self.readable.settle()  # otherwise earlier accepted values would remove the sentence
         row.show_error(sentence(self.named(error)))
 
     def named(self, error: Refusal) -> Refusal:
@@ -346,7 +340,7 @@ class SceneCard(QWidget, RowHolder):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._readable.settle()
+        self.readable.settle()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -423,7 +417,7 @@ class SceneCard(QWidget, RowHolder):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden
-            self._readable.settle()
+            self.readable.settle()
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:

@@ -120,6 +120,24 @@ class _CellField(QLineEdit):
     pasted = Signal(str)
     """The text of a whole matrix."""
 
+    def __init__(self, text: str, view: QWidget) -> None:
+        super().__init__(text, view)
+        self._view = view
+        self.is_refused = False
+        """Whether the text was refused, and has not been edited since."""
+        self.textEdited.connect(self._mend)
+
+    def _mend(self) -> None:
+        self.is_refused = False
+
+    def cover(self, cell: QRectF) -> None:
+        """Lie over a cell, as wide as the typed text needs."""
+        wide = QFontMetricsF(self._view.font()).horizontalAdvance(self.text() + "00") + 8.0
+        room = float(self._view.width())
+        wide = min(max(wide, cell.width()), room)
+        left = max(min(cell.right() - wide, room - wide), 0.0)
+        self.setGeometry(int(left), int(cell.top()), int(wide), int(cell.height()))
+
     def event(self, event: QEvent) -> bool:
         kinds, keys = QEvent.Type, Qt.Key
         takes = event.type() in (kinds.ShortcutOverride, kinds.KeyPress)
@@ -179,7 +197,6 @@ class MatrixView(QWidget):
         """Row and column of the keyboard's cursor."""
         self.texts: list[list[str]] = []
         """The cells' texts; formulas are for `widgets.parts.typeset`."""
-        self._refused = False
         self._matrix: WrittenMatrix | None = None
         self._changed: dict[tuple[int, int], int | None] = {}
         """The first changed digit, by row and column of the cells that differ from before."""
@@ -252,7 +269,7 @@ class MatrixView(QWidget):
         if size != self.minimumSize():
             self.setFixedSize(size)
         if self.field is not None:
-            self._place_field(self.field)
+            self.field.cover(self.cell_rect(*self.place))
 
     @property
     def _margin(self) -> tuple[float, float]:
@@ -292,7 +309,9 @@ class MatrixView(QWidget):
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         ink, accent = self.palette().windowText().color(), QColor(self._writing.style.accent)
         self._paint_axes(painter, self._matrix)
-        self._paint_brackets(painter, ink)
+        painter.setPen(QPen(ink, RULE_PX))
+        (left, top), wide, high = self._margin, sum(self._columns), sum(self._heights)
+        paint_brackets(painter, QRectF(left - 2.0, top, wide + 4.0, high), FOOT_PX)
         for i, row in enumerate(self.texts):
             for j, text in enumerate(row):
                 rect = self.cell_rect(i, j)
@@ -332,12 +351,6 @@ class MatrixView(QWidget):
             painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
         painter.setFont(self.font())
 
-    def _paint_brackets(self, painter: QPainter, ink: QColor) -> None:
-        left, top = self._margin
-        painter.setPen(QPen(ink, RULE_PX))
-        matrix = QRectF(left, top, sum(self._columns), sum(self._heights))
-        paint_brackets(painter, matrix.adjusted(-2.0, 0.0, 2.0, 0.0), FOOT_PX)
-
     def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
         metrics, cell = QFontMetricsF(self.font()), self._typeset(text)
         end = rect.right() - 0.4 * metrics.height()
@@ -363,26 +376,17 @@ class MatrixView(QWidget):
         set_tip(
             field, self.tr("A number, or a fraction such as 1/3, which is divided to all digits")
         )
-        self._place_field(field)
+        field.cover(self.cell_rect(row, column))
         field.setStyleSheet("padding: 0px; margin: 0px")
         field.returnPressed.connect(self._enter)
         field.editingFinished.connect(self._left_field)
         field.left.connect(self.abandon)
         field.moved_on.connect(self._move_on)
         field.pasted.connect(self.pasted)
-        field.textEdited.connect(self._mend)
         field.selectAll()
         self._describe_cell()
         field.show()
         field.setFocus()
-
-    def _place_field(self, field: QLineEdit) -> None:
-        """Put the field over its cell, as wide as the typed text needs."""
-        wide = QFontMetricsF(self.font()).horizontalAdvance(field.text() + "00") + 8.0
-        rect = self.cell_rect(*self.place)
-        wide = min(max(wide, rect.width()), float(self.width()))
-        left = max(min(rect.right() - wide, self.width() - wide), 0.0)
-        field.setGeometry(int(left), int(rect.top()), int(wide), int(rect.height()))
 
     def take_over(self, place: tuple[int, int]) -> None:
         """Take over the focus from another view, at the same cell."""
@@ -392,23 +396,20 @@ class MatrixView(QWidget):
 
     def refuse(self) -> None:
         """Keep the refused text open, in a frame, so that it can be corrected."""
-        self._refused = True
         if self.field is not None:
+            self.field.is_refused = True
             frame = f"border: 2px solid {self._writing.style.far}"
             self.field.setStyleSheet(f"padding: 0px; margin: 0px; {frame}")
-
-    def _mend(self) -> None:
-        self._refused = False
 
     def _enter(self) -> bool:
         """Submit the text; return whether it was accepted."""
         field = self.field
-        if field is None or self._refused:
+        if field is None or field.is_refused:
             return False
         if field.isModified():
             field.setModified(False)
             self.typed.emit(*self.place, field.text())
-            if self._refused:
+            if field.is_refused:
                 field.setModified(True)
                 return False
         self.abandon()
@@ -425,7 +426,7 @@ class MatrixView(QWidget):
 
     def abandon(self) -> None:
         """Close the field of a cell, if one is open; the previous number stays."""
-        field, self.field, self._refused = self.field, None, False
+        field, self.field = self.field, None
         if field is not None:
             had_focus = self.window().focusWidget() is field
             field.hide()

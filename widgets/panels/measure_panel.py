@@ -402,8 +402,11 @@ class MeasurePanel(DiagramPanel):
         else:
             part = self._priced(shown)
             said = ""
-            if isinstance(part, Trade):
-                said = f"{self._bargain(part)} {meaning(part, of_measurements)}".strip()
+            if isinstance(part, Trade):  # the clicked choice, or else the one in use
+                picked = next((c for c in part.choices if c.name == self._picked), None)
+                chosen = picked or chart.in_use(part, self._current())
+                said = bargain(part, chosen, of_measurements) if chosen else ""
+                said = f"{said} {meaning(part, of_measurements)}".strip()
             if not part.complete:
                 said = f"{chart.title(part, of_measurements)}. {said}"
             said = f"{words} {said}" if words else said
@@ -415,12 +418,6 @@ class MeasurePanel(DiagramPanel):
     def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""
         return only_part(results.by_cost(self.cost.currentData()))
-
-    def _bargain(self, trade: Trade) -> str:
-        """State what the clicked choice, or else the one in use, gains and costs."""
-        picked = next((c for c in trade.choices if c.name == self._picked), None)
-        chosen = picked or chart.in_use(trade, self._current())
-        return bargain(trade, chosen, of_measurements) if chosen else ""
 
     def _show_chart(self, shown: Measurements | None, other: Measurements | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
@@ -519,10 +516,21 @@ class MeasurePanel(DiagramPanel):
     def _row_used(self, row: int, column: int = 0) -> None:
         self._withdraw_refusal()
         choices, (shown, _) = self._choices(), self._shown()
-        if row < len(choices):
-            self._use(choices[row][1])
-        elif shown is not None and shown.sweeps and (use := shown.sweeps[0].use(row, column)):
-            self.used.emit(use)
+        if row >= len(choices):
+            use = shown.sweeps[0].use(row, column) if shown is not None and shown.sweeps else {}
+            if use:
+                self.used.emit(use)
+            return
+        choice = choices[row][1]
+        why = self._why_not(choice)
+        if not why:
+            self.used.emit(dict(choice.use))
+            return
+        self._picked = choice.name
+        self._readable.changed()
+        self.table.clearSelection()  # a selected row would look as if it were in use
+        if choice.name:
+            self._refuse(why)
 
     def _spot_used(self, key: str) -> None:
         choices = self._choices()
@@ -540,14 +548,3 @@ class MeasurePanel(DiagramPanel):
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
         return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
-
-    def _use(self, choice: ChartPoint) -> None:
-        why = self._why_not(choice)
-        if not why:
-            self.used.emit(dict(choice.use))
-            return
-        self._picked = choice.name
-        self._readable.changed()
-        self.table.clearSelection()  # a selected row would look as if it were in use
-        if choice.name:
-            self._refuse(why)

@@ -108,7 +108,8 @@ class Adaptive(QObject):
     def samples(self) -> int:
         """OpenGL's samples a pixel if they are fewer than chosen, else 0."""
         wanted = multisamples(self.quality.smoothing)
-        given = min(pane.samples for pane in self._panes.values()) if wanted else 0
+        shown = (p.canvas for p in self._panes.values() if p.isVisible() and p.drawing is not None)
+        given = min((canvas.samples for canvas in shown), default=wanted)
         return given if given < wanted else 0
 
     def smoothing(self, smooth: bool) -> str:
@@ -132,7 +133,7 @@ class Adaptive(QObject):
         if self._scene is not None and share != self.quality.detail:
             fewer = reduced(self._scene, share)
         for pane in self._panes.values():
-            pane.set_smoothing(smoothing)
+            pane.request("smoothing", smoothing)
             pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
             self._emit_changed()

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from app.drawings.drawing import Drawing
-from widgets.panes.canvas import AnyCanvas, RasterCanvas
+from widgets.panes.canvas import AnyCanvas, RasterCanvas, smooth_window
 from widgets.parts.panel import ShownData
 
 
@@ -21,16 +21,11 @@ class _DrawnAhead(NamedTuple):
 class DrawingsAhead:
     """The drawings that are made ahead for a canvas; only a `RasterCanvas` can take them.
 
-    `make_drawing` is that of the `Pane`; `smooth` sets the antialiasing of a window of VTK's.
+    `make_drawing` is that of the `Pane`.
     """
 
-    def __init__(
-        self,
-        canvas: AnyCanvas,
-        make_drawing: Callable[..., Drawing],
-        smooth: Callable[[Any], object],
-    ) -> None:
-        self._canvas, self._make_drawing, self._smooth = canvas, make_drawing, smooth
+    def __init__(self, canvas: AnyCanvas, make_drawing: Callable[..., Drawing]) -> None:
+        self._canvas, self._make_drawing = canvas, make_drawing
         self._drawn: list[_DrawnAhead] = []
         self._replaced: list[tuple[Any, Drawing | None]] = []
         """Screens and drawings that were replaced; releasing them takes time."""
@@ -45,7 +40,7 @@ class DrawingsAhead:
             drawing = self._make_drawing(screen, *args)
             drawing.show_projection(shown.projection, shown.illustration)
             drawing.reset_view()
-            self._smooth(screen.render_window)
+            smooth_window(screen.render_window, canvas.smoothing)
             screen.render_window.Render()  # compiles the shaders
             self._drawn.append(_DrawnAhead(args, shown, screen, drawing))
 

@@ -71,6 +71,13 @@ def multisamples(smoothing: str) -> int:
     return int(samples) if kind == "MSAA" else 0
 
 
+def smooth_window(window: Any, smoothing: str) -> None:
+    """Set one of `SMOOTHINGS` in a window of VTK's, whatever the size of its picture."""
+    for renderer in window.GetRenderers():
+        renderer.SetUseFXAA(smoothing == "FXAA")
+    window.SetMultiSamples(multisamples(smoothing))
+
+
 class _Canvas(QWidget):
     """A widget that shows VTK's picture once it `is_open`, and is empty before.
 
@@ -93,6 +100,7 @@ class _Canvas(QWidget):
         self.timed = False
         self.is_open = False
         self._finer = 1.0
+        self.smoothing = "none"
 
     @property
     def pixel_ratio(self) -> float:
@@ -103,7 +111,24 @@ class _Canvas(QWidget):
         """Make VTK's window."""
         raise NotImplementedError
 
-    def draw_finer(self, times: float) -> None:
+    def set_timed(self, timed: bool) -> None:
+        """Emit `painted` with every repaint, which then waits for its end."""
+        self.timed = timed
+        if timed and self.is_open:
+            self.redraw()
+
+    def smooth(self, smoothing: str) -> None:
+        """Draw with one of `SMOOTHINGS`, from the next repaint on."""
+        self.smoothing = smoothing
+        smooth_window(self.render_window, smoothing)
+        self._draw_finer(SCALES.get(smoothing, 1.0))
+
+    @property
+    def samples(self) -> int:
+        """OpenGL's samples a pixel, perhaps fewer than the smoothing needs."""
+        return int(self.render_window.GetMultiSamples())
+
+    def _draw_finer(self, times: float) -> None:
         """Draw this many pixels for one pixel of the screen, along each side."""
         raise NotImplementedError
 
@@ -155,7 +180,7 @@ class GlCanvas(_Canvas):
         interactor.frameSwapped.connect(self.shown)
         self.is_open = True
 
-    def draw_finer(self, times: float) -> None:
+    def _draw_finer(self, times: float) -> None:
         if times != self._finer:
             self._finer = times
             self._inside.resizeGL(self.width(), self.height())
@@ -215,7 +240,7 @@ class RasterCanvas(_Canvas):
         ratio = self.pixel_ratio
         return max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
 
-    def draw_finer(self, times: float) -> None:
+    def _draw_finer(self, times: float) -> None:
         self._finer = times
         self.redraw()
 

@@ -31,7 +31,7 @@ from app.drawings.side_by_side import places_of
 from app.drawings.style import Style
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
-from widgets.panes.canvas import ARROWS
+from widgets.panes.canvas import ARROWS, RasterCanvas
 from widgets.panes.pane import Pane
 from widgets.parts.buttons import tool_button
 from widgets.parts.focus import FocusRing
@@ -39,7 +39,7 @@ from widgets.parts.layouts import in_row
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.note import Title
 from widgets.parts.palette import LABEL_SHARE
-from widgets.parts.panel import ShownData
+from widgets.parts.panel import PROJECTION, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 
 GRASP_PX = 15
@@ -120,7 +120,12 @@ class _Other(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self.picture = picture
         self._of = pane
-        self.pane = pane.make_copy(f"{pane.name}: {picture.name}")
+        self.pane = Pane(
+            f"{pane.accessibleName()}: {picture.name}",
+            pane.make_drawing,
+            orbits=False,
+            make_canvas=RasterCanvas,
+        )
         self.pane.setFrameShape(Pane.Shape.NoFrame)
         self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -148,11 +153,26 @@ class _Other(QWidget):
             if before is None or before.scene is not shown.scene or before.document != document:
                 self.shown = ShownData.of(document, shown.scene)
             assert self.shown is not None
-            at_rest = smoothing if self.picture.held is not None else ""
             if self._of.canvas.is_open and not self.pane.canvas.is_open:
                 self.pane.open()
-            self.pane.draw_like(self._of, self.shown, at_rest=at_rest)
+            self._draw(self.shown, smoothing)
         self.why.setVisible(self.shown is None)
+
+    def _draw(self, shown: ShownData, smoothing: str) -> None:
+        """Draw as the live picture is drawn; a held picture as it is at rest."""
+        pane, of = self.pane, self._of
+        if of.built_with is not None and of.built_with is not pane.built_with:
+            pane.build(shown, None, *of.built_with)
+            pane.built_with = of.built_with
+        elif shown is not pane.shown:
+            pane.take(shown, PROJECTION)
+        wanted = {what: of.requested[what] for what in ("layers", "names", "fixed", "step")}
+        wanted |= {what: of.requested[what] for what in ("bare", "smoothing", "detail")}
+        wanted |= {"view": of.view, "probes": tuple(each for each in of.probes if each.number)}
+        if self.picture.held is not None:
+            wanted |= {"smoothing": smoothing, "detail": None}
+        for what, value in wanted.items():
+            pane.request(what, value)
 
     def place(self, cut: QRect, whole: QRect) -> None:
         """Show the part `cut` of a pane that would fill `whole`."""
@@ -426,7 +446,7 @@ class Compare(QObject):
         surface = self._pane.surface
         whole, divided = surface.rect(), self.is_divided
         bare = self.is_on and not divided
-        self._pane.set_bare(bare)
+        self._pane.request("bare", bare)
         self.way.setEnabled(not self._has_two_shapes)
         if not bare:
             surface.set_room(None)
@@ -438,7 +458,7 @@ class Compare(QObject):
             cuts = wholes = self._cells() if self.is_on else []
         for other, cut, own in zip(self._others, cuts, wholes, strict=True):
             if other is not None:
-                other.pane.set_bare(bare)
+                other.pane.request("bare", bare)
                 other.place(cut, own)
                 other.raise_()
             elif bare:

@@ -189,10 +189,10 @@ class Cursor(QObject):
     def _next_vertex(self, forwards: bool) -> Vertex | None:
         from app.drawings.probes import next_vertex
 
-        drawing = self._pane.drawing
-        assert self._scene is not None and drawing is not None
+        drawing, now = self._pane.drawing, self._pane.shown
+        assert self._scene is not None and drawing is not None and now is not None
         at = self._thing.number if isinstance(self._thing, Vertex) else None
-        shown = (self._scene, self._pane.projection, drawing.sight, drawing.picture_rectangle_px)
+        shown = (self._scene, now.projection, drawing.sight, drawing.picture_rectangle_px)
         ratio = self._pane.canvas.pixel_ratio
         number = next_vertex(*shown, ratio, at, forwards=forwards)
         return None if number is None else Vertex(number)
@@ -259,10 +259,11 @@ class Cursor(QObject):
 
     def _place(self, thing: Thing | None) -> Vector | None:
         """Return the world coordinates of a vertex or a probe's point; None for a handle."""
-        if isinstance(thing, Vertex) and self._scene is not None:
+        shown = self._pane.shown
+        if isinstance(thing, Vertex) and self._scene is not None and shown is not None:
             from app.drawings.probes import vertex_of
 
-            return vertex_of(self._scene, self._pane.projection, thing.number)
+            return vertex_of(self._scene, shown.projection, thing.number)
         if isinstance(thing, Followed):
             return next((p.point for p in self._pane.probes if p.number == thing.number), None)
         return None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from widgets.parts.layouts import in_row
@@ -20,6 +21,7 @@ class Header(QWidget):
     def __init__(self, pane: QWidget, title: str, tools: Sequence[QToolButton]) -> None:
         super().__init__()
         self._pane = pane
+        pane.installEventFilter(self)
         self.title, self.note = Title(title), Title("", "paneNote")
         self.tools = QWidget()
         self._beside_title: tuple[QWidget, QWidget] | None = None
@@ -63,6 +65,11 @@ class Header(QWidget):
         self.title.setText(title)
         self.note.setText(note)
         self.fit()
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if watched is self._pane and event.type() in (QEvent.Type.Resize, QEvent.Type.FontChange):
+            self.fit()
+        return False
 
     def fit(self) -> None:
         """Share out the width, after a change of the pane's size or font."""

@@ -152,7 +152,7 @@ class Manipulation(Gestures, QObject):
         if handle == drawing.handles.held and not said_of_another:
             return
         drawing.hold(handle)
-        self._world.request_repaint()
+        self._world.canvas.redraw()
         canvas = self._world.canvas
         self._line.hide()
         if handle is None:

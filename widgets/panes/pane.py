@@ -14,14 +14,13 @@ import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
+from PySide6.QtCore import QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QKeyEvent,
     QMouseEvent,
     QMoveEvent,
     QOpenGLContext,
-    QResizeEvent,
     QShowEvent,
 )
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
@@ -30,17 +29,10 @@ from app.document.naming import named_in
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
-from app.model.projection import Camera, Projection
+from app.model.projection import Camera
 from app.picking.picking import Probe
 from widgets.panes.ahead import DrawingsAhead
-from widgets.panes.canvas import (
-    SCALES,
-    AnyCanvas,
-    CanvasHolder,
-    Hand,
-    RasterCanvas,
-    multisamples,
-)
+from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand
 from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock
@@ -50,8 +42,10 @@ from widgets.parts.plain import PlainLabel
 REST_MS = 80
 """A coarse picture is refined when nothing has changed for so long."""
 AS_BUILT: dict[str, Any] = {
+    "smoothing": "none",
     "detail": None,
     "layers": frozenset(),
+    "bare": False,
     "names": None,
     "projection": None,
     "stage": None,
@@ -63,10 +57,9 @@ AS_BUILT: dict[str, Any] = {
     "handles": frozenset(),
     "highlight": NOTHING,
 }
-"""The requests that a drawing takes, with their first values, in the order of the calls."""
+"""The requests that a pane takes, with their first values, in the order of the calls."""
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
-    "layers": lambda drawing, hidden: drawing.show_layers(hidden),
     "stage": lambda drawing, position: drawing.show_stage(position),
     "probes": lambda drawing, probes: drawing.show_probes(probes),
     "step": lambda drawing, step: drawing.show_step(step),
@@ -75,7 +68,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "handles": lambda drawing, names: drawing.handles.call(names),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
-"""How a drawing is told; ``projection``, ``names`` and ``view`` take more than one call."""
+"""How a drawing is told the requests that take one call."""
 
 
 class Pane(QFrame):
@@ -117,20 +110,19 @@ class Pane(QFrame):
         super().__init__()
         self.setFrameShape(QFrame.Shape.StyledPanel)
         self.setAccessibleName(title)
-        self._make_drawing = make_drawing
+        self.make_drawing = make_drawing
         self.drawing: Drawing | None = None
         self.shown: ShownData | None = None
         """What the pane shows, or will show when it appears."""
         self._to_build: tuple[object, ...] | None = None
-        self._built_with: tuple[object, ...] | None = None
+        self.built_with: tuple[object, ...] | None = None
+        """The last arguments of `build`."""
         self._waits = False
-        self._requested = dict(AS_BUILT)
+        self.requested = dict(AS_BUILT)
+        """The values of `request`."""
         self._due: set[str] = set()
         """What the drawing has yet to show."""
-        self._hidden: frozenset[str] = frozenset()
-        self._is_bare = False
         self._pointed_at = NOTHING
-        self._smoothing = "none"
         self._matrices_ms = 0.0
         self._goes_to: tuple[Camera | None] | None = None
         """The own camera at the end of the way that the pane is on."""
@@ -152,11 +144,11 @@ class Pane(QFrame):
         self.header = Header(self, title, tools)
         self.title, self.note = self.header.title, self.header.note
         self.canvas = make_canvas(self)
-        self.ahead = DrawingsAhead(self.canvas, make_drawing, self._smooth)
+        self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
-        self.hand.may_turn = lambda: self.hand.has_tooltip or not self._requested["fixed"]
+        self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(self._clicked)
         self.hand.hovered.connect(self._point_at)
@@ -199,8 +191,8 @@ class Pane(QFrame):
         `view` is the pane's own camera; None places it so that everything is in view.
         """
         self.shown = shown
-        self._to_build = self._built_with = args
-        self._requested["view"] = view
+        self._to_build = self.built_with = args
+        self.requested["view"] = view
         self._refresh()
 
     def set_waiting(self, waits: bool) -> None:
@@ -214,53 +206,19 @@ class Pane(QFrame):
         """Move the pane's own camera as `build` does, without another drawing."""
         self.glide(1.0)
         if view != self.view or view is None:
-            self._requested["view"] = view
+            self.requested["view"] = view
             self._due.add("view")
             self._refresh()
-
-    def make_copy(self, title: str) -> Pane:
-        """Return a pane with the same drawings on a raster canvas, which nobody can turn."""
-        return Pane(title, self._make_drawing, orbits=False, make_canvas=RasterCanvas)
-
-    def draw_like(self, other: Pane, shown: ShownData, *, at_rest: str = "") -> None:
-        """Show something in the same way as another pane, which has been built.
-
-        `at_rest` is the smoothing of a picture with all triangles; if it is empty, smoothing and
-        triangles are those of the other pane.
-        """
-        if other._built_with is not None and other._built_with is not self._built_with:
-            self.build(shown, None, *other._built_with)
-            self._built_with = other._built_with
-        elif shown is not self.shown:
-            self.take(shown, PROJECTION)
-        self.show_layers(other._hidden)
-        for what in ("names", "fixed", "step"):
-            self.request(what, other._requested[what])
-        self.request("view", other.view)
-        self.set_bare(other._is_bare)
-        self.show_probes(tuple(probe for probe in other.probes if probe.number))
-        self.set_smoothing(at_rest or other._smoothing)
-        self.request("detail", None if at_rest else other._requested["detail"])
-
-    @property
-    def name(self) -> str:
-        """The pane's name, translated, whatever its title says."""
-        return self.accessibleName()
 
     @property
     def view(self) -> Camera | None:
         """The pane's own camera if the user has moved it, else None."""
         if self._goes_to is not None:
             return self._goes_to[0]
-        asked: Camera | None = self._requested["view"]
+        asked: Camera | None = self.requested["view"]
         if self._to_build is not None or self.drawing is None or "view" in self._due:
             return asked
         return self.drawing.view
-
-    @property
-    def projection(self) -> Projection:
-        assert self.shown is not None
-        return self.shown.projection
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Show the model's new value; a hidden pane does it on appearing."""
@@ -273,48 +231,35 @@ class Pane(QFrame):
     def request(self, what: str, wanted: object) -> bool:
         """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
 
-        ``"detail"``: a scene with fewer triangles, or None. ``"names"``: the names of a view, or
-        None for the scene's own. ``"stage"``: a position on the stage
-        strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
+        ``"smoothing"``: one of `SMOOTHINGS`. ``"detail"``: a scene with fewer triangles, or None.
+        ``"layers"``: those of `app.document.view.LAYERS` that are hidden. ``"bare"``: whether the
+        axes are hidden, which would make a picture smaller. ``"names"``: the names of a view, or
+        None for the scene's own. ``"probes"``: those that are marked. ``"stage"``: a position on
+        the stage strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
         """
-        if wanted == self._requested[what]:
+        if wanted == self.requested[what]:
             return False
-        self._requested[what] = wanted
+        self.requested[what] = wanted
         self._due.add(what)
         self._refresh()
+        if what in ("layers", "probes"):
+            self.marked.emit()
         return True
-
-    def show_layers(self, hidden: frozenset[str]) -> None:
-        """Hide these of `app.document.view.LAYERS`, and no others."""
-        is_new, self._hidden = hidden != self._hidden, hidden
-        self.request("layers", hidden | {AXES} if self._is_bare else hidden)
-        if is_new:
-            self.marked.emit()
-
-    def set_bare(self, bare: bool) -> None:
-        """Hide a picture's axes, which would make it smaller."""
-        self._is_bare = bare
-        self.show_layers(self._hidden)
-
-    def show_probes(self, probes: Sequence[Probe]) -> None:
-        """Mark these probes, and no others."""
-        if self.request("probes", probes):
-            self.marked.emit()
 
     @property
     def probes(self) -> Sequence[Probe]:
-        marked: Sequence[Probe] = self._requested["probes"]
+        marked: Sequence[Probe] = self.requested["probes"]
         return marked
 
     def show_highlight(self, highlighted: Highlight) -> None:
         """Highlight these things, and nothing else."""
-        self._requested["highlight"] = highlighted
+        self.requested["highlight"] = highlighted
         if not self.isVisible() or self._to_build is not None or self.drawing is None:
             self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
-            self.request_repaint()
+            self.canvas.redraw()
 
     def _clicked(self, place: QPointF) -> None:
         (self.aimed if self.is_aimed_at else self.clicked).emit(place)
@@ -334,16 +279,22 @@ class Pane(QFrame):
             return
         if self._to_build is not None:
             self._build(shown, self._to_build)
+        if "bare" in self._due:
+            self._due = self._due - {"bare"} | {"layers"}
         if self._due & {"detail", "layers"}:
             self._due.add("projection")  # sets the matrices of the faces that are now shown
         drawing = self.drawing
-        for what, wanted in self._requested.items():
+        for what, wanted in self.requested.items():
             if drawing is None or what not in self._due:
                 continue
             if what == "projection":
                 began = time.perf_counter()
                 drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
+            elif what == "smoothing":
+                self.canvas.smooth(wanted)
+            elif what == "layers":
+                drawing.show_layers(wanted | {AXES} if self.requested["bare"] else wanted)
             elif what == "names":
                 drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
             elif what == "view":
@@ -355,7 +306,7 @@ class Pane(QFrame):
         self._due.clear()
         self._has_changed = True
         self._watch_labels()
-        self.request_repaint()
+        self.canvas.redraw()
 
     def _watch_labels(self) -> None:
         """Let time pass for labels that have to leave their places."""
@@ -369,7 +320,7 @@ class Pane(QFrame):
             return
         board.is_soft = self.fades()
         if board.pass_time(seconds):
-            self.request_repaint()
+            self.canvas.redraw()
         board.is_soft = False
 
     def _build(self, shown: ShownData, args: tuple[object, ...]) -> None:
@@ -381,18 +332,17 @@ class Pane(QFrame):
                 self.drawing.remove()
             self.drawing = None
             with self.canvas.or_empty():
-                self.drawing = self._make_drawing(self.canvas, *args)
+                self.drawing = self.make_drawing(self.canvas, *args)
         assert self.drawing is not None
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
-        self._requested["detail"] = None
-        others = {what for what, wanted in self._requested.items() if wanted != AS_BUILT[what]}
-        self._due = others
+        self.requested["detail"] = None
+        others = {what for what, wanted in self.requested.items() if wanted != AS_BUILT[what]}
+        self._due = others | {"smoothing"}
         if before is None or before.document != shown.document:
             self._due |= {"projection", "view"}
         elif "stage" in others:  # the view depends on it
             self._due.add("view")
-        self._apply_smoothing()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips, and `named` by its title.
@@ -420,40 +370,6 @@ class Pane(QFrame):
 
     # -- painting
 
-    def set_smoothing(self, smoothing: str) -> None:
-        """Change the antialiasing to one of `SMOOTHINGS`, from the next repaint on."""
-        if smoothing != self._smoothing:
-            self._smoothing = smoothing
-            if self.drawing is not None:
-                self._apply_smoothing()
-                self.request_repaint()
-
-    def set_timed(self, timed: bool) -> None:
-        """Emit `timed` with every repaint, which then waits for its end."""
-        self.canvas.timed = timed
-        if timed and self.canvas.is_open:
-            self.request_repaint()
-
-    @property
-    def samples(self) -> int:
-        """OpenGL's samples a pixel, perhaps fewer than the smoothing needs."""
-        if self.drawing is None:
-            return multisamples(self._smoothing)
-        return int(self.canvas.render_window.GetMultiSamples())
-
-    def _apply_smoothing(self) -> None:
-        self._smooth(self.canvas.render_window)
-        self.canvas.draw_finer(SCALES.get(self._smoothing, 1.0))
-
-    def _smooth(self, window: Any) -> None:
-        for renderer in window.GetRenderers():
-            renderer.SetUseFXAA(self._smoothing == "FXAA")
-        window.SetMultiSamples(multisamples(self._smoothing))
-
-    def request_repaint(self) -> None:
-        """Ask Qt for one repaint, however often it is asked before the next paint."""
-        self.canvas.redraw()
-
     def _plan_refining(self) -> None:
         """Refine a picture that was drawn coarsely: soon after a change, at once after a step."""
         if self.drawing is not None and self.drawing.is_coarse:
@@ -467,7 +383,7 @@ class Pane(QFrame):
         if current is not None:  # VTK might draw in Qt's context
             current.doneCurrent()
         self.drawing.refine()
-        self.request_repaint()
+        self.canvas.redraw()
 
     # -- the pane's own camera
 
@@ -475,7 +391,7 @@ class Pane(QFrame):
         """Put the pane's own camera back; the model is not touched."""
         if self.drawing is not None:
             self.drawing.reset_view()
-            self.request_repaint()
+            self.canvas.redraw()
             self.turned.emit()
 
     # -- on the way from one state to another
@@ -502,7 +418,7 @@ class Pane(QFrame):
         if part == 1.0:
             self._goes_to = None
         self.drawing.glide(part)
-        self.request_repaint()
+        self.canvas.redraw()
 
     def refit(self) -> None:
         """Frame again what an edit has carried out of a view that the user has not moved."""
@@ -511,7 +427,7 @@ class Pane(QFrame):
             return
         drawing.board.is_soft = self.fades()
         if drawing.refit():
-            self.request_repaint()
+            self.canvas.redraw()
         drawing.board.is_soft = False
         self._watch_labels()
 
@@ -519,11 +435,11 @@ class Pane(QFrame):
         self.glide(1.0)  # the user's hand decides
         if self.drawing is not None:
             self.drawing.reset_clipping_range()
-            if self._requested["fixed"] and not self.drawing.fixed:
-                self._requested["fixed"] = ""
+            if self.requested["fixed"] and not self.drawing.fixed:
+                self.requested["fixed"] = ""
                 self.fixed_left.emit()
         self._watch_labels()
-        self.request_repaint()
+        self.canvas.redraw()
         self.turned.emit()
 
     # -- in the window
@@ -550,15 +466,6 @@ class Pane(QFrame):
         self.drawing = None
         self.ahead.keep()
         self.canvas.close()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self.header.fit()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self.header.fit()
 
     def moveEvent(self, event: QMoveEvent) -> None:
         super().moveEvent(event)

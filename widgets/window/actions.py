@@ -260,7 +260,7 @@ class Actions(QObject):
         tip = self.tr("Show the pane in the large slot; choose it again to fill the window")
         large = [
             self._action(
-                self.tr("{0} in large").format(pane.name),
+                self.tr("{0} in large").format(pane.accessibleName()),
                 partial(slots.make_large, name), f"Ctrl+{number}", tip,
             )
             for number, (name, pane) in enumerate(self._panes.items(), start=1)

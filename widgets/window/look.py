@@ -216,7 +216,7 @@ class Look(QObject):
     def refine(self, name: str, smooth: bool) -> None:
         """Draw one pane smoothly, or coarsely while something moves that is not in the document."""
         smooth = smooth or not self.adaptive.software_rendering
-        self._panes[name].set_smoothing(self.adaptive.smoothing(smooth))
+        self._panes[name].request("smoothing", self.adaptive.smoothing(smooth))
 
     def rest(self) -> None:
         """Draw at full quality, and refit views that objects have left, once the input stops."""

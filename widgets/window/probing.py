@@ -70,7 +70,7 @@ class Probing(QObject):
 
     def _show(self) -> None:
         for pane in self._panes.values():
-            pane.show_probes((*self._panel.probes, *self._pointer))
+            pane.request("probes", (*self._panel.probes, *self._pointer))
 
     def set_pointing(self, on: bool) -> None:
         """Start or stop marking the point under the mouse in all panes."""

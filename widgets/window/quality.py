@@ -170,14 +170,14 @@ class Cost(QObject):
         """Cost of the last step by pane: ms for the matrices and for the repaint."""
         self.model_ms = 0.0
         for pane in self._panes:
-            pane.timed.connect(partial(self._pane_timed, pane.name))
+            pane.timed.connect(partial(self._pane_timed, pane.accessibleName()))
 
     def measure(self, on: bool) -> None:
         """Start or stop measuring every step."""
         self.concerns, self.costs = PROJECTION if on else frozenset(), {}
         self._status.cost.setVisible(on)
         for pane in self._panes:
-            pane.set_timed(on)
+            pane.canvas.set_timed(on)
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Time the model's matrices, which would otherwise count for the first pane."""
@@ -187,6 +187,6 @@ class Cost(QObject):
 
     def _pane_timed(self, name: str, matrices_ms: float, repaint_ms: float) -> None:
         self.costs[name] = matrices_ms, repaint_ms
-        seen = [pane.name for pane in self._panes if pane.isVisible()]
+        seen = [pane.accessibleName() for pane in self._panes if pane.isVisible()]
         costs = {name: self.costs[name] for name in seen if name in self.costs}
         self._status.show_cost(self.model_ms, costs)

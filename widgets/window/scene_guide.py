@@ -92,4 +92,4 @@ class SceneGuide(QObject):
         drawing = self._image.drawing
         problem = None if drawing is None else drawing.problem
         if self._card.show_problem(problem) and problem is not None:
-            self._image.request_repaint()
+            self._image.canvas.redraw()

@@ -185,7 +185,7 @@ class Slots(QSplitter):
             pane.move_to(None, self._place)
         else:
             size = pane.size()
-            pane.setWindowTitle(f"{pane.name} – Frustum Lab")
+            pane.setWindowTitle(f"{pane.accessibleName()} – Frustum Lab")
             pane.move_to(self.window(), lambda: pane.resize(size))
             if name == self.whole:
                 self.whole = ""

@@ -50,7 +50,7 @@ class StepMarks(QWidget):
         self._heads.clear()
         before = False
         for place, step in enumerate(lesson.steps if len(lesson.steps) <= MOST_MARKS else ()):
-            practises = player.practises(step)
+            practises = lesson.practises(step)
             if practises and not before:
                 head = PlainLabel(self.tr("Practice"))
                 head.setObjectName("paneNote")
@@ -78,7 +78,7 @@ class StepMarks(QWidget):
             mark.setChecked(is_here)
             mark.setText(tick if is_done and not is_here else str(number + 1))
             said = self.tr("Step {0}: {1}")
-            if player.practises(step):
+            if player.lesson.practises(step):
                 said = self.tr("Step {0}, practice: {1}")
             mark.setAccessibleName(said.format(number + 1, in_line(step.title)))
             mark.setAccessibleDescription(done if is_done else "")

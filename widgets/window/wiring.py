@@ -9,10 +9,10 @@ from functools import partial
 from typing import Any
 
 from app.document.store import Store
-from widgets.controls.scene_card import SceneCard
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
+from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits, lettering
 from widgets.window.equation import EquationSlide
 
@@ -134,9 +134,9 @@ def _wire_gestures(window: Any) -> None:
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
     equation = window.slide.equation
-    listeners: tuple[Store | SceneCard | Panel | EquationSlide, ...] = (
+    listeners: tuple[Store | Readable | Panel | EquationSlide, ...] = (
         store,
-        controls.card,
+        controls.card.readable,
         equation,
         *panels,
     )

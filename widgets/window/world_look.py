@@ -90,7 +90,7 @@ class WorldLook(QObject):
         if hidden is not None and hidden != self.hidden:
             self.hidden = hidden
             for pane in self._panes.values():
-                pane.show_layers(hidden)
+                pane.request("layers", hidden)
         if fixed != self.fixed:
             self.fixed = fixed
             self._world.request("fixed", fixed)
