@@ -34,9 +34,10 @@ from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import REVEALED, Asked, Here, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.checking import CheckReport
-from app.lessons.course import contained, idea_named
+from app.lessons.course import CONTENT, contained, idea_named
 from app.lessons.lesson import read
 from app.lessons.lines import Body
+from app.lessons.player import Player
 from app.lessons.text import spoken_text
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
@@ -65,6 +66,7 @@ from widgets.window.lesson_card import WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
 from widgets.window.settings import Settings
+from widgets.window.step_page import StepPage
 
 KEY = Qt.Key
 ALT = Qt.KeyboardModifier.AltModifier
@@ -991,6 +993,31 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     spots = window.panes["ndc"].drawing.spots_of(np.array([said[2], said[4]]))
     assert np.allclose(spots, [(wrong.x(), wrong.y()), (right.x() + 6, right.y() + 6)], atol=0.5)
     assert 0.0 < np.linalg.norm(said[5] - np.array(target)) < 0.5
+
+
+def test_a_hidden_card_shows_only_the_lesson_that_opens(
+    window: MainWindow, lesson: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A lesson that opens over a talk shows the card before the card has it: no page of the talk.
+
+    The number of the talk's step once ended the program: an error in `showEvent` crashes PySide.
+    """
+    card = window.lesson_card
+    window.lessons.open(CONTENT / "talk-003.md")
+    present(window)
+    go_to(window.lessons, 4)
+    assert window.talks.is_on and card.isHidden() and card.page.widget() is None
+    made: list[str] = []
+    make = StepPage.make
+
+    def noted(page: StepPage, player: Player) -> None:
+        made.append(player.lesson.title)
+        make(page, player)
+
+    monkeypatch.setattr(StepPage, "make", noted)
+    window.lessons.open(lesson)
+    settle()
+    assert not card.isHidden() and made == ["How wide?"]
 
 
 def test_the_handles_of_a_task_are_shown_as_its_step_opens(

@@ -240,7 +240,9 @@ class LessonCard(QFrame):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self._shown is not None and self.page.widget() is None:
+        # While another lesson opens, the card is shown before it has that lesson's player.
+        is_current = self._player is self._lessons.player
+        if is_current and self._shown is not None and self.page.widget() is None:
             self._fill()
             self.look_again()
 
