@@ -117,7 +117,7 @@ def test_the_free_scale_counts_in_the_free_drawing_only() -> None:
 
 def test_the_morph_starts_at_the_orthographic_drawing() -> None:
     straight = followed(PHENOMENON.start, morph=0.0)
-    assert straight.shear == (0.0, 0.0)
+    assert straight.lens.shear == (0.0, 0.0)
     orthographic = PHENOMENON.start.with_lens("orthographic")
     points = SUBJECT.points
     assert np.allclose(straight.trace(points).image, orthographic.trace(points).image, atol=1e-9)

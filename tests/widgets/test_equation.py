@@ -120,7 +120,7 @@ def test_a_line_of_formula_has_them_too(window: MainWindow) -> None:
     counts = []
     for names in ((), ("near",), ("near", "n")):
         view = replace(document.view, names=names)
-        band.show_colours(replace(shown, document=replace(document, view=view)))
+        band.take(replace(shown, document=replace(document, view=view)), {"view"})
         image = rgb_of(band.grab().toImage())
         counts.append([coloured(image, colour) > 10 for colour in ("#8a5a00", "#00609a")])
     assert counts == [[False, False], [True, False], [True, True]]

@@ -456,7 +456,7 @@ def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
     arrive(window.lessons)
     settle()
     yours, model = comparing.pictures.pictures
-    assert comparing.is_on and model.live and window.store.look().large == "image"
+    assert comparing.pictures.is_on and model.live and window.store.look().large == "image"
     known = card.page.blocks[0].played.here.quantities(
         set_values(window.store.document, yours.changes)
     )
@@ -465,14 +465,16 @@ def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
     assert card.again.isEnabled()
     card.again.click()
     arrive(window.lessons)
-    assert not comparing.is_on and window.store.look().large != "image"
+    assert not comparing.pictures.is_on and window.store.look().large != "image"
     buttons_of(block)["Your idea beside the model"].click()
     arrive(window.lessons)
     comparing.end()
     window.slots.arrange(window.slots.layout_name, "ndc")
     card.go_on()
     arrive(window.lessons)
-    assert not comparing.is_on and window.store.look().large == "ndc", "as the student has put it"
+    assert not comparing.pictures.is_on and window.store.look().large == "ndc", (
+        "as the student has put it"
+    )
     for number in (2, 1):  # a wrong one without a number, and the right one
         card.begin_again()
         block = card.page.blocks[0]

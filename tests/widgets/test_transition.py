@@ -238,7 +238,7 @@ def test_a_held_picture_can_be_left_for_every_view(window: MainWindow) -> None:
     def hold(place: int) -> None:
         assert lessons.go(place)
         arrive(lessons)
-        if window.comparing.is_on:  # the step compares pictures itself
+        if window.comparing.pictures.is_on:  # the step compares pictures itself
             window.menus.compare.trigger()
         window.menus.compare.trigger()
         compared = window.store.look().compare
@@ -261,7 +261,7 @@ def test_a_held_picture_can_be_left_for_every_view(window: MainWindow) -> None:
         arrive(lessons)
     hold(0)
     lessons.close()
-    assert lessons.course is None and window.comparing.is_on
+    assert lessons.course is None and window.comparing.pictures.is_on
 
 
 def test_the_menu_reduces_motion_and_that_is_kept(window: MainWindow) -> None:
