@@ -14,6 +14,7 @@ How a change reaches the screen::
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
@@ -109,29 +110,29 @@ class PaneState:
         return bool(self.canvas.labels_light)
 
     @property
+    @abstractmethod
     def sight(self) -> Sight:
         """How the pane looks at the world now, for picking."""
-        raise NotImplementedError
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
         """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
         return bool(changed) and not self.names.all
 
+    @abstractmethod
     def seen(self, points: Array) -> Sequence[Spot]:
         """Where points of the pane's actors, (n, 3), are in its renderer."""
-        raise NotImplementedError
 
     def framed(self, points: Array) -> Array:
         """The points, (n, 3), that are not too far away to be framed."""
         return points
 
+    @abstractmethod
     def placing(self) -> Placing:
         """From the coordinates of this pane's marks to those of its actors."""
-        raise NotImplementedError
 
+    @abstractmethod
     def copies_from_local(self, times: float) -> Array:
         """The scene's own matrix in this pane, with lines so many times as far forward."""
-        raise NotImplementedError
 
 
 class Layer:

@@ -10,6 +10,7 @@ the view volume. A point without a picture (w <= 0) has no disc: a mirrored one 
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import lru_cache
@@ -61,8 +62,8 @@ class Probes(Layer):
         self._slots: list[_Slot] = []
         self._spots: list[tuple[int, float, float]] = []
 
-    def marks(self) -> Sequence[ProbeMark]:
-        raise NotImplementedError
+    @abstractmethod
+    def marks(self) -> Sequence[ProbeMark]: ...
 
     def settle(self) -> None:
         state = self._state

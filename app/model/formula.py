@@ -19,6 +19,7 @@ from __future__ import annotations
 
 import operator
 import re
+from abc import abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -109,9 +110,9 @@ class Formula:
         return self.evaluate(known, arithmetic)
 
     @cached_property
+    @abstractmethod
     def evaluate(self) -> Evaluator:
         """Return `value` as a function that walks the tree only once."""
-        raise NotImplementedError
 
     def where(self, terms: Mapping[str, Formula]) -> Formula:
         """Replace letters or terms, given by their text, with other formulas."""

@@ -42,6 +42,7 @@ from app.lessons.text import spoken_text
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
 from tests.support.keys import clashes
+from tests.support.lessons import LESSON
 from tests.support.window import (
     NO_KEY,
     MakeWindow,
@@ -70,66 +71,6 @@ from widgets.window.step_page import StepPage
 
 KEY = Qt.Key
 ALT = Qt.KeyboardModifier.AltModifier
-LESSON = """---
-title: How wide?
----
-# The angle {#angle}
-It is *vertical*, <script>alert(1)</script> $a = 9/16$.
-
-```state
-scene=letter-f
-lens.fov_y_deg=45
-```
-
-```predict wide
-60°, 16:9. How wide?
-- [ ] 106.7° := aspect*fov {angle-linear}
-- [x] 91.5° := fov_x
-- [ ] 12°
-  says: That is a telephoto lens.
-show: lens.fov_y_deg=60
-why: The tangent grows faster.
-```
-
-What comes of it.
-
----
-# By hand {#hand}
-```task near
-Bring the near plane closer.
-until: near < was_near
-done: It is closer.
-```
-
-```task cube
-Bring the cube into the large place.
-until: view.large = ndc
-```
-
----
-# Numbers {#numbers}
-```answer wide
-60° high, 2:1. How wide?
-value: 2*atan(2*tan(60/2))
-unit: °
-wrong angle-linear: 2*60
-hint: Take the tangent.
-hint: Of half the angle.
-why: It is 98.2.
-```
-
-```answer half
-Half of it all?
-value: 1/2
-```
-
-```answer which
-Which is it?
-- [x] this
-- [ ] that
-  says: That is another.
-```
-"""
 
 
 @pytest.fixture
@@ -1240,8 +1181,8 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     marks = card.findChild(QWidget, "stepMarks")
     assert role_of(marks).role() == QAccessible.Role.PageTabList
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
-    assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 3
-    assert [tab.state().selected for tab in tabs] == [1, 0, 0]
+    assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 4
+    assert [tab.state().selected for tab in tabs] == [1, 0, 0, 0]
     assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize
@@ -31,9 +32,9 @@ class DiagramPanel(ReadablePanel):
         for diagram in self.diagrams:
             diagram.set_style(style)
 
+    @abstractmethod
     def _place_diagrams(self) -> None:
         """Put all views into the layout; called when a view was added."""
-        raise NotImplementedError
 
     def _show_diagrams(self, diagrams: Sequence[Diagram], least: int = 0) -> None:
         """Show diagrams, and empty views up to a total of `least`."""

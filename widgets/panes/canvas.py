@@ -18,6 +18,7 @@ from __future__ import annotations
 
 import math
 import time
+from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
@@ -107,9 +108,9 @@ class _Canvas(QWidget):
         """VTK's pixels for one of Qt's, along each side."""
         return self.devicePixelRatioF() * self._finer
 
+    @abstractmethod
     def open(self) -> None:
         """Make VTK's window."""
-        raise NotImplementedError
 
     def set_timed(self, timed: bool) -> None:
         """Emit `painted` with every repaint, which then waits for its end."""
@@ -128,13 +129,13 @@ class _Canvas(QWidget):
         """OpenGL's samples a pixel, perhaps fewer than the smoothing needs."""
         return int(self.render_window.GetMultiSamples())
 
+    @abstractmethod
     def _draw_finer(self, times: float) -> None:
         """Draw this many pixels for one pixel of the screen, along each side."""
-        raise NotImplementedError
 
+    @abstractmethod
     def redraw(self) -> None:
         """Ask Qt for one repaint, however often it is asked before the next paint."""
-        raise NotImplementedError
 
     @contextmanager
     def or_empty(self) -> Iterator[None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol, TypeAlias
@@ -106,9 +107,9 @@ class Panel(QWidget, Gestures):
     export_wanted = Signal(QImage)
     """The user wants this picture of a diagram on the clipboard, or in a file."""
 
+    @abstractmethod
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Show another snapshot; see `Listener`."""
-        raise NotImplementedError
 
     def begin_gesture(self) -> None:
         """Begin a gesture: a control is dragged, or something plays."""

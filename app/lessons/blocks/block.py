@@ -6,6 +6,7 @@ a lesson uses these methods, whatever the kind.
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
@@ -188,11 +189,6 @@ class Block:
     needs_answer: ClassVar[bool] = False
     line: int
 
-    @classmethod
-    def read(cls, body: Body) -> Block:
-        """Read the block; a `Refusal` names the line that is wrong."""
-        raise NotImplementedError
-
     def add_to(self, content: StepContent) -> None:
         """Add the block to what the step shows, asks, or says to a speaker or a check."""
 
@@ -323,9 +319,9 @@ class Asked(ReadBlock):
             "responses": items.sentences(),
         }
 
+    @abstractmethod
     def verdict(self, here: Here, sample: str, line: int) -> str:
         """Return the verdict on a sample answer, as the word in a ``test`` block."""
-        raise NotImplementedError
 
     def drawn(self, here: Here, sample: str) -> str:
         """Return the numbers that an exercise has drawn for a sample that it could mark."""
@@ -346,8 +342,11 @@ class Asked(ReadBlock):
         return frozenset()
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read."""
-        raise NotImplementedError
+        """Return the verdict on an answer; a `Refusal` of ``answer`` if it cannot be read.
+
+        A task is solved in the window: nothing that is typed solves it.
+        """
+        return Verdict(False)
 
     def accepts(self, here: Here, kept: str) -> bool:
         """Whether a kept answer, perhaps of an older lesson, settles the question."""

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import difflib
 import math
+from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Self, TypeAlias
@@ -134,9 +135,9 @@ class Question(Asked):
         return True
 
     @property
+    @abstractmethod
     def key(self) -> tuple[tuple[Formula, ...], int]:
         """Return the formulas of the right value, if there are any, and their line."""
-        raise NotImplementedError
 
     @property
     def answer_line(self) -> int:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -125,9 +126,9 @@ class Central(EyeLens):
         return cls.with_window(window, near, far, getattr(lens, "keep", "y"))
 
     @classmethod
+    @abstractmethod
     def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Lens:
         """Return the lens with this window on its near plane, or with as much of it as possible."""
-        raise NotImplementedError
 
     @classmethod
     def solutions_for(

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import Any, ClassVar
 
-from app.model.lenses.lens import Lens, LensTable
+from app.model.lenses.lens import Lens, LensTable, Seen
 from app.model.lenses.perspective import Perspective
 from app.model.limits import SMALLEST_CELL, Cells, finite_matrix, keep_checked
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -84,6 +84,10 @@ class FreeMatrix(Lens):
             for i, row in enumerate(self.clip_from_view, 1)
             for j, cell in enumerate(row, 1)
         }
+
+    @classmethod
+    def showing(cls, seen: Seen) -> Lens:
+        raise cls._refusal()
 
     @cached_property
     def planes(self) -> None:

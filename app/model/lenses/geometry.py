@@ -57,8 +57,9 @@ class Geometry:
         left, right, bottom, top = map(float, self.exact_window(aspect))
         return left, right, bottom, top
 
-    def _refusal(self) -> Refusal:
-        return Refusal("kind", self.kind, ONE_OF, ", ".join(LENSES))
+    @classmethod
+    def _refusal(cls) -> Refusal:
+        return Refusal("kind", cls.kind, ONE_OF, ", ".join(LENSES))
 
     # -- projectors
 

@@ -9,6 +9,7 @@ differ only in their numbers and methods here.
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
@@ -126,16 +127,16 @@ class Lens(Geometry):
         """The table of the same lens for another far plane, which may be infinite."""
         return cls.tables[-1 if far == math.inf else 0]
 
+    @abstractmethod
     def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
         """What the letters of the table stand for, for an image with this width/height.
 
         Irrational numbers have `double_double.BITS` bits.
         """
-        raise NotImplementedError
 
+    @abstractmethod
     def letters(self, aspect: Fraction) -> dict[str, float]:
         """The letters in float64; terms that would lose digits, such as ``r - l``, are keys too."""
-        raise NotImplementedError
 
     @cached_property
     def has_steps(self) -> bool:
@@ -240,9 +241,9 @@ class Lens(Geometry):
         return self
 
     @classmethod
+    @abstractmethod
     def showing(cls, seen: Seen) -> Lens:
         """Return the lens of this kind whose picture is most similar to that of another lens."""
-        raise NotImplementedError
 
     @classmethod
     def solutions_for(
@@ -271,19 +272,19 @@ class EyeLens(Lens):
     `app.model.eye_first` performs all the others.
     """
 
+    @abstractmethod
     def pictured(
         self, axes: Axes, aspect: float, x: Array, y: Array, distance: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """x and y of clip space, and x and y of the cube."""
-        raise NotImplementedError
 
+    @abstractmethod
     def depth_over_w(self, distance: Array, rest: Array, *, reverse: bool) -> tuple[Array, Array]:
         """The depth times w, and the depth; `rest` is the rounding error of z = -distance."""
-        raise NotImplementedError
 
+    @abstractmethod
     def nearer_by(self, distance: float, height: float, down_px: float, height_px: int) -> float:
         """The distance of a point after the mouse has moved down in a picture of this height."""
-        raise NotImplementedError
 
 
 def plane_letters(near: float, far: float) -> dict[str, Fraction]:

@@ -1,0 +1,74 @@
+"""A lesson with each kind of answer, for the player and for the window."""
+
+LESSON = """---
+title: How wide?
+---
+# The angle {#angle}
+It is *vertical*, <script>alert(1)</script> $a = 9/16$.
+
+```state
+scene=letter-f
+lens.fov_y_deg=45
+```
+
+```predict wide
+60°, 16:9. How wide?
+- [ ] 106.7° := aspect*fov {angle-linear}
+- [x] 91.5° := fov_x
+- [ ] 12°
+  says: That is a telephoto lens.
+show: lens.fov_y_deg=60
+why: The tangent grows faster.
+```
+
+What comes of it.
+
+---
+# By hand {#hand}
+```task near
+Bring the near plane closer.
+until: near < was_near
+wrong look-n: near > 2*was_near
+hint: Drag it.
+right: lens.near=0.4
+done: It is closer.
+```
+
+```task cube
+Bring the cube into the large place.
+until: view.large = ndc
+```
+
+```test
+near: lens.near=9 -> look-n
+```
+
+---
+# Numbers {#numbers}
+```answer wide
+60° high, 2:1. How wide?
+value: 2*atan(2*tan(60/2))
+unit: °
+wrong angle-linear: 2*60
+hint: Take the tangent.
+hint: Of half the angle.
+why: It is 98.2.
+```
+
+```answer half
+Half of it all?
+value: 1/2
+hint: One by two.
+```
+
+```answer which
+Which is it?
+- [x] this
+- [ ] that
+  says: That is another.
+```
+
+---
+# The end {#end}
+Read.
+"""
