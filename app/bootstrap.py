@@ -12,9 +12,10 @@
             | fails, and the former .venv still has all that is imported
             +-----------------------------------------> the same, and say what is not up to date
 
-The packages and their bounds are in ``pyproject.toml``, the tested exact versions in
-``constraints.txt``, the system libraries in `app.system_packages`. This module imports the standard
-library only. It writes to standard error, because standard output belongs to the command.
+The packages and their bounds are in ``pyproject.toml`` (`app.python_packages`), the tested exact
+versions in ``constraints.txt``, the system libraries in `app.system_packages`. This module imports
+the standard library only. It writes to standard error, because standard output belongs to the
+command.
 """
 
 from __future__ import annotations
@@ -24,7 +25,6 @@ import ctypes
 import gc
 import hashlib
 import importlib.util
-import operator
 import os
 import re
 import shlex
@@ -34,13 +34,12 @@ import subprocess
 import sys
 import threading
 import time
-import tomllib
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import IO, NoReturn, Self
 
 from app import modules
+from app.python_packages import Requirement, are_importable, requirements, unmet
 from app.system_packages import (
     APT_INSTALL,
     Need,
@@ -112,105 +111,6 @@ def _ensure_system(missing: Sequence[System]) -> None:
         raise SetupError(advice(left))
 
 
-# --- Python packages ------------------------------------------------------------------------------
-
-#: Distributions whose import name differs from their own name.
-_IMPORT_NAME = {
-    "markdown-it-py": "markdown_it",
-    "pillow": "PIL",
-    "vtk": "vtkmodules",
-    "pyside6-essentials": "PySide6",
-    "pytest-qt": "pytestqt",
-    "pytest-xdist": "xdist",
-}
-_HOLDS = {">=": operator.ge, "<": operator.lt, "==": operator.eq}
-Bounds = tuple[tuple[str, tuple[int, ...]], ...]
-
-
-@dataclass(frozen=True)
-class Requirement:
-    """One line of ``pyproject.toml``: a distribution and the half-open range of its version."""
-
-    text: str
-    name: str
-    bounds: Bounds
-
-    def admits(self, version: str) -> bool:
-        """Whether a version such as ``"6.11.3"`` lies within all bounds."""
-        return _within(_release(version), self.bounds)
-
-    @property
-    def import_name(self) -> str:
-        name = self.name.lower()
-        return _IMPORT_NAME.get(name, name.replace("-", "_"))
-
-    def is_importable(self) -> bool:
-        """Whether its module can be found, without importing it: importing VTK takes a second."""
-        spec = importlib.util.find_spec(self.import_name)
-        # The folder of an uninstalled package may also be found, but it has no file.
-        return spec is not None and spec.origin is not None
-
-    def is_met(self) -> bool:
-        """Whether this interpreter has it, by version and by import name."""
-        from importlib import metadata
-
-        try:
-            installed = metadata.distribution(self.name)
-        except metadata.PackageNotFoundError:
-            return False
-        if not self.admits(installed.version) or not self.is_importable():
-            return False
-        # Another folder, which a .pth file puts first for example, may hide it.
-        own = os.path.realpath(str(installed.locate_file(self.import_name))) + os.sep
-        spec = importlib.util.find_spec(self.import_name)
-        assert spec is not None and spec.origin is not None
-        return not os.path.exists(own) or os.path.realpath(spec.origin).startswith(own)
-
-
-def _release(version: str) -> tuple[int, ...]:
-    """Return the numbers of a version, without trailing zeros: 6.12 and 6.12.0 are equal."""
-    match = re.match(r"\d+(\.\d+)*", version)
-    numbers = [int(part) for part in match[0].split(".")] if match else []
-    while numbers and numbers[-1] == 0:
-        numbers.pop()
-    return tuple(numbers)
-
-
-def _bounds(text: str) -> Bounds:
-    """Return the bounds in ``numpy>=2.2,<2.5`` and in ``python_version < '3.12'``."""
-    pairs = re.findall(r"(>=|<|==)\s*['\"]?([\d.]+)", text)
-    return tuple((sign, _release(version)) for sign, version in pairs)
-
-
-def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
-    return all(_HOLDS[sign](version, bound) for sign, bound in bounds)
-
-
-def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
-    """Return the requirements in ``pyproject.toml`` for this Python, with these optional groups."""
-    project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    texts = list(project["dependencies"])
-    for extra in extras:
-        texts += project["optional-dependencies"][extra]
-    here, needed = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
-    for text in texts:
-        asked, _, marker = text.partition(";")
-        if _within(here, _bounds(marker)):
-            name = re.match(r"[\w.-]+", asked)
-            assert name is not None
-            needed.append(Requirement(text, name[0], _bounds(asked)))
-    return needed
-
-
-def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
-    """Return the requirements that this interpreter does not meet."""
-    return [each for each in wanted if not each.is_met()]
-
-
-def _are_importable(wanted: Iterable[Requirement]) -> bool:
-    return all(each.is_importable() for each in wanted)
-
-
 # --- the virtual environment ----------------------------------------------------------------------
 
 #: Runs inside an environment: prints which Python it is, whether it has pip, and what is old.
@@ -219,10 +119,10 @@ import importlib.util, sys
 print(sys.implementation.cache_tag)
 print("pip" if importlib.util.find_spec("pip") else "")
 sys.path.insert(0, sys.argv[1])
-from app import bootstrap
-wanted = bootstrap.requirements(bootstrap.ROOT, sys.argv[2:])
-if bootstrap._are_importable(wanted):
-    print(", ".join(each.text for each in bootstrap.unmet(wanted)))
+from app import bootstrap, python_packages
+wanted = python_packages.requirements(bootstrap.ROOT, sys.argv[2:])
+if python_packages.are_importable(wanted):
+    print(", ".join(each.text for each in python_packages.unmet(wanted)))
 """
 
 
@@ -648,7 +548,7 @@ def enter() -> bool:
     Returns whether this Python has all packages of the program, in any version.
     """
     with _in_one_sentence():
-        return _has_packages() or _are_importable(requirements(ROOT))
+        return _has_packages() or are_importable(requirements(ROOT))
 
 
 def _has_packages(extras: tuple[str, ...] = ()) -> bool:
@@ -658,7 +558,7 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
     environment, wanted = Environment(ROOT, extras), requirements(ROOT, extras)
     if os.environ.get(_AGAIN) == _AS_IT_IS and environment.is_running():
         # Keep this for child processes, which then need not try the network again.
-        return _are_importable(wanted)
+        return are_importable(wanted)
     if _is_met(wanted, environment):
         os.environ.pop(_AGAIN, None)
         return True
@@ -682,7 +582,7 @@ def damage(error: ImportError) -> str:
 
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
     """Whether this interpreter has the packages; fast if it does not, and fast in .venv."""
-    if not _are_importable(wanted):
+    if not are_importable(wanted):
         return False
     stamp = environment.read_stamp() if environment.is_running() else None
     if stamp is not None and (environment.is_complete() or stamp.endswith(_UNFINISHED)):
@@ -700,7 +600,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         )
     if environment.is_running():
         if environment.is_complete():  # its stamp is complete, but a package has been lost since
-            environment.mark_unfinished(whole=_are_importable(requirements(ROOT)))
+            environment.mark_unfinished(whole=are_importable(requirements(ROOT)))
         # An environment cannot be replaced while it runs, so that is done from outside.
         outside = Path(getattr(sys, "_base_executable", sys.executable))
         if sys.platform == "win32":  # where this process would wait and keep its own file open

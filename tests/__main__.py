@@ -31,6 +31,7 @@ from pathlib import Path
 from types import FrameType
 
 from app import bootstrap, system_packages
+from app.python_packages import requirements
 
 MOST_SCREENS = 4
 _PERSONAL = ("DISPLAY", "WAYLAND_DISPLAY", "QT_", "LANG", "LC_", "TEST_DISPLAYS")
@@ -115,7 +116,7 @@ def hides(path: Path) -> bool:
     """Whether pytest, which looks in the checkout first, would take it for another module."""
     if path.suffix != ".py" and not (path / "__init__.py").exists():
         return False
-    others = {each.import_name for each in bootstrap.requirements(bootstrap.ROOT, ("test",))}
+    others = {each.import_name for each in requirements(bootstrap.ROOT, ("test",))}
     return path.stem in others | sys.stdlib_module_names
 
 

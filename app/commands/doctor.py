@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 from app import __version__, bootstrap, modules, system_packages
 from app.commands.options import parser_of
 from app.commands.terminal import CANNOT_DRAW, write_out
+from app.python_packages import requirements
 
 LONGEST_TRIAL_S = 60.0
 """Longest time for a driver to answer."""
@@ -81,7 +82,7 @@ def _packages() -> Iterator[Finding]:
     from importlib import metadata  # slow, and every command imports this file
 
     if os.path.exists(bootstrap.ROOT / "pyproject.toml"):
-        for requirement in bootstrap.requirements(bootstrap.ROOT):
+        for requirement in requirements(bootstrap.ROOT):
             bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()
             try:
                 version = metadata.version(requirement.name)

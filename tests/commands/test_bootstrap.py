@@ -33,6 +33,7 @@ from packaging.requirements import Requirement as Standard
 
 from app import __version__, bootstrap, system_packages
 from app.__main__ import need_of
+from app.python_packages import requirements, unmet
 from tests import PATIENCE_MS
 from tests.__main__ import hides
 
@@ -146,6 +147,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__main__.py",
         "bootstrap.py",
         "modules.py",
+        "python_packages.py",
         "strangers.py",
         "system_packages.py",
     )
@@ -354,7 +356,7 @@ def test_the_doctor_names_what_is_set_aside(made: Checkout) -> None:
 def test_a_hidden_package_does_not_pass_for_the_installed_one(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    wanted = next(each for each in bootstrap.requirements(bootstrap.ROOT) if each.name == "mpmath")
+    wanted = next(each for each in requirements(bootstrap.ROOT) if each.name == "mpmath")
     monkeypatch.delitem(sys.modules, "mpmath", raising=False)
     assert wanted.is_met()
     (tmp_path / "mpmath").mkdir()
@@ -1099,7 +1101,7 @@ VERSIONS = (
 
 @pytest.mark.parametrize("extras", [(), ("test",)])
 def test_requirements_are_read_as_the_standard_says(extras: tuple[str, ...]) -> None:
-    for requirement in bootstrap.requirements(bootstrap.ROOT, extras):
+    for requirement in requirements(bootstrap.ROOT, extras):
         standard = Standard(requirement.text)
         assert requirement.name == standard.name
         assert standard.marker is None or standard.marker.evaluate()
@@ -1118,11 +1120,11 @@ def test_every_requirement_for_a_python_is_read_and_no_other(
         if ";" not in text or Marker(text.partition(";")[2]).evaluate({"python_version": python})
     ]
     monkeypatch.setattr(sys, "version_info", tuple(map(int, python.split("."))))
-    assert [found.text for found in bootstrap.requirements(bootstrap.ROOT)] == wanted
+    assert [found.text for found in requirements(bootstrap.ROOT)] == wanted
 
 
 def test_every_dependency_has_a_lower_and_an_upper_bound() -> None:
-    for requirement in bootstrap.requirements(bootstrap.ROOT, ["test"]):
+    for requirement in requirements(bootstrap.ROOT, ["test"]):
         assert [operator for operator, _ in requirement.bounds] == [">=", "<"]
 
 
@@ -1134,14 +1136,14 @@ def test_the_tested_versions_are_within_the_bounds() -> None:
         for pin in pins
         if pin.marker is None or pin.marker.evaluate()
     }
-    for requirement in bootstrap.requirements(bootstrap.ROOT, ["test"]):
+    for requirement in requirements(bootstrap.ROOT, ["test"]):
         assert requirement.admits(tested[requirement.name.lower()])
 
 
 def test_a_version_outside_the_bounds_does_not_pass_for_installed() -> None:
-    (fits,) = (r for r in bootstrap.requirements(bootstrap.ROOT) if r.name == "numpy")
+    (fits,) = (r for r in requirements(bootstrap.ROOT) if r.name == "numpy")
     too_new = replace(fits, bounds=((">=", (99,)),))
-    assert bootstrap.unmet([fits, too_new]) == [too_new]
+    assert unmet([fits, too_new]) == [too_new]
 
 
 # --- the virtual screen ---------------------------------------------------------------------------

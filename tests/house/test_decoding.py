@@ -14,6 +14,7 @@ HOME = "app/strangers.py"
 OWN = {
     "app/drawings/figure.py": "the SVG text that it has just drawn",
     "app/bootstrap.py": "files of the checkout and of its environment",
+    "app/python_packages.py": "pyproject.toml, a file of the checkout",
     "app/document/files.py": "the chunk of a PNG picture, which is UTF-8 by definition",
     "app/drawings/mp4.py": "what ffmpeg says",
     "app/model/content_file.py": "a file of the program",

@@ -14,8 +14,9 @@ from graphlib import TopologicalSorter
 
 import pytest
 
-from app.bootstrap import ROOT, requirements
+from app.bootstrap import ROOT
 from app.model.lenses import LENSES, FreeMatrix
+from app.python_packages import requirements
 
 VTK = ("pyvista", "vtkmodules")
 QT = ("PySide6",)
@@ -62,7 +63,13 @@ LATE: dict[str, tuple[str, ...]] = {
     "app.commands": (*VTK, *QT),
 }
 #: What everyone may know: standard library only. Each knows only those before it.
-GROUND = ("app.modules", "app.strangers", "app.system_packages", "app.bootstrap")
+GROUND = (
+    "app.modules",
+    "app.strangers",
+    "app.python_packages",
+    "app.system_packages",
+    "app.bootstrap",
+)
 #: What only some may know although it stands below them: the window joins store and widgets.
 NOT_FOR = {
     "app.document.store": ("app", "widgets.parts", "widgets.controls", "widgets.panels",
