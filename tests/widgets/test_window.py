@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import itertools
 import json
@@ -11,7 +12,7 @@ import re
 import subprocess
 import sys
 import weakref
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -619,11 +620,11 @@ def test_the_picture_on_the_clipboard_carries_the_document(window: MainWindow) -
     assert text is not None and json.loads(text)["scene"] == "letter-f"
 
 
-def test_an_export_can_be_cancelled(
-    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    window, shown = make_window(shown=False), list[str]()
+@contextlib.contextmanager
+def cancelling(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
+    """Cancel each progress dialog as soon as it is there; yield what the dialogs say."""
     monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
+    shown: list[str] = []
 
     def cancel() -> None:
         dialog = QApplication.activeModalWidget()
@@ -634,34 +635,30 @@ def test_an_export_can_be_cancelled(
     timer = QTimer()
     timer.timeout.connect(cancel)
     timer.start(0)
-    path = tmp_path / "figure.png"
-    assert not window.pictures.export(path, window.pictures.figure(size=(900, 300)))
+    yield shown
     timer.stop()
+
+
+def test_an_export_can_be_cancelled(
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, path = make_window(shown=False), tmp_path / "figure.png"
+    with cancelling(monkeypatch) as shown:
+        assert not window.pictures.export(path, window.pictures.figure(size=(900, 300)))
     assert shown and not path.exists() and window.messages.text == ""
 
 
 def test_a_preview_can_be_cancelled(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    window, shown = make_window(shown=False), list[str]()
-    monkeypatch.setattr("widgets.parts.progress.SHOWN_AFTER_MS", 0)
+    window = make_window(shown=False)
     titles = {name: pane.accessibleName() for name, pane in window.panes.items()}
     dialog = ExportDialog(titles, window.pictures.figure(), window, preview)
     combos = {combo.itemText(1): combo for combo in dialog.findChildren(Combo)}
     for name in ("SVG", "dashed"):  # lines behind faces take long
         combos[name].setCurrentIndex(1)
-
-    def cancel() -> None:
-        top = QApplication.activeModalWidget()
-        if isinstance(top, QProgressDialog):
-            shown.append(top.labelText())
-            top.cancel()
-
-    timer = QTimer()
-    timer.timeout.connect(cancel)
-    timer.start(0)
-    dialog.show_preview()
-    timer.stop()
+    with cancelling(monkeypatch) as shown:
+        dialog.show_preview()
     drawn = named(dialog, QLabel, "Preview")
     assert shown == ["Drawing the preview"] and drawn.pixmap().isNull()
     dialog.show_preview()
