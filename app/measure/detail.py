@@ -69,7 +69,7 @@ def measure(
             line = outline(fewer, projection, size)
             if whole is None:
                 whole = line
-            error = _apart(whole, line)
+            error = apart(whole, line)
             assert fewer.surface is not None
             began = time.perf_counter()
             runs[name], _ = stack.enter_context(pane(fewer, projection, size))
@@ -170,7 +170,7 @@ def _cells(count: int, corners: int) -> NDArray[np.int_]:
     return np.insert(np.arange(count * corners).reshape(-1, corners), 0, corners, axis=1).ravel()
 
 
-def _apart(one: Pieces, other: Pieces) -> float | None:
+def apart(one: Pieces, other: Pieces) -> float | None:
     """Return the Hausdorff distance of two outlines; None if the first is empty."""
     if not len(one):
         return None

@@ -34,7 +34,7 @@ from app.measure.arithmetic import (
 )
 from app.measure.depth import BEYOND, NOTHING_APART, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
-from app.measure.detail import TOO_FEW, _apart, outline
+from app.measure.detail import TOO_FEW, apart, outline
 from app.measure.detail import measure as measure_detail
 from app.measure.interpolation import (
     ClipEdge,
@@ -819,9 +819,9 @@ def test_an_outline_with_holes_and_parts_behind_others_is_that_of_the_drawn_pixe
     rows, columns = np.nonzero(inner & alone)
     pixels = (np.stack([columns, rows], axis=1) + 1.5) / 3.0
     ends = pieces.mean(axis=1)
-    apart = np.hypot(*(pixels[:, None] - ends[None]).transpose(2, 0, 1))
-    assert apart.min(axis=0).max() < 1.0, "no piece is inside the letter"
-    assert apart.min(axis=1).max() < 1.0, "no edge of the letter is missing"
+    away = np.hypot(*(pixels[:, None] - ends[None]).transpose(2, 0, 1))
+    assert away.min(axis=0).max() < 1.0, "no piece is inside the letter"
+    assert away.min(axis=1).max() < 1.0, "no edge of the letter is missing"
 
 
 def test_the_distance_of_two_outlines_is_that_of_their_farthest_places() -> None:
@@ -829,9 +829,9 @@ def test_the_distance_of_two_outlines_is_that_of_their_farthest_places() -> None
         corners = side / 2.0 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=float)
         return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
 
-    assert _apart(square(2.0), square(2.0)) == 0.0
-    assert _apart(square(2.0), square(4.0)) == pytest.approx(math.sqrt(2.0))
-    assert _apart(np.empty((0, 2, 2)), square(2.0)) is None
+    assert apart(square(2.0), square(2.0)) == 0.0
+    assert apart(square(2.0), square(4.0)) == pytest.approx(math.sqrt(2.0))
+    assert apart(np.empty((0, 2, 2)), square(2.0)) is None
 
 
 @pytest.mark.usefixtures("one_round")
