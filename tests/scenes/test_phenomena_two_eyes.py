@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.two_eyes import PHENOMENON, Pair
+from app.scenes.phenomena.two_eyes import PHENOMENON, StereoPair
 from tests.oracles.exact import Exact, mp
 from tests.oracles.illustrations import (
     random_projection,
@@ -32,8 +32,8 @@ ACROSS, DOWN, LARGEST = "horizontal parallax of P", "vertical parallax of P", "l
 CAMERAS = "off-axis", "toed-in"
 
 
-def pair_of(projection: Projection = START, **settings: Any) -> Pair:
-    return Pair.of(projection, PHENOMENON.checked(settings))
+def pair_of(projection: Projection = START, **settings: Any) -> StereoPair:
+    return StereoPair.of(projection, PHENOMENON.checked(settings))
 
 
 def by_hand(projection: Projection, point: Array, h: float, toed_in: bool) -> list[list[Any]]:

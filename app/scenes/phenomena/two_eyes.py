@@ -26,7 +26,7 @@ from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Aperture,
     Eyes,
@@ -52,7 +52,7 @@ _SIDES = np.array([[-1.0], [1.0]])  # of the left and the right eye
 _NAMES, _COLOURS, _IMAGES = ("left-eye", "right-eye"), ("u", "n"), ("P_l", "P_r")
 
 
-class Pair(NamedTuple):
+class StereoPair(NamedTuple):
     """The h, D and t of two eyes."""
 
     half: float
@@ -60,7 +60,7 @@ class Pair(NamedTuple):
     turn: float
 
     @classmethod
-    def of(cls, projection: Projection, settings: Settings) -> Pair:
+    def of(cls, projection: Projection, settings: Settings) -> StereoPair:
         half, screen = number(settings, "separation") / 2.0, projection.camera.distance
         return cls(half, screen, half / screen if settings["cameras"] == "toed-in" else 0.0)
 
@@ -120,7 +120,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
-    pair, place = Pair.of(projection, settings), np.array(point(settings, "point"))
+    pair, place = StereoPair.of(projection, settings), np.array(point(settings, "point"))
     try:
         eyes = pair.eyes(projection, str(settings["pictures"]))
     except Refusal:  # camera and lens are the reason
@@ -152,7 +152,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
 
 
-def _world_marks(projection: Projection, pair: Pair, eyes: Eyes, place: Array) -> Marks:
+def _world_marks(projection: Projection, pair: StereoPair, eyes: Eyes, place: Array) -> Marks:
     """The screen plane, both eyes with their frusta up to it, and the projectors of P."""
     screen, reach = section(projection, pair.screen), math.hypot(pair.screen, pair.half)
     reach = reach if pair.turn else pair.screen
@@ -210,10 +210,11 @@ PHENOMENON = Phenomenon(
         Parameter("pictures", "beside"),
         Parameter("point", (1.0, 0.8, 3.0)),
     ),
+    numbers=4,
     follow=_follow,
     implied=_implied,
     own_mesh=True,
     names=("left-eye", "right-eye", "screen", "P", "P_l", "P_r"),
-    side=(30.0, 30.0),
+    shot=Shot(35.0, 35.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )
