@@ -128,7 +128,7 @@ class Dimensions(Layer):
         self._thin.end()
 
     def ink(self, ground: Ground) -> None:
-        if self._state.own.fixed:
+        if self._is_shown:
             for lines in (self._lines, self._thin):
                 ground.ink_lines(lines.ends)
 

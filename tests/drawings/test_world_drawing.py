@@ -15,6 +15,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
+from app.drawings.dimensions import Dimensions
 from app.drawings.frustum import matrices_between
 from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
@@ -1064,3 +1065,15 @@ def test_a_label_waits_before_it_leaves_a_place_that_is_not_free(make_view: Make
     assert offset(200.0) == first and light() < 0.5
     board.is_soft = False
     assert offset(200.0, afresh=True) == first and light() == 1.0 and not board.is_restless
+
+
+def test_lengths_that_were_never_wanted_are_no_ink(make_view: MakeView) -> None:
+    """A label that fades may be placed anew after a fixed view has opened without labels."""
+    drawing = make_view().drawing
+    drawing.show_layers(frozenset({"labels"}))
+    drawing.show_fixed("side")
+    ground = Ground((0.0, 0.0, 600.0, 400.0), drawing.board.em)
+    lengths = Dimensions(drawing.state)
+    lengths.ink(ground)
+    lengths.want(ground)
+    lengths.ink(ground)
