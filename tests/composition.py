@@ -1,8 +1,8 @@
 """Measure all scenes by the rules of composition: ``python3 -m tests.composition [SCENE...]``.
 
 Each pane is drawn as it opens in windows of three sizes, light and dark. A line for each fault,
-then the sums; the exit status is 1 if there is a fault. `tests/drawings/test_composition.py` takes a
-sample.
+then the sums; the exit status is 1 if there is a fault. `tests/drawings/test_composition.py`
+takes a sample.
 """
 
 from __future__ import annotations
