@@ -36,7 +36,7 @@ from app.scenes.phenomena.illustration import Shot
 _VIEW_ANGLE_DEG = 50.0
 _HALF = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
 _MARGIN, _LABEL_EM = 0.04, 1.3  # on each side: of the pane, and for labels
-_SMALL_MARGIN = 1.0 / 12.0  # of a small pane: labels get no more of it
+_SMALL_MARGIN = 1.0 / 24.0  # of a small pane: labels get no more of it
 _MOST_BESIDE = 0.5  # of the height: title, rows of lengths and margins together take no more
 _LEAST_SLOPE = 0.1  # of the pane's: what the camera's drawn parts leave of it at least
 _BEFORE = 0.05  # of the extent of what is framed: the camera stands so far before it
