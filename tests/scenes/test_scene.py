@@ -70,8 +70,8 @@ def test_l22_letter_f_is_eight_unit_cubes_without_the_faces_between_them() -> No
 
 def test_letter_f_opens_as_the_default_document() -> None:
     assert load("letter-f").start == Projection(
-        Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
-        Perspective(45.0, 4.0, 18.0),
+        Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
+        Perspective(38.0, 5.0, 12.5),
         (1280, 720),
     )
 
