@@ -33,11 +33,12 @@ from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
 from app.drawings.world_state import WorldState
+from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES, SIDES
 from app.model.projection import Array
 
 _LINE_EM = 0.14  # the width of the lines round the body
-_BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names beyond the tips
+_WITH_NAMES = 1.25  # of axes that lead: with their names beyond the tips
 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
@@ -194,11 +195,18 @@ class CameraDrawing(Layer):
         return LARGER if self._state.step is not None or self.axes_lead else 1.0
 
     @property
-    def around(self) -> float:
-        """How far the visible parts reach from the eye, relative to axes that do not lead."""
-        if self.axes_lead:
-            return _WITH_NAMES * self._enlarged
-        return self._enlarged if self._tips else _BODY_REACH
+    def parts(self) -> Array:
+        """The visible parts that have to be inside the pane, (k, 3): from the eye, in bodies.
+
+        While the frame is built, the arrows of later steps have their room already.
+        """
+        tips, camera = self._tips, self._state.standing.camera
+        if self._state.step is not None:
+            tips = arrow_tips(len(STEPS) - 1, camera)
+        reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
+        ends = reach * np.array(list(tips.values())).reshape(-1, 3)
+        parts: Array = np.concatenate([BODY_BOX, ends]) @ camera.frame
+        return parts
 
     @property
     def box(self) -> Array:
@@ -282,12 +290,15 @@ class CameraDrawing(Layer):
     def reach(self) -> Array:
         return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS
 
-    def core(self) -> list[Array]:
+    def inside(self) -> dict[str, Array]:
+        """The eye, with the camera's body, unless it is not drawn; a parallel lens has none."""
         state, at = self._state, self._state.standing
-        if "camera" in state.hidden:
-            return []
-        places = ("eye", at.eye), ("target", at.target)
-        return [place[None] for name, place in places if state.names.wants(name)]
+        if "camera" in state.hidden_now or state.own.fixed == "eye":
+            return {}
+        inside = {"target": at.target[None]} if state.names.wants("target") else {}
+        if state.projection.lens.central or state.names.wants("eye") or self.has_arrows:
+            inside["eye"] = at.eye[None]
+        return inside
 
 
 def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:

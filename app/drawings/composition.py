@@ -28,7 +28,6 @@ from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import ENDS, WINDOW
 from app.lecture.typesetting import pieces_of
-from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -48,7 +47,7 @@ _INK = 60
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
 _OF_PLANES = *ENDS, "angle", "height", "width"
-"""Names for whose sake a flat view frames the frustum."""
+"""Names for whose sake the world pane shows the whole frustum."""
 
 
 class PlacedText(NamedTuple):
@@ -184,7 +183,7 @@ def _measured(
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
         else:
-            is_of_planes = drawing.fixed and any(name in drawing.names for name in _OF_PLANES)
+            is_of_planes = pane == "world" and any(name in drawing.names for name in _OF_PLANES)
             drawing.show_layers(view.layers | (_LEAVES - {"frustum"} if is_of_planes else _LEAVES))
             drawing.show_projection(of.projection, illustration)
             window.Render()
@@ -214,7 +213,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
     if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
         return np.empty((0, 2))
-    if not drawing.names.wanted & {NEAR.name, *WINDOW}:
+    if not drawing.names.wanted & WINDOW.keys():
         return np.empty((0, 2))
     corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)

@@ -128,24 +128,24 @@ class Dimensions(Layer):
         self._thin.end()
 
     def ink(self, ground: Ground) -> None:
-        if self._state.own.fixed:
+        if self._is_shown:
             for lines in (self._lines, self._thin):
                 ground.ink_lines(lines.ends)
 
-    def core(self) -> list[Array]:
+    def inside(self) -> dict[str, Array]:
         """The ends of the named lengths in a flat view."""
         state, at = self._state, self._state.standing
         if state.own.fixed not in ("side", "top"):
-            return []
+            return {}
         shown = () if state.illustration is None else state.illustration.measured
         measured = {"d": at.camera.distance, **dict(shown)}
-        points = [
-            (at.eye - distance * at.camera.frame[2])[None]
+        ends = {
+            name: (at.eye - distance * at.camera.frame[2])[None]
             for name, distance in measured.items()
-            if state.names.wants(name)
-        ]
-        across = [each for each in lengths(state, state.own.fixed) if state.names.wants(each.name)]
-        return points + [np.array([each.start, each.end]) - state.origin for each in across]
+        }
+        for each in lengths(state, state.own.fixed):
+            ends[each.name] = np.array([each.start, each.end]) - state.origin
+        return {name: points for name, points in ends.items() if state.names.wants(name)}
 
     # -- what is drawn
 

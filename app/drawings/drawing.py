@@ -162,6 +162,10 @@ class Drawing:
         """
         return self.layers.place_labels(afresh=True)
 
+    def cut(self) -> dict[str, float]:
+        """What has to be inside the pane and lies outside: names, and by how many pixels."""
+        return {}
+
     def reset_clipping_range(self) -> None:
         """Adjust the drawing after the pane's camera was moved from outside."""
 

@@ -15,7 +15,7 @@ How a change reaches the screen::
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -40,6 +40,15 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
 NO_POINTS = np.empty((0, 3))
+
+
+def together(named: Iterable[tuple[str, Array]]) -> dict[str, Array]:
+    """Join the points, (n, 3), of each name; a name without points is left out."""
+    joined: dict[str, Array] = {}
+    for name, points in named:
+        if len(points):
+            joined[name] = np.concatenate([joined.get(name, NO_POINTS), points])
+    return joined
 
 
 class Placing(NamedTuple):
@@ -175,13 +184,9 @@ class Layer:
         """The points that the pane's own camera has to reach, (n, 3)."""
         return NO_POINTS
 
-    def core(self) -> list[Array]:
-        """The named points that have to be in view and large, (n, 3) each."""
-        return []
-
-    def beside(self) -> list[Array]:
-        """The points that come into view as far as the core stays large."""
-        return []
+    def inside(self) -> Mapping[str, Array]:
+        """What has to be inside the pane, by its names: points (n, 3)."""
+        return {}
 
 
 class Layers:
@@ -242,11 +247,8 @@ class Layers:
     def reach(self) -> Array:
         return np.concatenate([layer.reach() for layer in self._layers])
 
-    def core(self) -> Array:
-        return np.concatenate([points for layer in self._layers for points in layer.core()])
-
-    def beside(self) -> Array:
-        return np.concatenate([points for layer in self._layers for points in layer.beside()])
+    def inside(self) -> dict[str, Array]:
+        return together(pair for layer in self._layers for pair in layer.inside().items())
 
 
 class FacesLayer(Layer):

@@ -393,7 +393,7 @@ def test_memory_is_another_axis_of_chart_caption_and_grey(
     panel.cost.setCurrentIndex(panel.cost.findData("bytes"))
     panel.diagrams[0].grab()
     assert set(found(panel.diagrams[0])) == set(sizes)
-    assert "bad is the cheapest (2 B, off by 2 px)" in panel.sentence.text()
+    assert "No choice is cheaper than bad (2 B, off by 2 px)" in panel.sentence.text()
     grey = [
         panel.table.item(row, 0).foreground().style() != Qt.BrushStyle.NoBrush for row in range(5)
     ]

@@ -1157,3 +1157,26 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
         fresh.look.rebuild()  # whatever was drawn ahead here
         name = slides[place]
         qtbot.waitUntil(lambda n=name, p=place: np.array_equal(pixels(fresh, n), seen[p][n]))
+
+
+def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: MainWindow) -> None:
+    press(window, Qt.Key.Key_Escape)
+    go_to(window.lessons, 1)
+    press(window, Qt.Key.Key_F5)
+    assert window.present.is_on and window.lessons.place == 1
+    for _ in range(2):  # also while one presents
+        QTest.keyClick(window, Qt.Key.Key_F5, Qt.KeyboardModifier.ShiftModifier)
+        settle()
+        assert window.present.is_on and window.lessons.place == 0
+        go_to(window.lessons, 1)
+        press(window, Qt.Key.Key_Escape)
+
+
+def test_a_talk_that_was_closed_at_its_end_opens_at_the_beginning(
+    window: MainWindow, talk: Path
+) -> None:
+    for left, opens in ((1, 1), (2, 0)):
+        go_to(window.lessons, left)
+        window.lesson_card.leave()
+        assert window.lesson_card.open(talk)
+        assert window.lessons.place == opens

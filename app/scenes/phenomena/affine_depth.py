@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
@@ -251,6 +251,7 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
+    shot=Shot(-6.0, 25.0),
     cube_side=(75.0, 10.0),
     leaves_out=frozenset({"near-picture"}),
     pale=frozenset({"ndc"}),

@@ -23,7 +23,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Dot,
     Face,
@@ -474,7 +474,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
-    side=(10.0, 62.0),
+    shot=Shot(-17.0, 62.0),
     pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

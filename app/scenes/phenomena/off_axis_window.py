@@ -17,7 +17,7 @@ from app.model.parameter import Parameter
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
@@ -257,6 +257,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
-    side=(50.0, 35.0),
+    shot=Shot(40.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -17,7 +17,7 @@ from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Copy,
     Dot,
@@ -206,7 +206,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     names=("y", "y_p", "d", "w", "eye", "P", "P'"),
     inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
-    side=(12.0, 10.0),
+    shot=Shot(-49.0, 10.0),
     fixed="side",
     leaves_out=frozenset({"frustum", "near-picture", "grid"}),
     pale=frozenset({"world"}),
