@@ -25,8 +25,8 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
-    shot=Shot(-22.0, 26.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
