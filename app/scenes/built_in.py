@@ -56,7 +56,7 @@ def _letter_f() -> Parts:
 def _cube() -> Parts:
     """A unit cube standing on the ground, with the world's axes coming out of it."""
     faces = box_faces((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
-    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([1.5, 2.0, 1.5]).tolist()])
+    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([0.9, 1.3, 0.9]).tolist()])
     return (
         (faces, SIDE_RGB.copy()),
         joined(
@@ -66,7 +66,7 @@ def _cube() -> Parts:
         ),
         Projection(
             Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=36.0, near=1.8, far=3.5),
+            Perspective(fov_y_deg=38.0, near=1.8, far=3.5),
         ),
     )
 

@@ -228,7 +228,8 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     tops = np.where(which, subject.upper, subject.lower)
     ends = cast(shadow_matrix(light, height), tops)
     # The plane is as large as object, shadow and lamp ask for.
-    spots = np.vstack([ends.places[ends.w > 0.0], tops, *([] if sun else [light[:3]])])
+    cast_to = ends.places[(ends.w > 0.0) & np.isfinite(ends.places).all(axis=1)]
+    spots = np.vstack([cast_to, tops, *([] if sun else [light[:3]])])
     room = np.array([middle - _MOST * reach, middle + _MOST * reach])
     (left, _, back), (right, _, front) = np.clip([spots.min(axis=0), spots.max(axis=0)], *room)
     rim = 0.1 * subject.size
