@@ -249,7 +249,7 @@ def checked(path: Path, text: str) -> list[str]:
     warnings = [line for line in said if "is tried by no sample" in line]
     said = [line for line in said if line not in warnings]
     assert f", {len(said) - 2} wrong" in said[-2]
-    nothing = "0 overlaps, 0 crowded, 0 empty, 0 hidden of 0 steps"
+    nothing = "0 overlaps, 0 crowded, 0 empty, 0 hidden, 0 cut of 0 steps"
     assert said[-1] == nothing, "a wrong file is not drawn"
     return [line.removeprefix(f"{path}: ") for line in said[:-2]]
 
