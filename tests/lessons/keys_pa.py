@@ -163,7 +163,7 @@ def _row_of_depth(n: mpf, f: mpf) -> tuple[mpf, mpf]:
     return a, b
 
 
-def _on_screen(eye: mpf, D: mpf, w: mpf) -> mpf:  # noqa: N803
+def _on_screen(eye: mpf, D: mpf, w: mpf) -> mpf:
     """x in the screen plane of the ray from an eye at this x to a point at x = 1 and depth w."""
     return eye + (1 - eye) * (D / w)
 
