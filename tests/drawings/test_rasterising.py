@@ -41,6 +41,7 @@ from tests.support.drawings import OffScreen, heard, rendered
 
 Pixels = NDArray[np.uint8]
 SIZE = (480, 270)
+RAMP = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 PHENOMENA = {p.name: p for p in (m.PHENOMENON for m in (depth_buffer, interpolation, popping))}
 
 
@@ -220,7 +221,7 @@ def test_the_image_pane_shows_the_stripes_that_are_counted(plotter: Any, make: A
         for each in (pixels, fine)
     )
     behind = picture.illustration.copies[0].world_from_world[:3, 3]
-    outline = picture.projection.trace(depth_buffer._CORNERS + behind).image
+    outline = picture.projection.trace(RAMP + behind).image
     rows, columns = np.nonzero(front)
     both = np.zeros_like(front)
     both[rows, columns] = Path(outline).contains_points(np.stack([columns, rows], axis=1) + 0.5)
