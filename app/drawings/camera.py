@@ -32,6 +32,7 @@ from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
+from app.drawings.style import Style
 from app.drawings.world_state import WorldState
 from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES, SIDES
@@ -65,10 +66,7 @@ class CameraDrawing(Layer):
 
         self._sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
         self._sight_space.add(self._sight)
-        points, faces, edges = _camera_body()
-        body = actors.face_actor(points, faces, style.muted)
-        wire = actors.line_actor(points, edges, style.eye, width)
-        self.solid = body, wire
+        self.solid = body, wire = camera_body(style)
         self._body_space.add(body, wire)
         eye = actors.point_actor([(0, 0, 0)], style.eye, 3.75 * width)
         target = actors.point_actor([(0, 0, 0)], style.target, 4.5 * width)
@@ -301,11 +299,8 @@ class CameraDrawing(Layer):
         return inside
 
 
-def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:
-    """A box with a lens hood and a viewfinder, in view space, the eye in the hood's mouth.
-
-    Returns the points (n, 3), the faces and the edges.
-    """
+def camera_body(style: Style) -> tuple[vtkActor, vtkActor]:
+    """A box with a lens hood and a viewfinder, in view space, the eye in the hood's mouth."""
     points: list[tuple[float, float, float]] = []
     faces: list[tuple[int, ...]] = []
     edges: list[tuple[int, ...]] = []
@@ -329,7 +324,8 @@ def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]
     prism = [(0, 1, 2), (3, 4, 5), (0, 2, 5, 3), (1, 2, 5, 4)]
     faces += [tuple(first + i for i in face) for face in prism]
     edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
-    return np.array(points), faces, edges
+    solid = actors.face_actor(np.array(points), faces, style.muted)
+    return solid, actors.line_actor(np.array(points), edges, style.eye, style.line_width)
 
 
 def _scaled(local_from_view: Array, size: float) -> Array:

@@ -84,6 +84,8 @@ class ComposedPicture(NamedTuple):
     """The labels of points, with the points in pixels from the left and the bottom."""
     needs_area: bool = True
     """Whether `LEAST_AREA` holds for the picture."""
+    outside: tuple[tuple[str, float], ...] = ()
+    """What has to be inside the pane and is not, and by which part of the pane's height."""
 
     @property
     def covered(self) -> list[tuple[str, str]]:
@@ -177,6 +179,7 @@ def _measured(
         left_out = tuple(board.left_out) if are_drawn else ()
         to_right, up = board.renderer.GetOrigin()
         points = tuple((text, (to_right + x, up + y)) for text, (x, y) in board.points if are_drawn)
+        outside = tuple((name, px / size_px[1]) for name, px in drawing.cut().items())
         for _, actor in actors:
             actor.SetVisibility(False)
         if isinstance(drawing, ImageDrawing):
@@ -189,7 +192,9 @@ def _measured(
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
         needs_area = not drawing.fixed and (pane != "world" or view.step is None)
-    return ComposedPicture(pane, size_px, tuple(labels), fill, left_out, points, needs_area)
+    return ComposedPicture(
+        pane, size_px, tuple(labels), fill, left_out, points, needs_area, outside
+    )
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:

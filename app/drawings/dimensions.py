@@ -6,7 +6,7 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
         . ' )   |
     eye ----+---+---
      |-- d --|
-     |---- w ----|
+     |--- -z ----|
 
 A lens may lack some of them; a sentence at the bottom says so. Seen along the axis, the window can
 stand over two lines of numbers, its own and the one from -1 to 1::
@@ -165,7 +165,7 @@ class Dimensions(Layer):
             if not 0.0 <= x <= size_px[0]:
                 continue
             y -= _ROW_EM * self._em
-            left, right = self._rule(name, (eye, y), (x, y))
+            left, right = self._rule(name, (eye, y), (x, y), name.replace("-", "−"))
             # A row of its own: nothing else is written there.
             low, high = y - _ROW_EM / 2.0 * self._em, y + _ROW_EM / 2.0 * self._em
             ground.keep_box(0.0, low, left, high)

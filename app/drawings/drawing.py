@@ -110,7 +110,7 @@ class Drawing:
         """Highlight these things, and nothing else; return whether anything has changed."""
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self.layers.show_highlight(highlighted)
-        is_new = self.state.emphasis.show(highlighted - self.state.strangers) or of_scene
+        is_new = self.state.emphasis.show(highlighted) or of_scene
         if self.state.renames(before ^ highlighted, of_scene):
             self._show_named()
         return is_new
@@ -120,7 +120,7 @@ class Drawing:
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
         """Return the things at a pixel, counted from the pane's top left."""
-        return self.layers.at(x_px, y_px) - self.state.strangers
+        return self.layers.at(x_px, y_px)
 
     @property
     def precision(self) -> Precision:

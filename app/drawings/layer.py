@@ -76,8 +76,6 @@ class PaneState:
     """The corners of the box round the objects, in the coordinates of the pane's actors."""
     written: frozenset[str] = frozenset()
     """The names that lengths write, and no other layer has to."""
-    strangers = NOTHING
-    """The things whose names mean others now."""
 
     def __init__(
         self, canvas: PropGroup, scene: Scene, words: Mapping[str, str], renderer: Any = None

@@ -180,7 +180,9 @@ class ImageProbes(Probes):
     _state: ImageState
 
     def marks(self) -> list[ProbeMark]:
-        marks = []
+        marks: list[ProbeMark] = []
+        if self._state.eyes is not None:  # they have two places then
+            return marks
         for probe, trace in self._traced(self._state.projection):
             if trace is None:
                 pixel, solid = np.array(probe.pixel), True

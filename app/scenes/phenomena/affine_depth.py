@@ -206,7 +206,7 @@ def _own_bow(projection: Projection, part: Inside, deviations: Deviation) -> Mar
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
         Text("Az+B", curve[quarter], "u", away_from=beside, text="A z + B"),
-        Text("A+B/z", straight.mean(axis=0), "accent", (), on_bow, "A + B / z"),
+        Text("A+B/z", straight.mean(axis=0), "accent", (), on_bow, "{divided_z}"),
         *(named(name, end) for name, end in zip("PQ", straight, strict=True)),
     )
 

@@ -47,7 +47,7 @@ NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
 
 _MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
 # What numbers and lines are highlighted with, by the names of `app.lecture.highlight`.
-_OF_D, _OF_POINT, _OF_W = ("settings.distance",), ("settings.point",), ("w",)
+_OF_D, _OF_POINT, _OF_DEPTH = ("settings.distance",), ("settings.point",), ("-z",)
 _OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
 _OF_IMAGE = (*_OF_X_P, *_OF_Y_P)
 
@@ -127,7 +127,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Face(np.array([eye, axis, place]), "accent", 0.16),
             Face(np.array([eye, foot, hit]), "accent", 0.4),
             segment(foot, eye, "muted", 0.5, _OF_D),
-            segment(eye, axis, "muted", 0.5, _OF_W),
+            segment(eye, axis, "muted", 0.5, _OF_DEPTH),
             right_angle(axis, eye, place, side),
             right_angle(foot, eye, hit, side),
             segment(axis, place, "accent", 2.5, _OF_POINT),
@@ -153,11 +153,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         Reading(
             WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
         ),
-        Reading(WORDS["product"], product, about=(*_OF_D, *_OF_W, *_OF_POINT)),
-        Reading("x_p = d·x / w", x_p, note=note, about=_OF_X_P),
-        Reading("y_p = d·y / w", y_p, note=note, about=_OF_Y_P),
-        Reading(WORDS["scale"], scale, "×", note, about=(*_OF_D, *_OF_W)),
-        Reading("w", w, about=_OF_W),
+        Reading(WORDS["product"], product, about=(*_OF_D, *_OF_DEPTH, *_OF_POINT)),
+        Reading("x_p = d·x / −z", x_p, note=note, about=_OF_X_P),
+        Reading("y_p = d·y / −z", y_p, note=note, about=_OF_Y_P),
+        Reading(WORDS["scale"], scale, "×", note, about=(*_OF_D, *_OF_DEPTH)),
+        Reading("−z", w, about=_OF_DEPTH),
         Reading(WORDS["image"], WORDS["upright" if distance > 0.0 else "upside-down"]),
     )
     slab = SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
@@ -170,7 +170,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         copies=(Copy(onto_plane(projection, distance, slab)),),
         grips=(Grip("point", place), _grip(projection, distance)),
         lengths=lengths,
-        measured=(("d", distance),) if x_p is None else (("d", distance), ("w", w)),
+        measured=(("d", distance),) if x_p is None else (("d", distance), ("-z", w)),
     )
 
 
@@ -204,7 +204,7 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
-    names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    names=("y", "y_p", "d", "-z", "eye", "P", "P'"),
     inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
     shot=Shot(-49.0, 10.0),
     fixed="side",
