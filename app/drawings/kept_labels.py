@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import json
 import logging
+import os
 from base64 import b64decode, b64encode
 from pathlib import Path
 from typing import Any
@@ -61,7 +62,7 @@ def save(path: Path) -> None:
     }  # fmt: skip
     content = json.dumps(tree)
     try:
-        if not path.exists() or path.read_text(encoding="utf-8") != content:
+        if not os.path.exists(path) or path.read_text(encoding="utf-8") != content:
             path.parent.mkdir(parents=True, exist_ok=True)
             write_bytes_atomically(path, content.encode())
     except (OSError, ValueError) as error:
