@@ -215,7 +215,7 @@ class FrustumDrawing(Layer):
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
-        offsets = [point - standing.camera.eye for point in self._state.grips.values()]
+        offsets = [grip.point - standing.camera.eye for grip in self._state.grips.values()]
         largest = _HELD_NEAR * self._state.scene.size
         near = [offset for offset in offsets if math.hypot(*offset) <= largest]
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)
@@ -341,8 +341,8 @@ class FrustumDrawing(Layer):
         segments = volume_edges(corners)
         if state.projection.lens.central:
             segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
-        # A flat view looks along the faces: one of them would be all of the picture.
-        return Targets(points, segments, () if state.own.fixed else corners)
+        # A flat view looks along the faces, and in a live pane only what can be taken lights up.
+        return Targets(points, segments, () if state.own.fixed or state.is_live else corners)
 
     def reach(self) -> Array:
         return self._state.volume.corners

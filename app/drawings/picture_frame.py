@@ -16,6 +16,7 @@ from app.drawings.pointing import Segment, Spot, Targets
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, Highlight, corner_at
+from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.picking.sight import Sight
 
@@ -76,6 +77,10 @@ class ImageState(PaneState):
     @property
     def size_px(self) -> tuple[int, int]:
         return self.rectangle[2:]
+
+    @property
+    def corner_px(self) -> tuple[int, int]:
+        return self.rectangle[:2]
 
     @property
     def room(self) -> tuple[float, float, float, float]:
@@ -239,7 +244,8 @@ class PictureFrame(Layer):
         corners: list[Spot] = [
             (left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0),
         ]  # fmt: skip
-        points = [(_at_corner(i), corner) for i, corner in enumerate(corners)]
+        # Near's corner alone: two things would light up for one corner.
+        points = [(corner_at(NEAR.name, SIDES[i - 1], SIDES[i]), corners[i]) for i in range(4)]
         segments: list[Segment] = [
             (frozenset((side,)), corners[i], corners[(i + 1) % 4]) for i, side in enumerate(SIDES)
         ]

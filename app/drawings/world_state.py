@@ -215,12 +215,6 @@ class WorldState(PaneState):
             unseen |= {"eye"}
         return frozenset(unseen)
 
-    @property
-    def grips(self) -> dict[str, Array]:
-        """The points of the scene's settings that can be dragged, in the world."""
-        grips = () if self.illustration is None else self.illustration.grips
-        return {grip.setting: np.array(grip.point) for grip in grips}
-
     def names_point(self, name: str) -> bool:
         """Whether a thing has a name in the picture."""
         return name in self.names and name not in self.unseen

@@ -144,6 +144,10 @@ class Pane(QFrame):
         self.header = Header(self, title, tools)
         self.title, self.note = self.header.title, self.header.note
         self.canvas = make_canvas(self)
+        self._orbits = orbits
+        self.rest_pointer()
+        self.header.setCursor(Qt.CursorShape.ArrowCursor)
+        self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
@@ -343,6 +347,13 @@ class Pane(QFrame):
             self._due |= {"projection", "view"}
         elif "stage" in others:  # the view depends on it
             self._due.add("view")
+
+    def rest_pointer(self) -> None:
+        """Show the pointer of turning the view, where a drag does nothing else."""
+        if self._orbits:
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self.unsetCursor()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips, and `named` by its title.

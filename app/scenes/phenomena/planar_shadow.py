@@ -177,7 +177,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ),
         copies=tuple(copies),
         warning=warning,
-        grips=(_grip(light, subject),),
+        grips=(_grip(light, subject), _grip_of_ground(settings, subject)),
     )
 
 
@@ -202,9 +202,25 @@ def _reach(subject: Subject) -> tuple[Array, float]:
 def _grip(light: Array, subject: Subject) -> Grip:
     """The lamp where it is; the sun where its direction is drawn."""
     if light[3] == 1.0:
-        return Grip("light", light[:3])
+        return Grip("light", light[:3], name="light")
     middle, reach = _reach(subject)
-    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), vector(middle))
+    away = light[:3] / np.linalg.norm(light[:3])
+    return Grip("light", middle + reach * away, vector(middle), name="light")
+
+
+def _ground(settings: Settings, subject: Subject) -> Array:
+    """The corners of the plane, as far as it is drawn."""
+    middle, reach = _reach(subject)
+    sides = np.array([(-1.0, 0.0, -1.0), (1.0, 0.0, -1.0), (1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)])
+    return np.asarray((middle[0], number(settings, "height"), middle[2]) + reach * sides)
+
+
+def _grip_of_ground(settings: Settings, subject: Subject) -> Grip:
+    """The plane by its front edge: a drag on all of it would be a turn of the view as a rule."""
+    edge = _ground(settings, subject)[2:]
+    x, y, z = edge.mean(axis=0).tolist()
+    up = (0.0, 1.0, 0.0)
+    return Grip("height", np.array([x, y, z]), (x, 0.0, z), up, "ground", "muted", edge)
 
 
 def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:
@@ -213,9 +229,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     `marked` are P and its shadow, if there are any.
     """
     height = number(settings, "height")
-    middle, reach = _reach(subject)
-    sides = np.array([(-1.0, 0.0, -1.0), (1.0, 0.0, -1.0), (1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)])
-    corners = (middle[0], height, middle[2]) + reach * sides
+    (middle, reach), corners = _reach(subject), _ground(settings, subject)
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
