@@ -1,8 +1,8 @@
 """Measure all scenes by the rules of composition: ``python3 -m tests.composition [SCENE...]``.
 
-Each pane is drawn as it opens in windows of two sizes, light and dark. A line for each fault, then
-the sums; the exit status is 1 if there is a fault. `tests/drawings/test_composition.py` takes a
-sample.
+Each pane is drawn as it opens in windows of three sizes, light and dark. A line for each fault,
+then the sums; the exit status is 1 if there is a fault. `tests/drawings/test_composition.py`
+takes a sample.
 """
 
 from __future__ import annotations
@@ -20,10 +20,11 @@ from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
 
 WINDOWS = {
-    "1366x768": {"large": (580, 660), "small": (480, 300)},
-    "1920x1080": {"large": (950, 970), "small": (640, 460)},
+    "1366x768": {"large": (584, 680), "small": (480, 300)},
+    "1920x1080": {"large": (1000, 830), "small": (640, 460)},
+    "Present": {"large": (1480, 910), "small": (640, 460)},
 }
-"""The sizes of the panes in a window with its dock, as the window opens."""
+"""The sizes of the panes in a window with its dock, as the window opens, and of one pane alone."""
 STYLES = {"light": LIGHT, "dark": DARK}
 
 
@@ -48,7 +49,7 @@ def main(scenes: Sequence[str]) -> int:
                 print(f"{scene}, {pane}, {window}, {style}: {text}")
     print(
         f"{counted(sums['overlap'], 'overlap')}, {sums['crowded']} crowded, {sums['empty']} empty,"
-        f" {sums['hidden']} hidden of {counted(count, 'picture')}"
+        f" {sums['hidden']} hidden, {sums['cut']} cut of {counted(count, 'picture')}"
     )
     return 1 if sums else 0
 

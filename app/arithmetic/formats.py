@@ -120,11 +120,6 @@ class Grid(NamedTuple):
         good = (count >= 0.0) & (count < 2.0**self.bits)
         return np.where(good, self.lower + self.step * count, np.nan)
 
-    def lost(self, sizes: ArrayLike) -> Array:
-        """Bounds of the rounding errors: half a step, and the roundings of `rounded` itself."""
-        off = 4.0 * _UNIT_64 * (np.abs(self.lower) + self.step * 2.0**self.bits)
-        return np.asarray(np.zeros_like(np.asarray(sizes)) + self.step / 2.0 + off)
-
 
 FORMATS: dict[str, Format] = {
     form.name: form

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
@@ -39,7 +40,8 @@ class Composed:
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        counts = [f"{self.faulty[kind]} {kind}" for kind in ("crowded", "empty", "hidden")]
+        kinds = "crowded", "empty", "hidden", "cut"
+        counts = [f"{self.faulty[kind]} {kind}" for kind in kinds]
         overlaps = counted(self.faulty["overlap"], "overlap")
         return f"{', '.join([overlaps, *counts])} of {counted(self.steps, 'step')}"
 
@@ -114,6 +116,9 @@ def faults_in(picture: ComposedPicture, screen_px: int | None) -> Iterator[tuple
         yield "hidden", f"“{one}” lies on the point that “{other}” names."
     for text in picture.raw:
         yield "raw", f"“{text}” has an underscore that is not typeset."
+    for name, part in picture.outside:
+        where = f"outside the pane by {part:.1%} of its height"
+        yield "cut", f"“{name}” lies {where if part < math.inf else 'behind the viewer'}."
     for text in picture.cut:
         yield "cut", f"“{text}” is cut off at the border."
     if screen_px is not None:

@@ -64,7 +64,7 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
     if pane == "image":
         return frozenset({"pixels"}).union(text.name for text in shown.image.texts)
     if pane == "ndc":
-        axes = AXES if view.stage == VIEW else ("x", "y", "z")
+        axes = (*(AXES if view.stage <= VIEW else ()), *("xyz" if view.stage != VIEW else ""))
         stop = planes if view.stage != IMAGE else frozenset[str]()
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()

@@ -1,9 +1,10 @@
-"""The picture through a lens with an opening: the average of pinhole pictures.
+"""Pictures that are made of several: of a lens with an opening, and of two eyes.
 
 Every point of the opening sees a picture of its own. All have the focused plane as their common
 window, and so their average is sharp there and blurred elsewhere, as on the film of a camera. The
 pictures are drawn one by one in a window of their own, which is on no screen. After any of them
-the average can be shown: it becomes finer with each.
+the average can be shown: it becomes finer with each. Those of two eyes are put
+together, and averaged only to smooth their edges.
 """
 
 from __future__ import annotations
@@ -20,20 +21,19 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkRenderingCore import vtkActor, vtkTexture
 
 from app.drawings.actors import identity_camera, unlit_actor
-from app.drawings.off_screen import OffScreen, pixels_of, take_screen
+from app.drawings.off_screen import OffScreen, Pixels, pixels_of, take_screen
 from app.drawings.precision import ModelActors
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.marks import Aperture
+from app.scenes.phenomena.marks import Aperture, Eyes
 from app.scenes.scene import Scene
 
 MOST = 64
 """Pictures that are averaged."""
 FIRST = 4
 """Fewer are not shown: they look like so many ghosts."""
-_STEP_S = 0.03  # of one call of `refine`; one picture of a large mesh may take longer
 _ROOT = 1.1673039782614187  # of x^5 = x + 1: its powers fill four dimensions evenly
 
 
@@ -49,6 +49,23 @@ def spread(count: int) -> Array:
 
 
 _SPREAD = spread(MOST)
+_OPENING, _EYES = (FIRST, MOST, 0.03), (1, 8, 0.0)  # at least, at most, seconds of one call
+_LUMA = np.array([0.2126, 0.7152, 0.0722])
+
+
+def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
+    """Put the pictures (height, width, 4) of two eyes into one of the same size.
+
+    Red-cyan pictures are the luma of Rec. 709: red glass shows the left one and cyan the right one.
+    """
+    if eyes.pictures == "red-cyan":
+        red, cyan = (np.rint(each[..., :3] @ _LUMA).astype(np.uint8) for each in (left, right))
+        return np.stack([red, cyan, cyan, left[..., 3]], axis=-1)
+    one, other = (left, right) if eyes.shares[0] < 0.0 else (right, left)
+    width = left.shape[1]
+    half, quarter = width // 2, width // 4
+    middles = one[:, quarter : quarter + half], other[:, half - quarter : width - quarter]
+    return np.concatenate(middles, axis=1)
 
 
 class Blurring:
@@ -61,8 +78,8 @@ class Blurring:
         self._style = style
         self._model = ModelActors(scene, style, tolerance_px)
         self._screen: OffScreen | None = None
-        self._shown: tuple[Projection, Aperture] | None = None
-        self._size = 0, 0
+        self._shown: tuple[Projection, Aperture | Eyes] | None = None
+        self._size, self._kind, self._transparent = (0, 0), _OPENING, False
         self._count = 0
         self._sum: NDArray[np.uint16] = np.empty((0, 0, 4), np.uint16)
         self._image, self._texture = vtkImageData(), vtkTexture()
@@ -72,14 +89,16 @@ class Blurring:
         self.actor.SetVisibility(False)
 
     def begin(
-        self, projection: Projection, aperture: Aperture | None, size: tuple[int, int]
+        self, projection: Projection, through: Aperture | Eyes | None, size: tuple[int, int]
     ) -> None:
         """Average another picture of this width and height from now on; None for none."""
-        shown = None if aperture is None else (projection, aperture)
+        shown = None if through is None else (projection, through)
         if shown == self._shown and size == self._size:
             return
         self._shown, self._size, self._count = shown, size, 0
-        self.actor.SetVisibility(False)
+        self._kind = _EYES if isinstance(through, Eyes) else _OPENING
+        if self._kind == _OPENING:  # two eyes keep their last pictures instead of one eye's
+            self.actor.SetVisibility(False)
 
     def restart(self) -> None:
         """Average the same picture again, because the faces or lines of the scene have changed."""
@@ -93,22 +112,27 @@ class Blurring:
     @property
     def is_coarse(self) -> bool:
         """Whether more pictures would improve the average."""
-        return self._shown is not None and self._count < MOST
+        return self._shown is not None and self._count < self._kind[1]
 
     def refine(self, *, transparent: bool = False, whole: bool = False) -> None:
         """Add pictures for some milliseconds, or all that are missing, and show the average."""
         if self._shown is None:
             return
-        began = time.perf_counter()
-        while self._count < MOST:
-            late = time.perf_counter() - began > _STEP_S
-            if late and not whole and self._count >= FIRST:
-                break
+        through = self._shown[1]
+        if isinstance(through, Eyes) and through.pictures == "red-cyan":
+            transparent = False  # it needs the light of the paper
+        if transparent != self._transparent:
+            self._transparent, self._count = transparent, 0
+        began, (least, most, step_s) = time.perf_counter(), self._kind
+        while self._count < most:
             try:
-                self._add(*self._shown, transparent)
+                self._add(*self._shown)
             except Refusal:  # so far out that the opening has no digits: the picture stays sharp
                 self._shown = None
                 return
+            late = time.perf_counter() - began > step_s
+            if late and not whole and self._count >= least:
+                break
         self._show()
 
     def close(self) -> None:
@@ -116,21 +140,31 @@ class Blurring:
             self._screen.give_back()
             self._screen = None
 
-    def _add(self, projection: Projection, aperture: Aperture, transparent: bool) -> None:
+    def _add(self, projection: Projection, through: Aperture | Eyes) -> None:
         right, up, *shift = _SPREAD[self._count].tolist()
-        seen = aperture.seen_from(projection, right, up, (shift[0], shift[1]))
-        seen = seen.with_depth("opengl")
-        window = self._ready(transparent)
-        self._model.show_picture(seen)
-        window.Render()
-        pixels = pixels_of(window)
+        if isinstance(through, Eyes):
+            point = Aperture(0.0, 1.0)
+            left, right = (
+                self._drawn(point.seen_from(eye, 0.0, 0.0, (shift[0], shift[1])))
+                for eye in (through.left, through.right)
+            )
+            pixels = _together(left, right, through)
+        else:
+            seen = through.seen_from(projection, right, up, (shift[0], shift[1]))
+            pixels = self._drawn(seen)
         if self._count == 0:
             self._sum = pixels.astype(np.uint16)
         else:
             self._sum += pixels
         self._count += 1
 
-    def _ready(self, transparent: bool) -> Any:
+    def _drawn(self, seen: Projection) -> Pixels:
+        window = self._ready()
+        self._model.show_picture(seen.with_depth("opengl"))
+        window.Render()
+        return pixels_of(window)
+
+    def _ready(self) -> Any:
         if self._screen is None:
             self._screen = take_screen(*self._size)
             renderer = self._screen.renderer
@@ -139,8 +173,9 @@ class Blurring:
             for actor in self._model.actors:
                 renderer.AddViewProp(actor)
         renderer, window = self._screen.renderer, self._screen.render_window
-        renderer.SetBackground(*((0.0,) * 3 if transparent else rgb(self._style.background)))
-        renderer.SetBackgroundAlpha(0.0 if transparent else 1.0)
+        is_clear = self._transparent
+        renderer.SetBackground(*((0.0,) * 3 if is_clear else rgb(self._style.background)))
+        renderer.SetBackgroundAlpha(0.0 if is_clear else 1.0)
         if window.GetSize() != self._size:
             window.SetSize(*self._size)
         return window

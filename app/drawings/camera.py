@@ -32,12 +32,14 @@ from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
+from app.drawings.style import Style
 from app.drawings.world_state import WorldState
+from app.lecture.camera_frame import STEPS
 from app.lecture.highlight import AXES, SIDES
 from app.model.projection import Array
 
 _LINE_EM = 0.14  # the width of the lines round the body
-_BODY_REACH, _WITH_NAMES = 0.6, 1.25  # of that: without axes; with their names beyond the tips
+_WITH_NAMES = 1.25  # of axes that lead: with their names beyond the tips
 
 _WALLS = tuple(FACES[side] for side in SIDES)
 
@@ -64,10 +66,7 @@ class CameraDrawing(Layer):
 
         self._sight = actors.line_actor([(0, 0, 0), (0, 0, -1)], [(0, 1)], style.muted, width)
         self._sight_space.add(self._sight)
-        points, faces, edges = _camera_body()
-        body = actors.face_actor(points, faces, style.muted)
-        wire = actors.line_actor(points, edges, style.eye, width)
-        self.solid = body, wire
+        self.solid = body, wire = camera_body(style)
         self._body_space.add(body, wire)
         eye = actors.point_actor([(0, 0, 0)], style.eye, 3.75 * width)
         target = actors.point_actor([(0, 0, 0)], style.target, 4.5 * width)
@@ -194,11 +193,18 @@ class CameraDrawing(Layer):
         return LARGER if self._state.step is not None or self.axes_lead else 1.0
 
     @property
-    def around(self) -> float:
-        """How far the visible parts reach from the eye, relative to axes that do not lead."""
-        if self.axes_lead:
-            return _WITH_NAMES * self._enlarged
-        return self._enlarged if self._tips else _BODY_REACH
+    def parts(self) -> Array:
+        """The visible parts that have to be inside the pane, (k, 3): from the eye, in bodies.
+
+        While the frame is built, the arrows of later steps have their room already.
+        """
+        tips, camera = self._tips, self._state.standing.camera
+        if self._state.step is not None:
+            tips = arrow_tips(len(STEPS) - 1, camera)
+        reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
+        ends = reach * np.array(list(tips.values())).reshape(-1, 3)
+        parts: Array = np.concatenate([BODY_BOX, ends]) @ camera.frame
+        return parts
 
     @property
     def box(self) -> Array:
@@ -282,19 +288,19 @@ class CameraDrawing(Layer):
     def reach(self) -> Array:
         return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS
 
-    def core(self) -> list[Array]:
+    def inside(self) -> dict[str, Array]:
+        """The eye, with the camera's body, unless it is not drawn; a parallel lens has none."""
         state, at = self._state, self._state.standing
-        if "camera" in state.hidden:
-            return []
-        places = ("eye", at.eye), ("target", at.target)
-        return [place[None] for name, place in places if state.names.wants(name)]
+        if "camera" in state.hidden_now or state.own.fixed == "eye":
+            return {}
+        inside = {"target": at.target[None]} if state.names.wants("target") else {}
+        if state.projection.lens.central or state.names.wants("eye") or self.has_arrows:
+            inside["eye"] = at.eye[None]
+        return inside
 
 
-def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]:
-    """A box with a lens hood and a viewfinder, in view space, the eye in the hood's mouth.
-
-    Returns the points (n, 3), the faces and the edges.
-    """
+def camera_body(style: Style) -> tuple[vtkActor, vtkActor]:
+    """A box with a lens hood and a viewfinder, in view space, the eye in the hood's mouth."""
     points: list[tuple[float, float, float]] = []
     faces: list[tuple[int, ...]] = []
     edges: list[tuple[int, ...]] = []
@@ -318,7 +324,8 @@ def _camera_body() -> tuple[Array, list[tuple[int, ...]], list[tuple[int, ...]]]
     prism = [(0, 1, 2), (3, 4, 5), (0, 2, 5, 3), (1, 2, 5, 4)]
     faces += [tuple(first + i for i in face) for face in prism]
     edges += [tuple(first + i for i in line) for line in ((0, 1, 2, 0), (3, 4, 5, 3), (2, 5))]
-    return np.array(points), faces, edges
+    solid = actors.face_actor(np.array(points), faces, style.muted)
+    return solid, actors.line_actor(np.array(points), edges, style.eye, style.line_width)
 
 
 def _scaled(local_from_view: Array, size: float) -> Array:

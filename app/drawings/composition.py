@@ -28,7 +28,6 @@ from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import ENDS, WINDOW
 from app.lecture.typesetting import pieces_of
-from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.scene import Scene
 
@@ -48,7 +47,7 @@ _INK = 60
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that may leave the pane, and do not decide what fills it."""
 _OF_PLANES = *ENDS, "angle", "height", "width"
-"""Names for whose sake a flat view frames the frustum."""
+"""Names for whose sake the world pane shows the whole frustum."""
 
 
 class PlacedText(NamedTuple):
@@ -85,6 +84,8 @@ class ComposedPicture(NamedTuple):
     """The labels of points, with the points in pixels from the left and the bottom."""
     needs_area: bool = True
     """Whether `LEAST_AREA` holds for the picture."""
+    outside: tuple[tuple[str, float], ...] = ()
+    """What has to be inside the pane and is not, and by which part of the pane's height."""
 
     @property
     def covered(self) -> list[tuple[str, str]]:
@@ -178,19 +179,22 @@ def _measured(
         left_out = tuple(board.left_out) if are_drawn else ()
         to_right, up = board.renderer.GetOrigin()
         points = tuple((text, (to_right + x, up + y)) for text, (x, y) in board.points if are_drawn)
+        outside = tuple((name, px / size_px[1]) for name, px in drawing.cut().items())
         for _, actor in actors:
             actor.SetVisibility(False)
         if isinstance(drawing, ImageDrawing):
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
         else:
-            is_of_planes = drawing.fixed and any(name in drawing.names for name in _OF_PLANES)
+            is_of_planes = pane == "world" and any(name in drawing.names for name in _OF_PLANES)
             drawing.show_layers(view.layers | (_LEAVES - {"frustum"} if is_of_planes else _LEAVES))
             drawing.show_projection(of.projection, illustration)
             window.Render()
             fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
         needs_area = not drawing.fixed and (pane != "world" or view.step is None)
-    return ComposedPicture(pane, size_px, tuple(labels), fill, left_out, points, needs_area)
+    return ComposedPicture(
+        pane, size_px, tuple(labels), fill, left_out, points, needs_area, outside
+    )
 
 
 def _actors(window: Any) -> Iterator[tuple[Any, LabelActor]]:
@@ -214,7 +218,7 @@ def _window_in(drawing: Drawing, scene: Scene) -> Array:
     """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
     if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
         return np.empty((0, 2))
-    if not drawing.names.wanted & {NEAR.name, *WINDOW}:
+    if not drawing.names.wanted & WINDOW.keys():
         return np.empty((0, 2))
     corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
     spots = drawing.spots_of(corners)

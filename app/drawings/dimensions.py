@@ -6,7 +6,7 @@ Lines of the screen, in one array of pixels that a step writes, and a text for e
         . ' )   |
     eye ----+---+---
      |-- d --|
-     |---- w ----|
+     |--- -z ----|
 
 A lens may lack some of them; a sentence at the bottom says so. Seen along the axis, the window can
 stand over two lines of numbers, its own and the one from -1 to 1::
@@ -128,24 +128,24 @@ class Dimensions(Layer):
         self._thin.end()
 
     def ink(self, ground: Ground) -> None:
-        if self._state.own.fixed:
+        if self._is_shown:
             for lines in (self._lines, self._thin):
                 ground.ink_lines(lines.ends)
 
-    def core(self) -> list[Array]:
+    def inside(self) -> dict[str, Array]:
         """The ends of the named lengths in a flat view."""
         state, at = self._state, self._state.standing
         if state.own.fixed not in ("side", "top"):
-            return []
+            return {}
         shown = () if state.illustration is None else state.illustration.measured
         measured = {"d": at.camera.distance, **dict(shown)}
-        points = [
-            (at.eye - distance * at.camera.frame[2])[None]
+        ends = {
+            name: (at.eye - distance * at.camera.frame[2])[None]
             for name, distance in measured.items()
-            if state.names.wants(name)
-        ]
-        across = [each for each in lengths(state, state.own.fixed) if state.names.wants(each.name)]
-        return points + [np.array([each.start, each.end]) - state.origin for each in across]
+        }
+        for each in lengths(state, state.own.fixed):
+            ends[each.name] = np.array([each.start, each.end]) - state.origin
+        return {name: points for name, points in ends.items() if state.names.wants(name)}
 
     # -- what is drawn
 
@@ -165,7 +165,7 @@ class Dimensions(Layer):
             if not 0.0 <= x <= size_px[0]:
                 continue
             y -= _ROW_EM * self._em
-            left, right = self._rule(name, (eye, y), (x, y))
+            left, right = self._rule(name, (eye, y), (x, y), name.replace("-", "−"))
             # A row of its own: nothing else is written there.
             low, high = y - _ROW_EM / 2.0 * self._em, y + _ROW_EM / 2.0 * self._em
             ground.keep_box(0.0, low, left, high)

@@ -135,7 +135,7 @@ class Drawing:
         """Highlight these things, and nothing else; return whether anything has changed."""
         before, self.names.pointed = self.names.pointed, highlighted
         of_scene = self.layers.show_highlight(highlighted)
-        is_new = self.state.emphasis.show(highlighted - self.state.strangers) or of_scene
+        is_new = self.state.emphasis.show(highlighted) or of_scene
         if self.state.renames(before ^ highlighted, of_scene):
             self._show_named()
         return is_new
@@ -148,7 +148,7 @@ class Drawing:
         taken = self.handles.at((x_px, y_px))
         if taken is not None:
             return self.handles.about(taken.handle)
-        return self.layers.at(x_px, y_px) - self.state.strangers
+        return self.layers.at(x_px, y_px)
 
     @property
     def precision(self) -> Precision:
@@ -189,6 +189,10 @@ class Drawing:
         Call it when a gesture ends. Return whether the pane has to be painted again.
         """
         return self.layers.place_labels(afresh=True)
+
+    def cut(self) -> dict[str, float]:
+        """What has to be inside the pane and lies outside: names, and by how many pixels."""
+        return {}
 
     def reset_clipping_range(self) -> None:
         """Adjust the drawing after the pane's camera was moved from outside."""

@@ -347,28 +347,19 @@ class FrustumDrawing(Layer):
     def reach(self) -> Array:
         return self._state.volume.corners
 
-    def core(self) -> list[Array]:
-        state, corners, fixed = self._state, self._state.volume.corners, self._state.own.fixed
+    def inside(self) -> dict[str, Array]:
+        """The whole frustum if near or far is named, else the named sides of the window."""
+        state, corners = self._state, self._state.volume.corners
         if not self._has_planes:
-            return []
-        named = [
-            corners[start:end]
-            for name, start, end, is_asked in (
-                (NEAR.name, 0, 4, True),
-                (FAR.name, 4, 8, fixed != ""),
-                ("height", 5, 7, fixed != ""),
-                ("width", 5, 7, fixed == "axis"),
-            )
-            if is_asked and state.names.wants(name)
-        ]
-        sides = [i for i, side in enumerate(SIDES) if state.names.wants(side[0])]
-        return named + [corners[[i, (i + 1) % 4]] for i in sides]
-
-    def beside(self) -> list[Array]:
-        """Far is seldom whole in a free view: it would make the rest small."""
-        is_beside = self._has_planes and not self._state.own.fixed
-        is_beside = is_beside and self._state.names.wants(FAR.name)
-        return [self._state.volume.corners[4:]] if is_beside else []
+            return {}
+        asked = (*ENDS, "height", "width") if state.own.fixed else ENDS
+        if any(map(state.names.wants, asked)):
+            return {NEAR.name: corners[:4], FAR.name: corners[4:]}
+        return {
+            side[0]: corners[[i, (i + 1) % 4]]
+            for i, side in enumerate(SIDES)
+            if state.names.wants(side[0])
+        }
 
     @property
     def _has_planes(self) -> bool:

@@ -118,19 +118,25 @@ class SceneInPicture(Layer):
         return None if self._rasteriser is None else self._rasteriser.problem
 
     def ink(self, ground: Ground) -> None:
-        state, half = self._state, self._state.half
-        clip = state.projection.clip_from_local(state.scene.origin, "object")
-        rows = np.stack([half[0] * (clip[0] + clip[3]), half[1] * (clip[1] + clip[3]), clip[3]])
-        state.silhouette.ink_under(ground, rows)
+        state, half, eyes = self._state, self._state.half, self._state.eyes
+        shown = [(state.projection, 0.0)]
+        if eyes is not None:
+            shown = list(zip((eyes.left, eyes.right), eyes.shares, strict=True))
+        for projection, share in shown:
+            clip = projection.clip_from_local(state.scene.origin, "object")
+            x = clip[0] + (1.0 + 2.0 * share) * clip[3]
+            rows = np.stack([half[0] * x, half[1] * (clip[1] + clip[3]), clip[3]])
+            state.silhouette.ink_under(ground, rows)
 
-    # -- a lens with an opening
+    # -- a lens with an opening, and two eyes
 
     def begin_blurring(self) -> None:
-        """Begin another blurred picture, if this one has an opening; it is sharp until `refine`."""
-        state, aperture, blurring = self._state, self._rendering.aperture, self.blurring
+        """Begin another picture of an opening or of two eyes, if this is one, for `refine`."""
+        state, rendering, blurring = self._state, self._rendering, self.blurring
+        through = rendering.aperture or rendering.eyes
         finer = state.options.finer
         if blurring is None:
-            if aperture is None:
+            if through is None:
                 return
             style = self._style.enlarged(1.0 / finer)
             self.blurring = blurring = Blurring(state.scene, style, self._tolerance_px)
@@ -139,7 +145,7 @@ class SceneInPicture(Layer):
             state.canvas.add(blurring.actor, renderer=state.renderer)
         width, height = state.size_px
         size = max(1, width // finer), max(1, height // finer)
-        blurring.begin(state.projection, aperture, size)
+        blurring.begin(state.projection, through, size)
         self._choose_picture(blurring)
 
     def refine(self, *, whole: bool) -> None:
@@ -241,6 +247,8 @@ class ImageDrawing(Drawing):
             state.canvas.relayout()
         self.layers.show()
         self._scene.begin_blurring()
+        if state.eyes is not None:  # the marks of P move at once, too
+            self.refine()
         if state.probes or not self._marks.is_empty:
             self.layers.settle()
             self.layers.place_labels()
@@ -283,7 +291,7 @@ class ImageDrawing(Drawing):
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
         left, top, width, height = self.state.rectangle
         x, y = x_px - left, y_px - top
-        if not (0.0 <= x <= width and 0.0 <= y <= height):
+        if not (0.0 <= x <= width and 0.0 <= y <= height) or self.state.eyes is not None:
             return None
         scale = self.state.scale
         return float(x / scale[0, 0]), float(y / scale[1, 1])

@@ -15,7 +15,7 @@ How a change reaches the screen::
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -43,6 +43,15 @@ from app.scenes.scene import Scene
 NO_POINTS = np.empty((0, 3))
 
 
+def together(named: Iterable[tuple[str, Array]]) -> dict[str, Array]:
+    """Join the points, (n, 3), of each name; a name without points is left out."""
+    joined: dict[str, Array] = {}
+    for name, points in named:
+        if len(points):
+            joined[name] = np.concatenate([joined.get(name, NO_POINTS), points])
+    return joined
+
+
 class Placing(NamedTuple):
     """From the coordinates of marks to those of the pane's actors: ``scale * point + shift``."""
 
@@ -68,8 +77,6 @@ class PaneState:
     """The corners of the box round the objects, in the coordinates of the pane's actors."""
     written: frozenset[str] = frozenset()
     """The names that lengths write, and no other layer has to."""
-    strangers = NOTHING
-    """The things whose names mean others now."""
 
     def __init__(
         self, canvas: PropGroup, scene: Scene, words: Mapping[str, str], renderer: Any = None
@@ -190,13 +197,9 @@ class Layer:
         """The points that the pane's own camera has to reach, (n, 3)."""
         return NO_POINTS
 
-    def core(self) -> list[Array]:
-        """The named points that have to be in view and large, (n, 3) each."""
-        return []
-
-    def beside(self) -> list[Array]:
-        """The points that come into view as far as the core stays large."""
-        return []
+    def inside(self) -> Mapping[str, Array]:
+        """What has to be inside the pane, by its names: points (n, 3)."""
+        return {}
 
 
 class Layers:
@@ -257,11 +260,8 @@ class Layers:
     def reach(self) -> Array:
         return np.concatenate([layer.reach() for layer in self._layers])
 
-    def core(self) -> Array:
-        return np.concatenate([points for layer in self._layers for points in layer.core()])
-
-    def beside(self) -> Array:
-        return np.concatenate([points for layer in self._layers for points in layer.beside()])
+    def inside(self) -> dict[str, Array]:
+        return together(pair for layer in self._layers for pair in layer.inside().items())
 
 
 class FacesLayer(Layer):

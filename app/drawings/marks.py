@@ -22,7 +22,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 import pyvista as pv
@@ -43,7 +43,7 @@ from app.drawings.actors import (
 )
 from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, SCENE
-from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing
+from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing, together
 from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.style import mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
@@ -59,6 +59,7 @@ COPY_LIFT = 0.5
 """How far copies come forward, as a multiple of what the scene's own lines do: a shadow hides the
 ground and not the grid that is drawn on it."""
 
+_FRAMED = 5.0  # of the scene's size: of all marks, those farther away are not framed
 _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _WIDER = 2.4  # a line that is highlighted
@@ -97,7 +98,8 @@ class MarksDrawing(Layer):
         self._shown: list[tuple[_CopyActors, Array]] = []
         self._now: tuple[Marks, Placing] | None = None
         self._highlighted = NOTHING
-        self._named_in_view = self._points = NO_POINTS
+        self._points = NO_POINTS
+        self._named_in_view: dict[str, Array] = {}
 
     @property
     def is_empty(self) -> bool:
@@ -129,16 +131,14 @@ class MarksDrawing(Layer):
         self._points = np.concatenate(drawn)
         self._named_in_view = self._named_points(marks, placing)
 
-    def _named_points(self, marks: Marks, placing: Placing) -> Array:
-        wanted = self._names.wanted or ()
-        named = [line.points for line in marks.lines if line.name in wanted]
-        named += [face.points for face in marks.faces if face.name in wanted]
-        named += [np.array([dot.point]) for dot in marks.dots if dot.name in wanted]
-        named += [np.array([text.point]) for text in marks.texts if text.name in wanted]
-        if not named:
-            return NO_POINTS
-        points = placing.placed(np.concatenate(named))
-        return points[_within(points, placing.limit)]
+    def _named_points(self, marks: Marks, placing: Placing) -> dict[str, Array]:
+        wanted, named = self._names.wanted or (), list[tuple[str, Any]]()
+        named += [(line.name, line.points) for line in marks.lines if line.name in wanted]
+        named += [(face.name, face.points) for face in marks.faces if face.name in wanted]
+        named += [(dot.name, [dot.point]) for dot in marks.dots if dot.name in wanted]
+        named += [(text.name, [text.point]) for text in marks.texts if text.name in wanted]
+        placed = together((name, placing.placed(np.array(points))) for name, points in named)
+        return {name: points[_within(points, placing.limit)] for name, points in placed.items()}
 
     @property
     def _named_texts(self) -> Sequence[Text]:
@@ -300,9 +300,14 @@ class MarksDrawing(Layer):
             copied = np.column_stack([x / w, y / w, z / w])
         return np.concatenate([self._points, copied[_within(copied, self._now[1].limit)]])
 
-    def core(self) -> list[Array]:
-        """The points of the marks that the picture was told to name."""
-        return [self._state.framed(self._named_in_view)]
+    def inside(self) -> dict[str, Array]:
+        """The points of the marks that the picture was told to name; without a list, of all."""
+        state = self._state
+        if self._names.all:
+            points = self.reach()
+            away = np.linalg.norm(points - state.objects.mean(axis=0), axis=1)
+            return {"marks": points[away <= _FRAMED * state.scene.size]}
+        return {name: state.framed(points) for name, points in self._named_in_view.items()}
 
     # -- copies
 

@@ -197,8 +197,9 @@ def _film(
     depth = face / (scale * away)
     sides = side_planes - np.outer(side_planes @ toward / away, face)
     planes = np.vstack([sides, film_w - float(film_w @ toward) / away * face - depth, depth])
-    planes /= np.abs(planes).max(axis=1, keepdims=True)  # or the squares may overflow
-    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
+    for order in (np.inf, 2):  # the largest first, or the squares may overflow
+        lengths = np.linalg.norm(planes[:, :3], order, axis=1, keepdims=True)
+        planes /= np.where(lengths > 0.0, lengths, 1.0)  # rounding can leave nothing of a plane
     return Film(normalised(surface), normalised(lines), planes)
 
 

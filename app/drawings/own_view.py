@@ -1,7 +1,8 @@
 """The world pane's own camera, which looks at everything from outside and is not the model's.
 
-Free, it frames the drawing until the user moves it; `OwnView.refit` follows when a gesture ends.
-Fixed, it stands in the model's camera frame and moves with it:
+Free, it looks from the scene's shot: a direction, and a fit. The fit has a closed form: the nearest
+place from which everything that has to be inside is inside the pane, less the room for labels. So
+it stands until the user moves it. Fixed, it stands in the model's camera frame and moves with it:
 
 ======  =========================  ===========  ==========================
 name    projection                 right, up    looks along
@@ -16,41 +17,33 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 from itertools import product
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.drawings.actors import axes_of
-from app.drawings.frame import AROUND_PX, SIX_WAYS
+from app.drawings.frame import BALL, BEFORE, PART_OF_PANE
 from app.drawings.pane_view import PaneCamera, PaneView
-from app.drawings.pointing import FACES
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.model.limits import cos_sin_deg
 from app.model.projection import Array, Camera
 from app.picking.sight import Sight
+from app.scenes.phenomena.illustration import Shot
 
 _VIEW_ANGLE_DEG = 50.0
-_MARGIN_EM = 1.3  # for the labels
-_SMALL_MARGIN = 1.0 / 6.0  # of a small pane: both sides together take no more of it
-_BEHIND_FAR = 1.4  # of far's distance: the depth that a view from the side shows
-_LARGE, _LARGE_AREA = 0.6, 0.35  # of the pane's longer side, and of its area: the core
-_NEARBY = 0.35  # of what is beside the core: counts when the free view chooses its direction
-_VERY_LARGE = 0.7  # of the longer side: large, whatever its area
-_SHARES = (1.0, 0.8, 0.65, 0.5, 0.35, 0.2, 0.1, 0.0)  # of what is beside the core, best first
-_SHRUNK = 0.4  # of the pane: `refit` brings nearer what fills less of it
+_HALF = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
+_MARGIN, _LABEL_EM = 0.04, 1.3  # on each side: of the pane, and for labels
+_SMALL_MARGIN = 1.0 / 12.0  # of a small pane: labels get no more of it
+_MOST_BESIDE = 0.5  # of the height: title, rows of lengths and margins together take no more
+_LEAST_SLOPE = 0.1  # of the pane's: what the camera's drawn parts leave of it at least
+_BEFORE = 0.05  # of the extent of what is framed: the camera stands so far before it
 _NEAREST = 0.02  # of the distance to the focal point: nearer things are cut
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
 _STEEPEST_EYE = math.tan(math.radians(80.0))  # what a pane shows from the eye, at most
 _HIGHEST = math.sin(math.radians(80.0))  # largest elevation of a view that was fixed
-
-# Where the pane is looked from as it opens: how far behind the model's camera, and how high.
-_TURNS_DEG, _RISES_DEG = (20.0, 35.0, 50.0), (15.0, 25.0, 35.0)
-_GRID = 24  # of samples along each side of a square pane, by which it is chosen
-_EYE_PART = 0.1  # of half the pane, round the eye
 
 _AXES = {
     "side": ((2, -1.0), (1, 1.0), (0, -1.0)),
@@ -62,22 +55,19 @@ _AXES = {
 
 
 class Framed(NamedTuple):
-    """What the pane shows, and how it is oriented; scene-local."""
+    """What the pane shows, and from where; scene-local."""
 
     camera: Camera  # the model's
     eye: Array
-    core: Array  # (m, 3): must be in view and large, as must the camera's body and axes
-    beside: Array  # (k, 3): come into view as far as the core stays large
+    points: Array  # (n, 3): must be inside the pane
+    parts: Array  # (k, 3): the camera's drawn parts that must be inside; from the eye, in bodies
     corners: Array | None  # (8, 3), of the frustum
-    objects: Array  # (8, 3), of the box round the objects
     has_eye: bool  # whether the lens' projectors meet
     below_em: float  # height of the text below a fixed view
-    side: tuple[float, float] | None = None  # of `Scene.side`
+    shot: Shot
 
-    def shared(self, share: float) -> Array:
-        """The points in view if what is beside the core has this share of its distance, (n, 3)."""
-        middle = (self.core.min(axis=0) + self.core.max(axis=0)) / 2.0
-        return np.vstack([self.core, middle + share * (self.beside - middle)])
+    def moved(self, by: Array) -> Framed:
+        return self._replace(eye=self.eye + by, points=self.points + by)
 
 
 class _Flat(NamedTuple):
@@ -90,20 +80,18 @@ class _Flat(NamedTuple):
 
 
 class OwnView(PaneCamera):
-    """The place of the pane's own camera, and what it frames.
+    """The place of the pane's own camera.
 
-    `pane` is how it looks now; `look` notices a move from outside. `around` is how far the
-    camera's drawn parts reach, 0 if they need not be in view; `fixed` is one of
+    `pane` is how it looks now; `look` notices a move from outside. `fixed` is one of
     `app.document.view.FIXED`, or ``""``.
     """
 
-    def __init__(self, canvas: PropGroup, origin: Array, middle: Array) -> None:
+    def __init__(self, canvas: PropGroup, origin: Array) -> None:
         super().__init__(canvas)
-        self._origin, self._middle = origin, middle
-        self._framed: Framed | None = None
-        self._framed_first: Framed | None = None
+        self._origin = origin
         self.fixed = ""
-        self.around = 1.0
+        self._heading_deg = 0.0
+        """The azimuth of the model's camera when the picture opened."""
         self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
@@ -140,150 +128,109 @@ class OwnView(PaneCamera):
     # -- the free view
 
     def reset(self, framed: Framed) -> None:
-        """Look from where the parts are seen best, or as the fixed view does."""
-        self._framed = self._framed_first = framed
+        """Look from the shot, or as the fixed view does."""
+        self._heading_deg = framed.camera.orbit.azimuth_deg
         self._was_shifted = False
-        if not self.fixed:
-            self._direction = _clearest([framed])
         self.place(framed)
 
-    def refit(self, framed: Framed) -> bool:
-        """Frame what has left the view or nearly vanished; return whether the camera has moved.
+    def place(self, framed: Framed) -> bool:
+        """Look from as near as the pane allows; return whether the camera has moved.
 
-        It goes back to what `reset` framed as soon as that shows everything again. The direction of
-        looking stays.
+        A fixed view that was shifted stays.
         """
-        if self.fixed:
-            return self._refit_fixed(framed)
-        points, first = framed.core, self._framed_first
-        assert first is not None
-        if self._framed is not first and self._fits(points, self._stand(first)[0]):
-            self._framed = first
-        elif self._fits(points, self.pane.eye):
-            return False
-        else:
-            self._framed = framed
-        self.place(framed)
-        return True
-
-    def _refit_fixed(self, framed: Framed) -> bool:
-        before = self._flat
-        assert before is not None
-        now = self._frame_flat(self._axes, framed)
-        size = max(before.half_height, now.half_height)
-        aside = max(abs(before.right - now.right), abs(before.up - now.up))
-        is_seen = now.half_height + aside <= 1.02 * before.half_height
-        if self._was_shifted or (is_seen and now.half_height >= _SHRUNK * size):
-            return False
-        self.place(framed)
-        return True
-
-    def _fits(self, points: Array, eye: Array) -> bool:
-        """Whether points are in the view from `eye` in the present direction, and large enough."""
-        pane = self.pane
-        x, y, depth = pane.axes @ (points - eye).T
-        if depth.min() <= 0.0:
-            return False
-        width_px, height_px = pane.size_px
-        # From -1 to 1 in the pane.
-        unit = np.where(depth > 0.0, pane.unit(depth), np.inf)
-        across, up = 2.0 * x / (unit * width_px), 2.0 * y / (unit * height_px)
-        largest = max(float(np.ptp(across)), float(np.ptp(up))) / 2.0
-        inside = max(float(np.abs(across).max()), float(np.abs(up).max())) <= 1.0
-        return inside and largest >= _SHRUNK
-
-    def place(self, framed: Framed) -> None:
-        """Look at the framed points in the present direction, from as near as the window allows."""
+        before = self._now
         if self.fixed:
             if not self._was_shifted:
                 self._flat = None
             self.follow(framed)
-            return
-        assert self._framed is not None
-        self._see_by_perspective()
-        position, focus, _ = self._stand(self._framed)
-        self._stand_at(position, focus)
-        self._placed = self._now
+        else:
+            self._see_by_perspective()
+            self._stand_at(*self._stand(self._shot_axes(framed.shot), [framed]))
+            self._placed = self._now
+        return self._now != before
 
     def _see_by_perspective(self) -> None:
         self._camera.SetParallelProjection(False)
         self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
 
-    def _room(self, below_em: float) -> tuple[float, float]:
-        """The parts of the pane's width and height for what is framed, each 1/2 to 1."""
-        wide, high = self.size_px
-        margin = min(2.0 * _MARGIN_EM * self._em, _SMALL_MARGIN * min(wide, high))
-        beside = (TITLE_EM + below_em) * self._em
-        return (max(0.5, (wide - margin) / wide), max(0.5, (high - margin - beside) / high))
+    def _shot_axes(self, shot: Shot, turn_deg: float = 0.0) -> Array:
+        """Right, up and toward what is looked at, (3, 3)."""
+        heading_deg = self._heading_deg if shot.about == "camera" else 0.0
+        cos_a, sin_a = cos_sin_deg(shot.azimuth_deg + heading_deg + turn_deg)
+        cos_e, sin_e = cos_sin_deg(shot.elevation_deg)
+        right, out = (cos_a, 0.0, -sin_a), (sin_a * cos_e, sin_e, cos_a * cos_e)
+        return np.array([right, np.cross(out, right), np.negative(out)])
 
-    def _slopes(self) -> tuple[tuple[float, float], float]:
-        """How steeply the free view sees to the sides and up, and how far it stands lower."""
-        half, size_px = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)), self.size_px
-        wide, high = self._room(0.0)
-        lower = half * TITLE_EM * self._em / size_px[1]  # by half of what the pane's title takes
-        return (half * wide * size_px[0] / size_px[1], half * high), lower
+    def _room(self, below_em: float) -> Array:
+        """The parts of the pane's half sides for what is framed: left, right, down, up."""
+        sides = np.repeat(self.size_px, 2)
+        label_px = min(_LABEL_EM * self._em, _SMALL_MARGIN * float(sides.min()))
+        taken = _MARGIN * sides + label_px + np.array([0.0, 0.0, below_em, TITLE_EM]) * self._em
+        taken[2:] *= min(1.0, _MOST_BESIDE * sides[3] / (taken[2] + taken[3]))
+        room: Array = 1.0 - 2.0 * taken / sides
+        return room
 
-    def _stand(self, framed: Framed) -> tuple[Array, Array, Array]:
-        """Return the camera's place, its focal point, (3,) each, and what is in view, (n, 3)."""
-        out, size_px, eye = self._direction, self.size_px, framed.eye
-        axes, half = _axes_from(out), math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
-        slopes, lower = self._slopes()
-        for share in _SHARES:
-            points = shown = framed.shared(share)
-            position = _stand_back(axes, points, slopes, lower)
-            for _ in range(2):  # camera's body and axes are as large as the pane makes them
-                unit = 2.0 * half / size_px[1] * float((position - eye) @ out)
-                around = max(0.0, self.around * AROUND_PX * min(size_px) * unit)
-                body = eye + around * SIX_WAYS if around else np.empty((0, 3))
-                shown = np.vstack([points, body])
-                position = _stand_back(axes, shown, slopes, lower)
-            x, y, away = axes @ (framed.core - position).T
-            across, up = np.ptp(x / away) / (2.0 * half), np.ptp(y / away) / (2.0 * half)
-            if _is_large(float(across) * size_px[1] / size_px[0], float(up)):
-                break
-        # Ahead of the pane's camera, even if the model's eye is behind it.
-        middle = (float(self._middle @ out) + min(float(eye @ out), float(position @ out))) / 2.0
-        return position, position + (middle - float(position @ out)) * out, shown
+    def _slopes(self, below_em: float, half_height: float) -> Array:
+        """How steeply, or far, the pane sees to the left, right, down and up inside its room."""
+        wide_px, high_px = self.size_px
+        wide = half_height * wide_px / high_px
+        slopes: Array = self._room(below_em) * (wide, wide, half_height, half_height)
+        return slopes
+
+    def _limits(
+        self, axes: Array, framed: Framed, slopes: Array, half_height: float, *, flat: bool = False
+    ) -> list[Array]:
+        """What limits a view with these axes, for `_fit`.
+
+        The camera's drawn parts have their size in pixels: they take it from the room of the eye.
+        """
+        x, y, toward = axes @ framed.points.T
+        limits = [_limits(x, y, 0.0 * toward if flat else toward, slopes)]
+        if len(framed.parts):
+            grown = 2.0 * half_height * PART_OF_PANE * min(self.size_px) / self.size_px[1]
+            body = grown / (BALL if flat else BALL + BEFORE * grown)
+            right, up, away = body * (axes @ framed.parts.T)
+            nearer = 1.0 if flat else 1.0 + away
+            taken = np.stack([-right, right, -up, up])
+            left = (slopes[:, None] * nearer - taken).min(axis=1)
+            x, y, toward = axes @ framed.eye[:, None]
+            least = _LEAST_SLOPE * half_height
+            limits.append(_limits(x, y, 0.0 * toward if flat else toward, np.maximum(left, least)))
+        return limits
+
+    def _stand(self, axes: Array, moments: Sequence[Framed]) -> tuple[Array, Array]:
+        """Return the camera's place and its focal point, (3,) each."""
+        slopes = self._slopes(0.0, _HALF)
+        limits = [each for one in moments for each in self._limits(axes, one, slopes, _HALF)]
+        points = np.concatenate([each.points for each in moments])
+        toward, extent = points @ axes[2], float(np.ptp(points, axis=0).max()) or 1.0
+        right, up, back = _fit(limits, _BEFORE * extent - float(toward.min()))
+        middle = (float(toward.min()) + float(toward.max())) / 2.0
+        return np.array([right, up, -back]) @ axes, np.array([right, up, middle]) @ axes
 
     def from_all_sides(self, moments: Sequence[Framed], turns_deg: Sequence[float]) -> list[Camera]:
         """Return free views that show all of several moments, in world coordinates.
 
         Several of them go round the middle of what they show, and keep all of it in view.
         """
-        core = np.vstack([each.core for each in moments])
-        beside = np.vstack([each.beside for each in moments])
-        self._direction = _clearest(moments)
-        framed = moments[0]._replace(core=core, beside=beside)
-        if len(turns_deg) > 1:
-            focus, positions = self._round(framed, turns_deg)
+        self._heading_deg = moments[0].camera.orbit.azimuth_deg
+        all_axes = [self._shot_axes(moments[0].shot, turn_deg) for turn_deg in turns_deg]
+        if len(all_axes) == 1:
+            stands = [self._stand(all_axes[0], moments)]
         else:
-            position, focus, _ = self._stand(framed)
-            positions = [position]
-        target = tuple(self._origin + focus)
-        return [Camera(tuple(self._origin + place), target) for place in positions]
-
-    def _round(self, framed: Framed, turns_deg: Sequence[float]) -> tuple[Array, list[Array]]:
-        """Return the middle of what is framed, and the places around it that show all of it."""
-        points = framed.shared(1.0)
-        focus = (points.min(axis=0) + points.max(axis=0)) / 2.0
-        directions = [_turned(self._direction, turn_deg) for turn_deg in turns_deg]
-        all_axes = [_axes_from(way) for way in directions]
-        (across, up), lower = self._slopes()
-
-        def needed() -> tuple[float, float, float]:
-            x, y, toward = np.stack([axes @ (points - focus).T for axes in all_axes], axis=1)
-            sides = np.abs(x) / across, y / (up - lower), -y / (up + lower)
-            beside, above, below = (float((side - toward).max()) for side in sides)
-            return beside, above, below
-
-        body_px = self.around * AROUND_PX * min(self.size_px)
-        unit = 2.0 * math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0)) / self.size_px[1]
-        if body_px:
-            points = np.vstack([points, framed.eye + body_px * unit * max(needed()) * SIX_WAYS])
-        for _ in range(4):  # as high as makes it nearest
-            _, above, below = needed()
-            focus[1] += 0.5 * up * (above - below)
-        return focus, [focus + max(needed()) * way for way in directions]
+            points = np.concatenate([each.points for each in moments])
+            focus = (points.min(axis=0) + points.max(axis=0)) / 2.0
+            slopes = self._slopes(0.0, _HALF)
+            limits = [
+                each
+                for axes, one in product(all_axes, moments)
+                for each in self._limits(axes, one.moved(-focus), slopes, _HALF)
+            ]
+            low, less, high, more = np.stack(limits, axis=-1)
+            away = float(np.maximum(high / more, -low / less).max())
+            stands = [(focus - away * axes[2], focus) for axes in all_axes]
+        places = [[tuple(self._origin + point) for point in stand] for stand in stands]
+        return [Camera(place, focus) for place, focus in places]
 
     # -- fixed views
 
@@ -310,41 +257,18 @@ class OwnView(PaneCamera):
         return self.fixed == "eye" and not self._camera.GetParallelProjection()
 
     def _frame_flat(self, axes: Array, framed: Framed) -> _Flat:
-        wide_px, high_px = self.size_px
+        about = framed.moved(-framed.eye)
         if self.fixed == "eye" and framed.has_eye:
-            corners = framed.shared(1.0) if framed.corners is None else framed.corners
-            x, y, depth = axes @ (corners - framed.eye).T
-            wide, high = self._room(framed.below_em + TITLE_EM)  # as much below: it looks ahead
+            corners = about.points if framed.corners is None else framed.corners - framed.eye
+            x, y, depth = np.abs(axes @ corners.T)
+            wide, _, *room = self._slopes(max(framed.below_em, TITLE_EM), 1.0)
             with np.errstate(divide="ignore", invalid="ignore"):
-                across, up = np.abs(x / depth).max(), np.abs(y / depth).max()
-            slope = max(up / high, across / wide * high_px / wide_px)
+                slope = float(max((x / depth).max() / wide, (y / depth).max() / min(room)))
             return _Flat(0.0, 0.0, 0.0, min(slope, _STEEPEST_EYE) if slope > 0.0 else 1.0)
-        wide, high = self._room(framed.below_em)
-        core = np.ptp(axes[:2] @ framed.core.T, axis=1)
-        for share in _SHARES:
-            offsets = axes @ (framed.shared(share) - framed.eye).T
-            if self.fixed in ("side", "top") and framed.corners is not None:
-                # Objects far behind the frustum would shrink it to a strip.
-                far = float((axes[0] @ (framed.corners - framed.eye).T).max())
-                deepest = max(_BEHIND_FAR * far, 1.1 * framed.camera.distance)
-                offsets[0] = np.minimum(offsets[0], deepest)
-            low, most = offsets[:2].min(axis=1), offsets[:2].max(axis=1)
-            middle, half = (low + most) / 2.0, 0.0
-            for _ in range(2):
-                half = max((most[1] - low[1]) / (2.0 * high), 1e-12 * float(np.abs(offsets).max()))
-                half = max(half, (most[0] - low[0]) / (2.0 * wide) * high_px / wide_px)
-                half = half or 1.0  # of one point
-                around = self.around * AROUND_PX * min(wide_px, high_px) * 2.0 * half / high_px
-                if around:
-                    low, most = np.minimum(low, -around), np.maximum(most, around)
-                middle = (low + most) / 2.0
-            # The rows of lengths belong to the core.
-            across, up = core / (2.0 * half) * (high_px / wide_px, 1.0)
-            if _is_large(float(across), float(up) + framed.below_em * self._em / high_px):
-                break
-        middle[1] -= (framed.below_em - TITLE_EM) * self._em / high_px * half
-        deepest = float(np.linalg.norm(offsets, axis=0).max()) + around
-        return _Flat(float(middle[0]), float(middle[1]), 2.0 * deepest, float(half))
+        limits = self._limits(axes, about, self._slopes(framed.below_em, 1.0), 1.0, flat=True)
+        farthest = float(np.linalg.norm(about.points, axis=1).max())
+        right, up, half = _fit(limits, 1e-12 * farthest or 1.0)
+        return _Flat(right, up, 2.0 * (farthest + half), half)
 
     def _was_moved_while_fixed(self) -> None:
         """Keep the fixed view if it was shifted or enlarged; a turn makes it the free one."""
@@ -433,118 +357,30 @@ class OwnView(PaneCamera):
         return Sight(pane.eye + self._origin, rows, np.array([(*toward, -nearest)]))
 
 
-def _is_large(across: float, up: float) -> bool:
-    """Whether a box of these parts of the pane's sides is as large as what is named should be."""
-    longer = max(across, up)
-    return longer >= _LARGE and (across * up >= _LARGE_AREA or longer >= _VERY_LARGE)
+# --------------------------------------------------------------------------- the fit
 
 
-# --------------------------------------------------------------------------- the opening view
+def _limits(x: Array, y: Array, toward: Array, slopes: Array) -> Array:
+    """How points limit the place of a camera that sees them within slopes, two rows of four.
 
-
-def _axes_from(out: Array) -> Array:
-    """Right, up and toward what is looked at of a camera that stands in a direction, (3, 3)."""
-    right = np.cross((0.0, 1.0, 0.0), out)
-    right /= np.linalg.norm(right)
-    return np.stack([right, np.cross(out, right), -out])
-
-
-def _turned(out: Array, turn_deg: float) -> Array:
-    """A direction after a turn about the vertical, (3,)."""
-    x, y, z = out
-    cos, sin = cos_sin_deg(turn_deg)
-    return np.array([cos * x + sin * z, y, cos * z - sin * x])
-
-
-def _stand_back(
-    axes: Array, points: Array, slopes: tuple[float, float], lower: float = 0.0
-) -> Array:
-    """Return where these points just fill a view of these slopes, lowered by one, (3,)."""
-    right, up, toward = axes
-    x, y, away = axes @ points.T
-    centre, distance = [], -math.inf
-    for across, slope, shift in ((x, slopes[0], 0.0), (y, slopes[1], lower)):
-        low = float((-(slope + shift) * away - across).max())
-        high = float((-(slope - shift) * away + across).max())
-        centre.append((high - low) / 2.0)
-        distance = max(distance, (high + low) / (2.0 * slope))
-    position: Array = centre[0] * right + (centre[1] + lower * distance) * up - distance * toward
-    return position
-
-
-def _directions(frame: Array, sides: Iterable[tuple[float, float]]) -> Iterator[Array]:
-    """The directions to look from: turned from beside the model's camera, and raised."""
-    behind = np.array([frame[2, 0], 0.0, frame[2, 2]])
-    beside = np.cross(behind, (0.0, 1.0, 0.0))
-    if np.linalg.norm(beside) < 0.2:  # it looks straight down or up: stand at its right
-        beside = np.array([frame[0, 0], 0.0, frame[0, 2]])
-        if np.linalg.norm(beside) < 0.2:
-            beside = np.array([1.0, 0.0, 0.0])
-    beside /= np.linalg.norm(beside)
-    if beside @ (0.3, 0.0, 1.0) < 0.0:  # scenes show their fronts to +z
-        beside = -beside
-    for turn_deg, rise_deg in sides:
-        turn, rise = math.radians(turn_deg), math.radians(rise_deg)
-        level = math.cos(turn) * beside + math.sin(turn) * behind
-        level /= np.linalg.norm(level)
-        yield math.cos(rise) * level + np.array([0.0, math.sin(rise), 0.0])
-
-
-def _clearest(moments: Sequence[Framed]) -> Array:
-    """The direction that shows eye, near plane, objects and far plane best, (3,).
-
-    It maximises the product of the parts of a square pane that each of the four takes alone, and
-    that all of them take together. The result does not depend on the pane's proportions. Of several
-    moments the worst decides.
+    From `back` behind the origin, a place to the right sees a point if it is between
+    ``x - right * (toward + back)`` and ``x + left * (toward + back)``. So the points leave the
+    places from ``high - right * back`` to ``low + left * back``; likewise up.
     """
-    best, direction = -math.inf, None
-    for framed in moments:
-        sides = product(_TURNS_DEG, _RISES_DEG) if framed.side is None else (framed.side,)
-        for out in _directions(framed.camera.frame, sides):
-            shown = min(_parts_shown(each, out) for each in moments)
-            if shown > best:
-                best, direction = shown, out
-    assert direction is not None
-    return direction
+    left, right, down, above = slopes
+    return np.array([
+        ((x + left * toward).min(), left, (x - right * toward).max(), right),
+        ((y + down * toward).min(), down, (y - above * toward).max(), above),
+    ]).T  # fmt: skip
 
 
-def _parts_shown(framed: Framed, out: Array) -> float:
-    half = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
-    eye = framed.eye[None]
-    corners = np.tile(eye, (8, 1)) if framed.corners is None else framed.corners
-    axes = _axes_from(out)
-    position = _stand_back(axes, np.vstack([framed.shared(_NEARBY), eye]), (half, half))
-    x, y, away = axes @ (np.vstack([eye, corners, framed.objects]) - position).T
-    spots = np.stack([x, y], axis=1) / (half * away)[:, None]
-    eye_spot, frustum, objects = spots[0], spots[1:9], spots[9:]
-    near, far, *walls = _inside(frustum[_SIDES])
-    thing = _inside(objects[_SIDES]).any(axis=0)
-    whole = np.logical_or.reduce([near, far, thing, *walls])
-    at_eye = (np.abs(_SPOTS - eye_spot) < _EYE_PART).all(axis=1)
-    parts = (
-        near & ~thing & ~at_eye,
-        thing & ~near & ~at_eye,
-        far & ~thing & ~near & ~at_eye,
-        at_eye & ~near & ~far & ~thing,
-        whole,
-    )
-    return math.prod(max(0.5, float(part.sum())) for part in parts)
+def _fit(limits: Sequence[Array], least: float) -> tuple[float, float, float]:
+    """Return the nearest place within all limits, at least so far behind: right, up and back.
 
-
-_STEPS = (np.arange(_GRID) + 0.5) * (2.0 / _GRID) - 1.0
-_SPOTS = np.stack(np.meshgrid(_STEPS, _STEPS), axis=-1).reshape(-1, 2)
-
-
-_SIDES = [list(face) for face in FACES.values()]
-"""Near and far first."""
-
-
-def _inside(faces: Array) -> NDArray[np.bool_]:
-    """Which of `_SPOTS` are in convex faces, (n, 4, 2): (n, `_GRID` ** 2)."""
-    along = np.roll(faces, -1, axis=1) - faces
-    # Left of each side: a linear form of the spot, the other way round for a face from behind.
-    normals = np.stack([-along[..., 1], along[..., 0]], axis=-1)
-    offsets = (normals * faces).sum(axis=-1, keepdims=True)
-    turns = normals @ _SPOTS.T - offsets
-    is_inside: NDArray[np.bool_] = np.logical_or(turns.min(axis=1) >= 0.0, turns.max(axis=1) <= 0.0)
-    return is_inside
+    Each lower and each higher limit meet at a distance; the largest of these is the answer.
+    """
+    low, less, high, more = np.stack(limits, axis=-1)
+    meet = (high[:, :, None] - low[:, None]) / (more[:, :, None] + less[:, None])
+    back = max(least, float(meet.max()))
+    right, up = ((low + less * back).min(axis=1) + (high - more * back).max(axis=1)) / 2.0
+    return float(right), float(up), back

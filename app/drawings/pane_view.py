@@ -73,6 +73,12 @@ class PaneView(NamedTuple):
             spots: Array = np.stack([px * x, px * y], axis=-1) + np.array(self.size_px) / 2.0
         return spots.reshape(*points.shape[:-1], 2)
 
+    def outside_px(self, points: Array) -> float:
+        """How far the farthest of these points, (n, 3), lies outside the pane; inf if behind."""
+        middle = np.array(self.size_px) / 2.0
+        beyond = np.abs(self.spots(points) - middle) - middle
+        return max(0.0, float(np.where(np.isnan(beyond), np.inf, beyond).max()))
+
     def pointed(self, points: Array) -> list[Spot]:
         """Where points are from the pane's top left, with an order that is linear there."""
         height_px = self.size_px[1]

@@ -19,6 +19,7 @@ from app.lecture.highlight import SIDES, Highlight, corner_at
 from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.picking.sight import Sight
+from app.scenes.phenomena.marks import Eyes
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
 _MARKS_DEPTH = -0.9999  # just behind near
@@ -68,6 +69,12 @@ class ImageState(PaneState):
             return side, round((BARE_EM + TITLE_EM) * em), side, side
         above = 1.7 + TITLE_EM
         return round(2.2 * em), round(above * em), round(1.8 * em), round(2.0 * em)
+
+    @property
+    def eyes(self) -> Eyes | None:
+        """The two eyes whose pictures are shown instead of the camera's."""
+        rendering = None if self.illustration is None else self.illustration.rendering
+        return None if rendering is None else rendering.eyes
 
     @property
     def rectangle(self) -> Rectangle:

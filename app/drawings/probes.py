@@ -133,9 +133,13 @@ class WorldProbes(Probes):
             marks.append(ProbeMark(probe.number, spot, not trace.outside.any(), way, crossing))
         return marks
 
-    def core(self) -> list[Array]:
-        points = [probe.point for probe in self._state.probes if probe.point is not None]
-        return [self._state.framed(np.reshape(points, (-1, 3)) - self._state.origin)]
+    def inside(self) -> dict[str, Array]:
+        state = self._state
+        return {
+            str(probe.number): state.framed(np.array([probe.point]) - state.origin)
+            for probe in state.probes
+            if probe.point is not None
+        }
 
 
 class StageProbes(Probes):
@@ -176,7 +180,9 @@ class ImageProbes(Probes):
     _state: ImageState
 
     def marks(self) -> list[ProbeMark]:
-        marks = []
+        marks: list[ProbeMark] = []
+        if self._state.eyes is not None:  # they have two places then
+            return marks
         for probe, trace in self._traced(self._state.projection):
             if trace is None:
                 pixel, solid = np.array(probe.pixel), True

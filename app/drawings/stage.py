@@ -37,7 +37,7 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.stage_box import StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import Style
-from app.lecture.highlight import ENDS
+from app.lecture.highlight import AXES, ENDS
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, RADIUS, VIEW
 from app.model.parameters import FAR
 from app.model.projection import Array, Projection
@@ -172,7 +172,7 @@ class StageDrawing(Drawing):
         self.layers.show()
         if self.box.placed != before:
             emphasis.show_names(self.names)
-            emphasis.show(self.names.pointed - self.state.strangers)
+            emphasis.show(self.names.pointed)
         if self.box.placed != before or self.state.probes or not self._marks.is_empty:
             self.layers.settle()
             self.layers.place_labels()
@@ -185,11 +185,22 @@ class StageDrawing(Drawing):
     # -- the pane's own camera
 
     def reset_view(self) -> None:
-        self.own.reset(self.state.position, self.state.projection, self._framed)
+        self._look()
         self.reset_clipping_range()
 
-    def _framed(self, stop: int) -> Array:
-        """What has to be in view at the stop of the world or of the view, (n, 3): display space.
+    def _look(self) -> None:
+        """Place the camera; x, y and z of the world stand still in the pane if they are named."""
+        state = self.state
+        stands = all(map(self.names.wants, "xyz")) and state.position <= VIEW
+        framed, origin = self._framed, state.morph.origin_at
+        if stands:
+            around = np.concatenate([framed(k / 2) - origin(k / 2) for k in range(3)])
+            self.own.reset(state.position, state.projection, lambda k: around + origin(k), origin)
+        else:
+            self.own.reset(state.position, state.projection, framed)
+
+    def _framed(self, stop: float) -> Array:
+        """What has to be in view at a position up to the view's stop, (n, 3): display space.
 
         These are the objects, the eye, the named axes and the near plane. Far belongs to them if it
         is named; else it may leave the pane, as the grid does.
@@ -206,9 +217,11 @@ class StageDrawing(Drawing):
         points = points[np.isfinite(points).all(axis=1)]
         # What is outside the ball that the display is scaled to is not worth its room.
         points /= np.maximum(1.0, np.linalg.norm(points, axis=1, keepdims=True) / RADIUS)
-        if all(map(self.names.wants, "uvn" if stop == VIEW else "xyz")):
-            start, axes = morph.axes_at(stop)
-            points = np.concatenate([points, start + AXES_LENGTH * axes])
+        start, axes = morph.axes_at(stop)
+        named = [axis for name, axis in zip(AXES, axes, strict=True) if self.names.wants(name)]
+        points = np.concatenate([points, *(start + AXES_LENGTH * axis[None] for axis in named)])
+        if stop < VIEW and all(map(self.names.wants, "xyz")):
+            points = np.concatenate([points, morph.origin_at(stop) + AXES_LENGTH * np.eye(3)])
         return points
 
     def reset_clipping_range(self) -> None:
@@ -227,7 +240,7 @@ class StageDrawing(Drawing):
         if self.own.is_turned:
             self.own.go_to_goal()
         else:
-            self.own.reset(state.position, state.projection, self._framed)
+            self._look()
         if part < 1.0:
             self.own.glide(part)
         else:

@@ -24,6 +24,7 @@ from app.drawings.actors import (
     put_behind,
     unlit_actor,
 )
+from app.drawings.camera import camera_body
 from app.drawings.frustum import CUBE
 from app.drawings.label import SceneLabel
 from app.drawings.label_placement import Ground
@@ -42,7 +43,7 @@ from app.drawings.pointing import (
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, CORNERS, ENDS, NOTHING, SIDES
+from app.lecture.highlight import AXES, CORNERS, ENDS, SIDES
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -61,12 +62,13 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
 from app.scenes.scene import Scene
 
-_NAMES = *ENDS, *AXES  # of what is written beside the volume
+_NAMES = *ENDS, *AXES, *"xyz"  # of what is written beside the volume
 _FARTHEST_MARK = 1e3  # where lines toward infinity end
 _BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0, 0, 1]])
 _PALER = 0.6  # of the near plane's tint in the world, where it is smaller
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
 _SHORT = 0.28  # of an edge of the cube: its axes
+_BODY = 0.09  # the camera's: the unit of its size
 _SMALL_HEAD = 0.5  # of an arrow's head: before the cube the pane shows less of the display space
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
@@ -200,10 +202,17 @@ class StageBox(Layer):
         self._volume = (*lines, *faces)
 
     def _add_axes(self) -> None:
-        """Shafts of length 1 and their heads, along x."""
+        """Shafts of length 1 and their heads, along x; and the camera.
+
+        Three are the camera's, or after the view the stage's own. The others are x, y and z of the
+        space in which the camera moves until then.
+        """
         style = self._canvas.style
+        self._camera, self._body = Space(), camera_body(style)
+        self._camera.add(*self._body)
+        self._canvas.add(*self._body, layer="camera")
         self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
-        for colour in (style.u, style.v, style.n):
+        for colour in 2 * (style.u, style.v, style.n):
             shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width)
             cone = pv.Cone(center=(-0.07, 0, 0), height=0.14, radius=0.045, resolution=24)
             head = unlit_actor(cone)
@@ -220,6 +229,8 @@ class StageBox(Layer):
         self.near, self.far = (label(e, self._words[e], getattr(style, e)) for e in ENDS)
         self._numbers = {name: [label((name, i)) for i in range(2)] for name in "xyz"}
         self._letters = tuple(label(a, "", getattr(style, a)) for a in AXES)
+        xyz = zip("xyz", AXES, strict=True)
+        self._letters += tuple(label(a, self._words[a], getattr(style, b)) for a, b in xyz)
         self._keys = {
             **dict(zip((self.near, self.far, *self._letters), _NAMES, strict=True)),
             **{pair[i]: (name, i) for name, pair in self._numbers.items() for i in range(2)},
@@ -232,9 +243,9 @@ class StageBox(Layer):
         for name, line in self._outlines.items():
             emphasis.line(line, name)
         emphasis.line(self._edges, of=ENDS)
-        for name, (_, _, shaft, _) in zip(AXES, self._arrows, strict=True):
+        for name, (_, _, shaft, _) in zip(AXES, self._arrows, strict=False):
             emphasis.line(shaft, name, of=(*"xyz", *AXES))  # visible only if it is named
-        for label, name in zip((self.near, self.far, *self._letters), _NAMES, strict=True):
+        for label, name in zip((self.near, self.far, *self._letters[:3]), _NAMES, strict=False):
             emphasis.label(label, name)
 
     # -- at a position of the strip
@@ -250,8 +261,6 @@ class StageBox(Layer):
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
         state.stop, state.display_from_box = stop, box
-        # At the world's stop the axes are x, y and z of the world, not the camera's.
-        state.strangers = frozenset(AXES) if stop == WORLD else NOTHING
         self._space.set(box)
         for actor in self._volume:
             actor.SetVisibility(drawn)
@@ -294,9 +303,16 @@ class StageBox(Layer):
                 if away > RADIUS:  # far from the scene: at the border toward it
                     start *= RADIUS / away
                 tips = start + AXES_LENGTH * axes
+                self._camera.set(_placed(start, _BODY * axes.T))
             starts = inner = np.tile(start, (3, 1))
+        for part in self._body:
+            part.SetVisibility(stop <= VIEW and morph.projection.has_camera)
+        moves = position < VIEW and (morph.projection.has_camera or position == WORLD)
+        origin = np.tile(morph.origin_at(position) if moves else np.zeros(3), (3, 1))
+        starts, inner = np.concatenate([starts, origin]), np.concatenate([inner, origin])
+        tips = np.concatenate([tips, origin + AXES_LENGTH * np.eye(3)])
         self.axes = np.stack([starts, inner, tips], axis=1)
-        letters = "uvn" if stop == VIEW else "xyz"
+        letters = "uvnxyz" if stop <= VIEW else "xyzxyz"
         for i, (shaft_space, head_space, *arrow) in enumerate(self._arrows):
             along = tips[i] - starts[i]
             length = math.hypot(*along)
@@ -307,14 +323,13 @@ class StageBox(Layer):
             letter = self._letters[i]
             self._at[letter] = tips[i]
             word = self._words[letters[i]]
-            letter.set_text(vector(word) if stop == VIEW else word)
+            is_cameras = stop <= VIEW and i < 3
+            letter.set_text(vector(word) if is_cameras else word)
             # A single x, y or z may be a length in another pane.
-            wanted = letters if stop != VIEW else letters[i]
-            if stop == IMAGE:
-                wanted = "xy"
+            wanted = letters[i] if is_cameras else "xy" if stop == IMAGE else "xyz"
             is_named = all(name in self._names for name in wanted)
-            is_named |= AXES[i] in self._names.pointed
-            is_shown = is_named and (stop != IMAGE or i < 2)
+            is_named |= _NAMES[2 + i] in self._names.pointed
+            is_shown = is_named and (stop != IMAGE or i < 2) and (i < 3 or moves)
             letter.set_visible(is_shown)
             for actor in arrow:
                 actor.SetVisibility(is_shown)
@@ -407,7 +422,7 @@ class StageBox(Layer):
         corners = _spots(CUBE, pane @ self._state.display_from_box)
         points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
         segments: list[Segment] = []
-        for name, ends in zip(AXES, self.axes[:, 1:], strict=True):
+        for name, ends in zip(AXES, self.axes[:3, 1:], strict=True):
             start, tip = _spots(ends, pane)
             segments.append((frozenset((name,)), start, tip))
         return Targets(points, segments + volume_edges(corners), corners)

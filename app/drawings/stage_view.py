@@ -14,7 +14,7 @@ from app.drawings.actors import CUBE_CORNERS, axes_of
 from app.drawings.pane_view import PaneCamera
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
-from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW, WORLD
+from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW
 from app.model.projection import Array, Camera, Projection
 
 AXES_LENGTH = 0.35
@@ -51,36 +51,48 @@ class StageView(PaneCamera):
     ) -> None:
         super().__init__(canvas)
         self._start, self._cube_side = start, cube_side
+        self._stands = False
         self._pane: Array = np.zeros((4, 4))
         self._pane_of: object = None
         """The camera's state and the pane's size that `pane_from_display` is of."""
 
-    def _looked_from(self, stop: int) -> tuple[float, float]:
+    def _looked_from(self, stop: float) -> tuple[float, float]:
         if stop == NDC and self._cube_side is not None:
             return self._cube_side
-        if stop != WORLD:
-            return _LOOKED_FROM_DEG[stop]
+        if stop > VIEW or (stop == VIEW and not self._stands):
+            return _LOOKED_FROM_DEG[int(stop)]
         # From beside the scene's own camera, and by the shorter way to the next stop's place.
         after = _LOOKED_FROM_DEG[VIEW][0]
         azimuth = self._start.orbit.azimuth_deg + _BEHIND_DEG
-        return after + math.remainder(azimuth - after, 360.0), _WORLD_ELEVATION_DEG
+        aside = math.remainder(azimuth - after, 360.0)
+        return after + (aside / 2.0 if self._stands else aside), _WORLD_ELEVATION_DEG
 
-    def axes(self, stop: int) -> Array:
+    def axes(self, stop: float) -> Array:
         return _axes(*self._looked_from(stop))
 
     def reset(
-        self, position: float, projection: Projection, framed: Callable[[int], Array]
+        self,
+        position: float,
+        projection: Projection,
+        framed: Callable[[float], Array],
+        origin: Callable[[float], Array] | None = None,
     ) -> None:
         """Show all of a stop from the best direction; between two stops, from a mixture.
 
-        `framed` returns what has to be in view at the stop of the world or of the view, (n, 3).
+        `framed` returns what has to be in view up to the stop of the view, (n, 3). If there is an
+        `origin`, it stands still in the pane until then. The eye has come to it halfway.
         """
-        stop = min(int(position), IMAGE)
-        part = position - stop
+        self._stands = origin is not None
+        step = 0.5 if position < VIEW else 1.0
+        stop = min(position // step * step, IMAGE)
+        part = (position - stop) / step
         framing = self._framing(stop, projection, framed)
         if part > 0.0:
-            following = self._framing(stop + 1, projection, framed)
+            following = self._framing(stop + step, projection, framed)
             framing = (1.0 - part) * framing + part * following
+            if origin is not None and position < VIEW:
+                between = (1.0 - part) * origin(stop) + part * origin(stop + step)
+                framing[:3] += origin(position) - between
         centre, scale = framing[:3], float(framing[3])
         toward = _axes(*framing[4:])[2]
         camera = self._camera
@@ -89,7 +101,9 @@ class StageView(PaneCamera):
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(self, stop: int, projection: Projection, framed: Callable[[int], Array]) -> Array:
+    def _framing(
+        self, stop: float, projection: Projection, framed: Callable[[float], Array]
+    ) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)

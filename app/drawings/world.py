@@ -29,18 +29,17 @@ from app.drawings.probes import WorldProbes
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
-from app.drawings.world_state import CameraPose, WorldState
+from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, ENDS, WINDOW
 from app.model.projection import Array, Camera, Projection
 from app.picking.handles import Handle
-from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.illustration import Illustration, Shot
 from app.scenes.scene import Scene
 
-_WHOLE, _NEARBY = 3.0, 1.1  # extents: the largest frustum framed whole; larger ones are cut to 1.1
-_AXES_SIDE = 35.0, 25.0  # degrees behind the camera's side, and up: no axis is seen end on
-_WINDOW_SIDE = 60.0, 20.0  # the near plane is seen broadside
-_ABOUT = 2.5  # of the size of marks on a large subject: so much of it is framed with them
-_FRAMED_MARK = 5.0  # of the scene's size: farther marks are not framed
+_WIDEST = 2.5  # extents: of a wider frustum, no more is framed
+_AXES_SHOT = Shot(-55.0, 25.0, "camera")  # no axis is seen end on
+_WINDOW_SHOT = Shot(-30.0, 20.0, "camera")  # the near plane is seen broadside
+_ROUNDING_PX = 0.5
 
 
 class SceneInWorld(FacesLayer):
@@ -82,8 +81,8 @@ class SceneInWorld(FacesLayer):
     def reach(self) -> Array:
         return self._state.everything
 
-    def beside(self) -> list[Array]:
-        return [self._state.objects]
+    def inside(self) -> dict[str, Array]:
+        return {"subject": self._state.objects}
 
 
 class WorldDrawing(Drawing):
@@ -130,7 +129,6 @@ class WorldDrawing(Drawing):
         self._goes_to: Framed | None = None
         """What is framed at the end of the way that the pane is on."""
         self._name()
-        self._look_around()
         self.show_projection(scene.start)
         self.reset_view()
 
@@ -153,15 +151,9 @@ class WorldDrawing(Drawing):
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.state.hidden = hidden
-        before = self.own.around
-        self._look_around()
         self._switch_layers()
-        # A camera that is shown again has to be in view; when it is hidden, nothing else moves.
-        if self.own.around > before and not (self.own.was_moved or self.own.is_turned):
-            self.own.place(self._framed())
-            self.reset_clipping_range()
-        else:
-            self._follow_pane(afresh=True)
+        self._follow_pane(afresh=True)
+        self.refit()  # what is shown again has to be inside
 
     def _switch_layers(self) -> None:
         names, hidden = self.names, self.state.hidden_now
@@ -178,18 +170,10 @@ class WorldDrawing(Drawing):
             return
         self.names.wanted = names
         self._name()
-        self._look_around()
         if self.own.was_moved:
             self._follow_pane(afresh=True)
         else:
             self.reset_view()
-
-    def _look_around(self) -> bool:
-        """Tell the view how far the camera's drawn parts reach; return whether that has changed."""
-        is_drawn = "eye" in self.names or self.camera.has_arrows
-        around = self.camera.around if is_drawn and "camera" not in self.state.hidden else 0.0
-        is_new, self.own.around = around != self.own.around, around
-        return is_new
 
     def _name(self) -> None:
         """Draw what is named, and the other things quietly."""
@@ -204,16 +188,14 @@ class WorldDrawing(Drawing):
         state = self.state
         if step == state.step:
             return
+        is_other = (step is None) != (state.step is None)
         state.step, state.light = step, 1.0 if step is None else DIMMED
         self.camera.show_step()
         for line, opacity in self._dimmable:
             line.SetOpacity(opacity * state.light)
         for name in ENDS:
             self.board.label(name).set_opacity(state.light)
-        if not self._look_around():
-            self._follow_pane(afresh=True)
-            return
-        if not (self.own.was_moved or self.own.fixed):
+        if is_other and not (self.own.was_moved or self.own.fixed):  # its arrows are large
             self.own.place(self._framed())
         self.reset_clipping_range()
 
@@ -261,65 +243,49 @@ class WorldDrawing(Drawing):
         return self.own.from_all_sides(framed, turns_deg)
 
     def _framed(self) -> Framed:
-        state, volume = self.state, self.state.volume
-        at, left_out = state.standing, state.left_out
-        corners = volume.corners if volume.exists else None
-        with_camera = np.concatenate([volume.corners, [at.target]])
-        if "frustum" in left_out:
-            corners, with_camera = None, NO_POINTS
-        eye = at.eye
-        if "camera" not in left_out:
-            with_camera = np.vstack([with_camera, eye])
-        elif not self.own.fixed:
-            eye = state.objects.mean(axis=0)
-        core, beside = self._core_and_beside(with_camera)
+        state, at, volume = self.state, self.state.standing, self.state.volume
+        inside, middle = self.layers.inside(), state.objects.mean(axis=0)
+        offsets = np.concatenate(list(inside.values())) - middle
+        lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
+        points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
         return Framed(
-            at.camera, eye, core, beside, corners, state.objects, state.projection.lens.central,
-            self._lengths.below_em, self._side,
+            at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,
+            volume.corners if volume.exists and "frustum" not in state.left_out else None,
+            state.projection.lens.central, self._lengths.below_em, self._shot,
         )  # fmt: skip
 
     @property
-    def _side(self) -> tuple[float, float] | None:
+    def _shot(self) -> Shot:
         """From where the pane looks at first: the named axes and the window's sides are seen."""
         wanted, scene = self.names.wanted, self.state.scene
         if self.camera.axes_lead:
-            return _AXES_SIDE
+            return _AXES_SHOT
         if wanted is not None and wanted & WINDOW.keys() and scene.phenomenon is None:
-            return _WINDOW_SIDE
-        return scene.side
+            return _WINDOW_SHOT
+        width_px, height_px = self.state.size_px
+        return scene.shot if scene.upright is None or width_px >= height_px else scene.upright
 
-    def _core_and_beside(self, with_camera: Array) -> tuple[Array, Array]:
-        """What has to be in view, with the named things, and what may leave it; (n, 3) each.
-
-        The subject of a scene without larger marks of its own counts as named.
-        """
-        state, objects = self.state, self.state.objects
-        at, size = state.standing, state.scene.size
-        if self.names.all:
-            marked = self._marks.reach()
-            return _points_to_frame(at, objects, with_camera, marked, size), NO_POINTS
-        core, beside = self.layers.core(), self.layers.beside()
-        if state.scene.phenomenon is None or not len(core):
-            return np.concatenate([core, objects]), beside
-        extent, whole = (np.linalg.norm(np.ptp(points, axis=0)) for points in (core, objects))
-        # Marks on a part of the subject: with what is about them.
-        if extent < whole and not self._lengths.core():
-            middle = (core.min(axis=0) + core.max(axis=0)) / 2.0
-            near = _ABOUT * extent if extent > 0.0 else np.inf
-            core = np.concatenate([core, np.clip(objects, middle - near, middle + near)])
-        return core, beside
+    def cut(self) -> dict[str, float]:
+        inside, (arrows, ends) = self.layers.inside(), self.camera.named_arrows
+        if "eye" in inside:
+            inside["eye"] = np.vstack([inside["eye"], self.camera.box])
+            inside |= dict(zip(arrows, ends, strict=True))
+        if self.own.sees_from_eye:  # the picture cuts it as the lens does
+            del inside["subject"]
+        outside = {name: self.own.pane.outside_px(points) for name, points in inside.items()}
+        return {name: px for name, px in outside.items() if px > _ROUNDING_PX}
 
     def refit(self) -> bool:
-        """Frame the view again, and go back to what `reset_view` framed once that shows everything.
+        """Frame the view again if something that has to be inside has left it.
 
         The direction of looking stays. The labels are placed afresh: at rest the picture depends on
         nothing that was before. During a gesture the pane stands still, so that the model is seen
         moving.
         """
-        if self.own.was_moved or not self.own.refit(self._framed()):
-            return self.layers.place_labels(afresh=True)
-        self.reset_clipping_range()
-        return True
+        if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
+            self.reset_clipping_range()
+            return True
+        return self.layers.place_labels(afresh=True)
 
     def begin_glide(self, start: Any) -> None:
         self._goes_to = self._framed()
@@ -356,23 +322,3 @@ class WorldDrawing(Drawing):
         self.state.nearest = self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)
-
-
-def _points_to_frame(
-    at: CameraPose, objects: Array, with_camera: Array, marked: Array, size: float
-) -> Array:
-    """The points that `reset_view` brings into view; only the near part of a very wide frustum.
-
-    The wider the frustum is beyond `_WHOLE`, the less of it is framed, steadily. Where it cannot be
-    seen whole without losing the scene, the scene matters more.
-    """
-    middle = objects.mean(axis=0)
-    centre = (middle + at.eye) / 2.0
-    marked = marked[np.linalg.norm(marked - middle, axis=1) <= _FRAMED_MARK * size]
-    points = np.concatenate([objects, with_camera, marked])
-    offsets = points - centre
-    lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
-    whole, nearby = _WHOLE * at.extent, _NEARBY * at.extent
-    shown = np.minimum(lengths, np.maximum(whole * (whole / lengths), nearby))
-    framed: Array = centre + offsets * (shown / lengths)
-    return framed

@@ -127,16 +127,16 @@ class WorldAxes(Layer):
         ends = np.stack([start, axes.ends], axis=1)
         return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
-    def core(self) -> list[Array]:
-        """The points of the named frames and axes, (n, 3) each."""
+    def inside(self) -> dict[str, Array]:
+        """The points of the named frames and axes."""
         wanted = self._names.wanted or frozenset()
-        whole = [
-            np.vstack([axes.origin, axes.ends])
-            for axes, is_named in (
-                (self._object, "frame-o" in wanted),
-                (self._world, "frame-w" in wanted),
-                (self._lettered, not wanted.isdisjoint("xyz")),
+        whole = {
+            name: np.vstack([axes.origin, axes.ends])
+            for name, axes in (
+                ("frame-o", self._object),
+                ("frame-w", self._world),
+                *((name, self._lettered) for name in "xyz"),
             )
-            if axes is not None and is_named
-        ]
-        return [*whole, self._named[1].reshape(-1, 3)]
+            if axes is not None and name in wanted
+        }
+        return whole | dict(zip(*self._named, strict=True))

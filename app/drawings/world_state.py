@@ -94,7 +94,7 @@ class WorldState(PaneState):
         self._place(scene.start.placement)
         self.standing = self._stand(scene.start.camera)
         self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)
-        self.own = OwnView(canvas, self.origin, self.objects.mean(axis=0))
+        self.own = OwnView(canvas, self.origin)
 
     def take(self, projection: Projection, illustration: Illustration | None) -> None:
         """Show another value of the model."""

@@ -9,7 +9,8 @@ and as large as the NDC pane's cube::
 the pane, and mirrors z of NDC, which is left-handed. Between two stops
 
 =============================  ================================================================
-world -> view                  a rigid motion: one rotation about the middle of the shown points
+world -> view                  first P moves the eye to the origin, then R rotates about it; the
+                               middle of the shown points stays where it is
 view -> ... -> image           ``(1 - t) A + t B`` of the two homogeneous matrices, each scaled
                                such that w is 1 at the middle of the visible part
 =============================  ================================================================
@@ -214,15 +215,19 @@ class Morph:
         return int(position + 0.5)
 
     def axes_at(self, position: float) -> tuple[Array, Array]:
-        """Return the origin (3,) and the unit axes, rows of (3, 3), in display space.
-
-        They are those of world space at the world stop, and of view space nearer to later stops.
-        """
+        """Return the eye (3,) and the camera's unit axes, rows of (3, 3), in display space."""
         camera, matrix = self.projection.camera, self.display_from_local(position)
-        origin, axes = camera.eye, camera.frame.T
-        if self.stop_at(position) == WORLD:
-            origin, axes = (0.0, 0.0, 0.0), np.eye(3)
-        return _euclidean(matrix @ [*(np.array(origin) - self.origin), 1.0]), _units(matrix, axes)
+        eye = matrix @ [*(np.array(camera.eye) - self.origin), 1.0]
+        return _euclidean(eye), _units(matrix, camera.frame.T)
+
+    def origin_at(self, position: float) -> Array:
+        """Return where the stage's origin is shown up to the view stop, (3,).
+
+        The scene moves in the stage's space, and display space has the same axes.
+        """
+        moved = min(1.0, 2.0 * position) * np.array(self.projection.camera.eye)
+        shown: Array = self.display_from_local(position) @ [*(moved - self.origin), 1.0]
+        return shown[:3]
 
     def display_from_local(self, position: float) -> Array:
         """Return the scene's matrix at a position from 0 to 5, for points relative to `origin`.
@@ -258,9 +263,13 @@ class Morph:
         unit = 1.0 if stop >= NDC else float(self.projection.lens_stages[-1].exact[3][3])
         return float(unit / self._lens.w(self._middle_depth))
 
-    def _turned(self, part: float) -> Array:
-        """Return part of the rotation from the world's axes to the camera's, with the scale."""
+    def _turned(self, position: float) -> Array:
+        """Return the rotation from the world's axes to the camera's, with the scale.
+
+        In the first half of the way nothing has turned.
+        """
         matrix = np.eye(4)
+        part = max(0.0, 2.0 * position - 1.0)
         matrix[:3, :3] = rotation_between(self.projection.camera.frame, part)
         return _scaled(self._ball[1]) @ matrix
 
@@ -457,7 +466,7 @@ class FreeMorph(Morph):
         return stop
 
     def axes_at(self, position: float) -> tuple[Array, Array]:
-        if self.stop_at(position) == WORLD:
+        if self.projection.has_camera or position < VIEW:
             return super().axes_at(position)
         # View space itself: its matrix need not be the camera's.
         return _euclidean(self.display_from_stage(VIEW)[:, 3]), np.eye(3)

@@ -14,8 +14,10 @@ from app.strangers import decode
 
 LARGEST = 8 * 2**20
 """Most bytes of a file."""
-COLOURS = ("ink", "accent", "near", "n")
-"""Names of the colours of a pen, as in `app.drawings.style.Style`."""
+COLOURS = ("ink", "u", "v", "n")
+"""Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
+_READABLE = (*COLOURS, "accent", "near")
+"""Colours of strokes in files."""
 NO_STROKES = QT_TRANSLATE_NOOP("Refusal", "has no strokes as Frustum Lab writes them")
 
 Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]
@@ -76,6 +78,6 @@ def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
 def _stroke(part: Any) -> Stroke:
     colour, *points = part
     pairs = tuple((float(x), float(y)) for x, y in points)
-    if colour not in COLOURS or not pairs or not all(0.0 <= c <= 1.0 for p in pairs for c in p):
+    if colour not in _READABLE or not pairs or not all(0.0 <= c <= 1.0 for p in pairs for c in p):
         raise ValueError(part)
     return Stroke(colour, pairs)

@@ -19,7 +19,6 @@ from typing import Any
 import numpy as np
 
 from app.measure.results import (
-    BUSY,
     GAPS,
     MEASURED_ONLY,
     ChartPoint,
@@ -101,7 +100,7 @@ def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
 
 def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
     """Write the remark of a chart: a busy machine, a mesh that is not the scene's."""
-    notes = [BUSY if trade.is_busy else ""]
+    notes = [*trade.doubts]
     if trade.name == "detail":
         notes += [choice.note for choice in trade.choices[:1]]
     return "; ".join(named(note, translate) for note in notes if note)

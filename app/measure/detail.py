@@ -1,7 +1,7 @@
 """Trade 5, detail: ms per frame, loading time and memory against the silhouette's error.
 
-The mesh is drawn whole and with ever fewer triangles, or a sphere where the scene has too few. Each
-picture's outline of the covered area is found at `FINER` times the resolution.
+The mesh is drawn whole and with ever fewer triangles, or a sphere where the scene has too few. The
+outlines are exact: they follow from the projected triangles, not from pixels.
 """
 
 from __future__ import annotations
@@ -10,29 +10,32 @@ import time
 from collections.abc import Callable
 from contextlib import ExitStack
 from dataclasses import replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
+import pyvista as pv
 from numpy.typing import NDArray
 
 from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, part_of, timed, unwatched
-from app.measure.smoothing import SMOOTHINGS, pane, picture_size
+from app.measure.smoothing import pane, picture_size
+from app.model.clipping import clip_segments
 from app.model.limits import vector
-from app.model.projection import Projection
+from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, reduced
 from app.scenes.scene import Scene
+from app.scenes.shapes import distinct_rows
 
-FINER = 3.0
-"""Pixels of the outline's picture per shown pixel, along each side."""
+Pieces: TypeAlias = Array
+"""Straight parts of an outline, (n, 2, 2): begin and end in px."""
 
+_PIECE_PX = 0.5
+_BESIDE_PX = 1e-3
 _RINGS = 160  # of the sphere
 
 TOO_FEW = "a sphere: the scene has too few triangles"
-NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "nothing of the scene is in the picture")
-
-_BLOCK = 2048
+NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "no outline of the scene is in the picture")
 
 
 def measure(
@@ -50,7 +53,7 @@ def measure(
     if not own:
         scene = sphere(projection)
     size = picture_size(projection)
-    whole: NDArray[np.float64] | None = None
+    whole: Pieces | None = None
     runs: dict[str, Callable[[], Any]] = {}
     trade = Trade("detail", "ms", "px", (), 0)
     with ExitStack() as stack:
@@ -66,7 +69,7 @@ def measure(
             line = outline(fewer, projection, size)
             if whole is None:
                 whole = line
-            error = _apart(whole, line)
+            error = apart(whole, line)
             assert fewer.surface is not None
             began = time.perf_counter()
             runs[name], _ = stack.enter_context(pane(fewer, projection, size))
@@ -86,8 +89,6 @@ def measure(
 
 def sphere(projection: Projection) -> Scene:
     """Return a sphere of many triangles at the target, a third of the picture's height in size."""
-    import pyvista as pv
-
     camera, (_, _, bottom, top) = projection.camera, projection.window
     radius = float(projection.lens.enlarged(np.array(camera.distance))) * (top - bottom) / 3.0
     mesh = pv.Sphere(radius=radius, theta_resolution=_RINGS, phi_resolution=_RINGS)
@@ -99,35 +100,88 @@ def sphere(projection: Projection) -> Scene:
     )  # fmt: skip
 
 
-def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Return the edge of the area that the scene's faces cover, (n, 2) in px of the picture."""
-    finer = SMOOTHINGS[0]._replace(scale=FINER)
-    bare = replace(scene, lines=None)
-    with pane(bare, projection, size, finer, background=False) as (draw, read):
-        draw()
-        covered = read()[..., 3] > 127
-    framed = np.pad(covered, 1, constant_values=False)
-    inner = framed[1:-1, 1:-1]
-    edge = inner & ~(framed[:-2, 1:-1] & framed[2:, 1:-1] & framed[1:-1, :-2] & framed[1:-1, 2:])
-    rows, columns = np.nonzero(edge)
-    return np.column_stack([columns, rows]) / FINER
+def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> Pieces:
+    """Return the edge of the area that the scene's faces cover, in pieces, in px of the picture.
+
+    The area ends at edges whose triangles lie on one side of them in the picture, where no other
+    triangle covers the other side. The sides are signs of determinants of clip coordinates (x, y,
+    w), which hold even if a corner is behind the eye; such a triangle covers nothing here.
+    """
+    surface = scene.surface
+    assert surface is not None
+    mesh = surface.triangulate()
+    points, places = distinct_rows(np.asarray(mesh.points))
+    triangles = places[mesh.regular_faces]
+    clip = projection.trace(points.astype(np.float64) + scene.origin).clip
+    x, y, w = (clip[triangles, axis].T for axis in (0, 1, 3))
+    turn = np.sign(
+        x[0] * (y[1] * w[2] - y[2] * w[1])
+        + x[1] * (y[2] * w[0] - y[0] * w[2])
+        + x[2] * (y[0] * w[1] - y[1] * w[0])
+    )
+    corners = triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
+    sides = np.repeat(turn, 3) * np.where(corners[:, 0] < corners[:, 1], 1.0, -1.0)
+    edges, which = distinct_rows(np.sort(corners, axis=1))
+    least, most = np.full(len(edges), 1.0), np.full(len(edges), -1.0)
+    np.minimum.at(least, which, sides)
+    np.maximum.at(most, which, sides)
+    bends = (least >= 0.0) | (most <= 0.0)
+    cut = clip_segments(clip[edges[bends, 0]], clip[edges[bends, 1]], projection.depth)
+    pieces, sides = _split(
+        _placed(cut.points_clip[cut.visible], size),
+        np.where(most[bends] > 0.0, 1.0, -1.0)[cut.visible],
+    )
+    along = pieces[:, 1] - pieces[:, 0]
+    # A positive side is on the left in clip space, and on the left in the picture if y is up.
+    away = np.stack([along[:, 1], -along[:, 0]], axis=1) * -sides[:, None]
+    away /= np.linalg.norm(away, axis=1)[:, None]
+    covering = _placed(clip[triangles[(w > 0.0).all(axis=0)]], size)
+    beside = _flat(pieces.mean(axis=1) + _BESIDE_PX * away)
+    if not len(covering) or not len(beside):
+        return pieces
+    covered = pv.PolyData(_flat(covering), faces=_cells(len(covering), 3))
+    return pieces[np.asarray(covered.find_containing_cell(beside)) < 0]
 
 
-def _apart(one: NDArray[np.float64], other: NDArray[np.float64]) -> float | None:
-    """Return the Hausdorff distance of two sets of places; None if the first is empty."""
+def _placed(clip: Array, size: tuple[int, int]) -> Array:
+    """Convert clip coordinates (..., 4) to px of the picture, (..., 2)."""
+    placed: Array = (clip[..., :2] / clip[..., 3:] * (0.5, -0.5) + 0.5) * size
+    return placed
+
+
+def _split(segments: Array, sides: Array) -> tuple[Pieces, Array]:
+    """Split segments (n, 2, 2) into pieces of at most `_PIECE_PX`, each with its segment's side."""
+    along = segments[:, 1] - segments[:, 0]
+    lengths = np.linalg.norm(along, axis=1)
+    counts = np.ceil(lengths / _PIECE_PX).astype(int)  # none of a point
+    which = np.repeat(np.arange(len(segments)), counts)
+    number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
+    parts = np.stack([number, number + 1], axis=1) / counts[which, None]
+    return segments[which, :1] + parts[..., None] * along[which, None], sides[which]
+
+
+def _flat(places: Array) -> Array:
+    """Places (..., 2) as VTK's points (n, 3)."""
+    return np.pad(places.reshape(-1, 2), ((0, 0), (0, 1)))
+
+
+def _cells(count: int, corners: int) -> NDArray[np.int_]:
+    """VTK's list of cells, each of which has the next corners."""
+    return np.insert(np.arange(count * corners).reshape(-1, corners), 0, corners, axis=1).ravel()
+
+
+def apart(one: Pieces, other: Pieces) -> float | None:
+    """Return the Hausdorff distance of two outlines; None if the first is empty."""
     if not len(one):
         return None
     if not len(other):
-        return float(np.hypot(*np.ptp(one, axis=0)))
+        return float(np.hypot(*np.ptp(one, axis=(0, 1))))
     return max(_farthest(one, other), _farthest(other, one))
 
 
-def _farthest(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """Return the largest distance of a place of one set from the nearest of the other."""
-    largest = 0.0
-    for start in range(0, len(one), _BLOCK):
-        block = one[start : start + _BLOCK]
-        squares = (block[:, None, 0] - other[None, :, 0]) ** 2
-        squares += (block[:, None, 1] - other[None, :, 1]) ** 2
-        largest = max(largest, float(squares.min(axis=1).max()))
-    return float(np.sqrt(largest))
+def _farthest(one: Pieces, other: Pieces) -> float:
+    """Return the largest distance of a piece's begin in one outline from the other outline."""
+    mesh = pv.PolyData(_flat(other), lines=_cells(len(other), 2))
+    begins = _flat(one[:, 0])
+    nearest = np.asarray(mesh.find_closest_cell(begins, return_closest_point=True)[1])  # type: ignore[index]
+    return float(np.linalg.norm(nearest - begins, axis=1).max())

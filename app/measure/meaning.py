@@ -16,17 +16,17 @@ GOOD_ENOUGH = {
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
 FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
-    "Measure", "{0} is the cheapest ({1}) and the most exact ({2}): there is nothing to trade."
+    "Measure", "No choice is cheaper ({1}) or more exact ({2}) than {0}: there is nothing to trade."
 )
 TRADE_OFF = QT_TRANSLATE_NOOP(
     "Measure",
-    "{0} is the cheapest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); the cheapest"
-    " that is off by less than {6} is {7}.",
+    "No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5});"
+    " of those off by less than {6}, none is cheaper than {7}.",
 )
 NONE_GOOD = QT_TRANSLATE_NOOP(
     "Measure",
-    "{0} is the cheapest ({1}, off by {2}), {3} the most exact ({4}, off by {5}); none is off by"
-    " less than {6}.",
+    "No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5});"
+    " none is off by less than {6}.",
 )
 DEPTH = QT_TRANSLATE_NOOP(
     "Measure",
@@ -51,13 +51,24 @@ _AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.
 _PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
 _MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
 _SEPARATES = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
+_EQUAL = QT_TRANSLATE_NOOP("Measure", "Equal in cost to {0}: {1}.")
+_DOUBTFUL = QT_TRANSLATE_NOOP("Measure", "Not certain: {0}.")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
 def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
     """State what a trade's measurements mean for a choice."""
-    template, values = _template_and_values(trade)
-    return translate(template).format(*(named(value, translate) for value in values))
+    parts = [_template_and_values(trade)]
+    if trade.frontier and trade.name != "depth":
+        cheapest_one = trade.frontier[0]
+        if equal := trade.as_cheap(cheapest_one):
+            others = "; ".join(named(each.name, translate) for each in equal)
+            parts.append((_EQUAL, (cheapest_one.name, others)))
+        parts += [(_DOUBTFUL, (doubt,)) for doubt in trade.doubts]
+    return " ".join(
+        translate(template).format(*(named(value, translate) for value in values))
+        for template, values in parts
+    )
 
 
 def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
@@ -71,19 +82,13 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
         (cheap, _, cheap_mapping), (fine, _, fine_mapping) = parts
         values = (cheap, _plain(first.error), cheap_mapping, fine, fine_mapping, _plain(last.error))
         return DEPTH, values
-    cost = f" {trade.cost_unit}"
     error = f" {trade.error_unit}"
+    low, high = ((c.name, _price(trade, c), _plain(c.error) + error) for c in (first, last))
     if first is last:
-        return FASTEST_IS_BEST, (
-            first.name, _plain(first.cost) + cost, _plain(first.error) + error,
-        )  # fmt: skip
+        return FASTEST_IS_BEST, low
     limit = GOOD_ENOUGH[trade.name]
     good = cheapest(trade, limit)
-    ends = (
-        first.name, _plain(first.cost) + cost, _plain(first.error) + error,
-        last.name, _plain(last.cost) + cost, _plain(last.error) + error,
-        f"{limit:g}{error}",
-    )  # fmt: skip
+    ends = (*low, *high, f"{limit:g}{error}")
     return (TRADE_OFF, (*ends, good.name)) if good else (NONE_GOOD, ends)
 
 
@@ -103,6 +108,12 @@ def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = 
     off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
     names = (named(each.name, translate) for each in (choice, usual))
     return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)
+
+
+def _price(trade: Trade, choice: ChartPoint) -> str:
+    """Write a choice's time and bytes."""
+    prices = {trade.cost_unit: choice.cost, "B": choice.bytes}
+    return ", ".join(f"{_plain(price)} {unit}" for unit, price in prices.items() if price)
 
 
 def _plain(value: float | None) -> str:

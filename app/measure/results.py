@@ -15,7 +15,7 @@ several choices over a range of one parameter, or the smallest gaps for near and
                  "choices": [{"name": "float32", "cost": 12.1, "cost_p95": 12.9,
                               "error": 3.1e-4, "predicted": 3.1e-4,
                               "values": {"error_depth": 6e-8}, "note": "", "use": {},
-                              "bytes": 12, "library": false}]}],
+                              "bytes": 12, "library": false, "steady": true}]}],
      "sweeps": [{"parameter": "near", "unit": "", "values": [...],
                  "complete": true, "choices": {"float32": {"error": [...], "error_depth": [...],
                                                            "predicted": [...],
@@ -53,6 +53,7 @@ MEASURED_ONLY = QT_TRANSLATE_NOOP(
 )
 IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
+UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
 _BUSY = 3.0
 """A 95th percentile of more than this many least times comes from other programs."""
 STEADY = 0.05
@@ -123,6 +124,7 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "p95"),
     QT_TRANSLATE_NOOP("Measure", "bytes"),
     BUSY,
+    UNSTEADY,
     QT_TRANSLATE_NOOP("Measure", "predicted"),
     QT_TRANSLATE_NOOP("Measure", "world units"),
     QT_TRANSLATE_NOOP("Measure", "texels"),
@@ -162,6 +164,8 @@ class ChartPoint:
         Memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
     library : bool
         Another library's code: a reference mark that competes with no choice of this program.
+    steady : bool
+        Whether the least time was repeated before the time ran out; older files do not say it.
     """
 
     name: str
@@ -174,11 +178,14 @@ class ChartPoint:
     use: Mapping[str, str] = field(default_factory=dict, hash=False)
     bytes: float | None = None
     library: bool = False
+    steady: bool = True
 
     @property
-    def is_busy(self) -> bool:
-        """Whether other programs disturbed the timing."""
-        return self.cost_p95 is not None and self.cost_p95 > _BUSY * (self.cost or 0.0)
+    def doubt(self) -> str:
+        """Why the timing is not trusted, such as other programs; empty if it is."""
+        if self.cost_p95 is not None and self.cost_p95 > _BUSY * (self.cost or 0.0):
+            return BUSY
+        return "" if self.steady else UNSTEADY
 
 
 @dataclass(frozen=True)
@@ -209,7 +216,7 @@ class Trade:
         """Return the trade with its bytes as its costs, if it has both and ``"bytes"`` is asked."""
         if cost != "bytes" or all(choice.bytes is None for choice in self.choices):
             return self
-        paid = tuple(replace(c, cost=c.bytes, cost_p95=c.bytes) for c in self.choices)
+        paid = tuple(replace(c, cost=c.bytes, cost_p95=c.bytes, steady=True) for c in self.choices)
         return replace(self, cost_unit="B", choices=paid)
 
     @property
@@ -237,9 +244,18 @@ class Trade:
         return measured and choice not in self.frontier
 
     @property
-    def is_busy(self) -> bool:
-        """Whether other programs disturbed the timing of a choice."""
-        return any(choice.is_busy for choice in self.choices)
+    def doubts(self) -> tuple[str, ...]:
+        """The different doubts of the choices' timings."""
+        return tuple(dict.fromkeys(choice.doubt for choice in self.choices if choice.doubt))
+
+    def as_cheap(self, choice: ChartPoint) -> list[ChartPoint]:
+        """Return the program's other choices of the same cost, within `STEADY` for a time."""
+        same = 1.0 if self.cost_unit == "B" else 1.0 + STEADY
+        if choice.cost is None:
+            return []
+        ends = choice.cost / same, choice.cost * same
+        others = (c for c in self.choices if c is not choice and not c.library)
+        return [c for c in others if c.cost is not None and ends[0] <= c.cost <= ends[1]]
 
 
 @dataclass(frozen=True)
@@ -457,7 +473,13 @@ def _trade(tree: _ResultsReader) -> Trade:
         tree["cost"]["unit"].text(),
         tree["error"]["unit"].text(),
         tuple(
-            ChartPoint(*(_READ[str(part.type)](choice[part.name]) for part in fields(ChartPoint)))
+            ChartPoint(
+                **{
+                    part.name: _READ[str(part.type)](choice[part.name])
+                    for part in fields(ChartPoint)
+                    if part.name != "steady" or part.name in choice.value
+                }
+            )
             for choice in tree["choices"].parts()
         ),
         round(tree["rounds"].number()),
@@ -506,7 +528,7 @@ def to_csv(part: Trade | Sweep) -> str:
 
 
 def _note(choice: ChartPoint) -> str:
-    return ", ".join(filter(None, (choice.note, BUSY if choice.is_busy else "")))
+    return ", ".join(filter(None, (choice.note, choice.doubt)))
 
 
 CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")

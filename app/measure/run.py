@@ -9,6 +9,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -45,11 +46,12 @@ def part_of(watch: Watch, first: float, last: float) -> Watch:
 
 
 class Times(NamedTuple):
-    """Least time and 95th percentile of one run in seconds, and the number of rounds."""
+    """Least time and 95th percentile of one run in seconds, the number of rounds, and `steady`."""
 
     least: float
     p95: float
     rounds: int
+    is_steady: bool
 
 
 def in_turns(
@@ -63,7 +65,7 @@ def in_turns(
 
     def times() -> dict[str, Times]:
         return {
-            name: Times(min(each), float(np.percentile(each, 95)), len(each))
+            name: Times(min(each), float(np.percentile(each, 95)), len(each), steady(each))
             for name, each in taken.items()
             if each
         }
@@ -108,11 +110,12 @@ def timed(
     seconds: float,
     per_second: float,
     watch: Watch = unwatched,
+    same: Mapping[str, str] = MappingProxyType({}),
 ) -> Trade:
     """Add the costs of the choices to a trade, timed by `in_turns`.
 
-    The runs have the choices' names; a choice without a run gets no cost. A second of one run costs
-    `per_second` units.
+    The runs have the choices' names, which `same` gives to choices of the same work; a choice
+    without a run gets no cost. A second of one run costs `per_second` units.
 
     A `Cancelled` that `watch` raises has the costs so far.
     """
@@ -123,9 +126,10 @@ def timed(
         times, complete = cancelled.partial, False
     choices = []
     for choice in trade.choices:
-        if choice.name in times:
-            least, p95, _ = times[choice.name]
-            choice = replace(choice, cost=per_second * least, cost_p95=per_second * p95)
+        took = times.get(same.get(choice.name, choice.name))
+        if took is not None:
+            cost, p95 = per_second * took.least, per_second * took.p95
+            choice = replace(choice, cost=cost, cost_p95=p95, steady=took.is_steady)
         choices.append(choice)
     rounds = min((each.rounds for each in times.values()), default=0)
     measured = replace(trade, choices=tuple(choices), rounds=rounds, complete=complete)

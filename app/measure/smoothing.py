@@ -11,7 +11,6 @@ from contextlib import ExitStack, closing, contextmanager
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from app.drawings import WORDS
 from app.drawings.actors import face_actor, identity_camera
@@ -70,8 +69,8 @@ def measure(
 ) -> Trade:
     """Measure trade 4.
 
-    The cost is ms per frame; the error is the root mean square of the pixels' differences, in
-    levels from 0 to 255.
+    The cost is ms per frame, which every choice draws, reads back and scales to the screen. The
+    error is the root mean square of the pixels' differences, in levels from 0 to 255.
 
     A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
@@ -80,7 +79,7 @@ def measure(
         finest = Smoothing("", scale=REFERENCE)
         with pane(scene, projection, size, finest) as (draw, read):
             draw()
-            reference = shown(read(), REFERENCE, size)
+            reference = shown(read(), REFERENCE, size)[..., :3].astype(np.float64)
         runs: dict[str, Callable[[], Any]] = {}
         choices = []
         for smoothing, note in pictures():
@@ -93,11 +92,10 @@ def measure(
                 scale: float = smoothing.scale,
             ) -> None:
                 draw()
-                if scale != 1.0:  # scaling to the screen is part of the cost
-                    shown(read(), scale, size)
+                shown(read(), scale, size)
 
             runs[smoothing.name] = frame
-            difference = shown(read(), smoothing.scale, size) - reference
+            difference = shown(read(), smoothing.scale, size)[..., :3] - reference
             error, name = float(np.sqrt((difference**2).mean())), smoothing.name
             use, paid = {"smoothing": name}, memory(smoothing)
             choices.append(ChartPoint(name, None, None, error, note=note, use=use, bytes=paid))
@@ -146,13 +144,11 @@ def pane(
     projection: Projection,
     size: tuple[int, int],
     smoothing: Smoothing = SMOOTHINGS[0],
-    background: bool = True,
 ) -> Iterator[tuple[Callable[[], None], Callable[[], Pixels]]]:
     """Yield two functions that draw and read the image pane off screen.
 
     The first draws one frame and waits for it. The second returns its pixels, (height, width, 4)
-    uint8, before `shown` averages them. `size` is that of the shown picture. Without `background`
-    the alpha channel marks the covered pixels.
+    uint8, before `shown` averages them. `size` is that of the shown picture.
     """
     width, height = (max(1, round(side * smoothing.scale)) for side in size)
     # A new window: the first frame is quicker in one that already has its shaders.
@@ -164,9 +160,6 @@ def pane(
         drawing.show_projection(projection)
         for renderer in window.GetRenderers():
             renderer.SetUseFXAA(smoothing.fxaa)
-            if not background:
-                renderer.SetBackground(0.0, 0.0, 0.0)
-                renderer.SetBackgroundAlpha(0.0)
 
         def draw() -> None:
             window.Render()
@@ -194,18 +187,30 @@ def samples_given(asked: int) -> int:
     return shades - 1
 
 
-def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> NDArray[np.float64]:
+def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> Pixels:
     """Scale drawn pixels, (height, width, 4) uint8, to the screen: average or repeat them.
 
-    `scale` is as in `Smoothing`; `size` is that of the result, whose values go from 0 to 255.
+    `scale` is as in `Smoothing`; `size` is that of the result. Whole numbers are added and shifted
+    to the mean, as a graphics card does: averages in float64 take longer than the drawing.
     """
-    colours = pixels[..., :3].astype(np.float64)
     width, height = size
-    if scale > 1.0:
-        factor = round(scale)
-        return np.asarray(colours.reshape(height, factor, width, factor, 3).mean((1, 3)))
-    times = round(1.0 / scale)
-    return colours.repeat(times, axis=0).repeat(times, axis=1)
+    if scale < 1.0:
+        times, whole = round(1.0 / scale), pixels.view(np.uint32)[..., 0]
+        return (
+            whole.repeat(times, axis=0)
+            .repeat(times, axis=1)
+            .view(np.uint8)
+            .reshape(height, width, 4)
+        )
+    if scale == 1.0:
+        return pixels
+    factor = round(scale)
+    rows = pixels.reshape(height, factor, width * factor * 4)
+    across = rows.sum(axis=1, dtype=np.uint16).reshape(height, width, factor, 4)
+    total = np.full((height, width, 4), factor * factor // 2, dtype=np.uint16)
+    for column in range(factor):
+        total += across[:, :, column]
+    return np.asarray((total // (factor * factor)).astype(np.uint8))
 
 
 def renderer_name() -> str:

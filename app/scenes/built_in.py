@@ -14,6 +14,7 @@ import numpy as np
 from app.model.parameters import EYE, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.mesh import PAINT_RGB
+from app.scenes.phenomena.illustration import Shot
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import (
     EDGE_RGB,
@@ -36,9 +37,7 @@ Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
 NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
-SIDE = (20.0, 14.0)
-"""The world is seen from beside the camera, so that near and far stand apart."""
-OF_POSTS: dict[str, Any] = {"side": None, "cube_side": (75.0, 10.0)}
+OF_POSTS: dict[str, Any] = {"shot": Shot(57.0, 25.0), "cube_side": (75.0, 10.0)}
 """The cube of the posts is seen nearly from the side, along which they crowd."""
 WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
 """The title of each scene, and what to try there."""

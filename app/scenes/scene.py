@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, NAMES, OF_POSTS, SIDE, WORDS, WORDS_OF_A_MESH
+from app.scenes.built_in import BUILDERS, NAMES, OF_POSTS, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
@@ -161,7 +161,6 @@ class Scene(Appearance):
     dots: pv.PolyData | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
-    side: tuple[float, float] | None = SIDE
 
     @property
     def title(self) -> str:

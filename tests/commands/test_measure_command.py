@@ -191,10 +191,10 @@ def choice(name: str, cost: float | None, error: float | None, note: str = "") -
 @pytest.mark.parametrize(
     "choices, words",
     [
-        ([choice("a", 1.0, 1e-3)], "a is the cheapest (1 ns) and the most exact"),
+        ([choice("a", 1.0, 1e-3)], "No choice is cheaper (1 ns) or more exact (0.001 px) than a"),
         (
             [choice("a", 1.0, 1.0), choice("b", 2.0, 1e-3), choice("c", 3.0, 1e-9)],
-            "the cheapest that is off by less than 0.01 px is b",
+            "of those off by less than 0.01 px, none is cheaper than b",
         ),
         ([choice("a", 1.0, 1.0), choice("b", 2.0, 0.5)], "none is off by less than 0.01 px"),
         ([choice("a", None, None, "it broke")], "Nothing could be measured: it broke."),

@@ -74,7 +74,9 @@ def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
     assert done.stderr == ""
     *faults, drawn, composed = done.stdout.splitlines()
     assert drawn == "small.md: 2 steps drawn, 0 wrong"
-    assert re.fullmatch(r"\d overlaps, \d crowded, \d empty, \d hidden of 2 steps", composed)
+    assert re.fullmatch(
+        r"\d overlaps, \d crowded, \d empty, \d hidden, \d cut of 2 steps", composed
+    )
     assert done.returncode == (1 if faults else 0)
 
 

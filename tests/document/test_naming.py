@@ -52,7 +52,7 @@ def test_the_cube_beside_a_scene_names_its_ends() -> None:
 
 
 def test_letters_of_formulas_have_the_colours_of_what_is_named() -> None:
-    values = "view.fixed=side", "view.names=y_p,d,w,near,P'", "view.letters=002"
+    values = "view.fixed=side", "view.names=y_p,d,-z,near,P'", "view.letters=002"
     document, scene = opened("similar-triangles", *values)
     assert scene.phenomenon is not None
     shown = scene.phenomenon.illustration(

@@ -341,7 +341,7 @@ def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: Make
 @pytest.mark.parametrize(
     ("name", "written"),
     [
-        ("similar-triangles", ("d", "w")),
+        ("similar-triangles", ("d", "−z")),
         ("focus", ("s", "d")),
         ("planar-shadow", ("d",)),
     ],

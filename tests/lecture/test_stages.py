@@ -151,8 +151,27 @@ def test_world_to_view_is_a_rigid_motion() -> None:
         assert np.abs(turn @ turn.T - np.eye(3)).max() < 1e-15 * 8
         assert np.linalg.det(turn) == pytest.approx(1.0, abs=1e-14)
         assert matrix[3].tolist() == [0.0, 0.0, 0.0, 1.0]
-    halfway = strip.display_from_local(0.5)[:3, :3] / scale
-    assert np.abs(halfway @ halfway - CAMERA.frame).max() < 1e-14  # twice half the turn
+    between = strip.display_from_local(0.75)[:3, :3] / scale
+    assert np.abs(between @ between - CAMERA.frame).max() < 1e-14  # twice half the turn
+
+
+def test_first_p_moves_the_eye_then_r_rotates_about_it() -> None:
+    """Relative to the stage's origin: the world's own places, then less the eye, then R of that."""
+    strip = morph(LENSES["perspective"])
+    scale, eye = strip.display_from_local(0.0)[0, 0], np.array(CAMERA.eye)
+    points = np.array([(0.0, 0.0, 0.0), (1.0, 2.0, 3.0), eye])
+    local = np.column_stack([points - strip.origin, np.ones(3)])
+    for position, moved, turn in (
+        (0.0, 0.0, np.eye(3)),
+        (0.25, 0.5, np.eye(3)),
+        (0.5, 1.0, np.eye(3)),
+        (1.0, 1.0, CAMERA.frame),
+    ):
+        shown = (local @ strip.display_from_local(position).T)[:, :3] - strip.origin_at(position)
+        assert shown == pytest.approx(scale * (points - moved * eye) @ turn.T, abs=1e-12)
+        start, axes = strip.axes_at(position)
+        assert start - strip.origin_at(position) == pytest.approx(shown[2], abs=1e-12)
+        assert axes == pytest.approx(CAMERA.frame @ turn.T, abs=1e-12)
 
 
 def test_half_a_turn_has_an_axis_too() -> None:

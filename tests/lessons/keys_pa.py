@@ -299,9 +299,9 @@ KEYS: dict[tuple[str, str, str], Of] = {
         "transposed": _with_d(lambda made: made.T),
     }),
     **_keys("l05-similar-triangles", "practise-3/plane", {
-        "done": lambda y, w, q: _set(settings__distance=w * (q / y)),
-        "from-plane": lambda y, w, q: _set(settings__distance=w * (q / (y + q))),
-        "mirror": lambda y, w, q: _set(settings__distance=-w * (q / y)),
+        "done": lambda y, z, q: _set(settings__distance=-z * (q / y)),
+        "from-plane": lambda y, z, q: _set(settings__distance=-z * (q / (y + q))),
+        "mirror": lambda y, z, q: _set(settings__distance=z * (q / y)),
     }),
     **_keys("l06-off-axis-frustum", "practise-1/row", {
         "right": lambda **g: (_row_1(**g)[0], mpf(0), _row_1(**g)[1], mpf(0)),

@@ -246,9 +246,9 @@ KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     (_21, "practise-2/corner", "right"): lambda d, **p: _obscura(_corner(**p), d, (-1, -1)),
     (_21, "practise-2/corner", "mirror"): lambda d, **p: _obscura(_corner(**p), d, (1, 1)),
     (_21, "practise-2/corner", "only-y"): lambda d, **p: _obscura(_corner(**p), d, (1, -1)),
-    (_21, "practise-3/film", "done"): lambda m, w: _set(settings__distance=-m * w),
-    (_21, "practise-3/film", "mirror"): lambda m, w: _set(settings__distance=m * w),
-    (_21, "practise-3/film", "from-plane"): lambda m, w: _set(settings__distance=-m * w / (1 + m)),
+    (_21, "practise-3/film", "done"): lambda m, z: _set(settings__distance=m * z),
+    (_21, "practise-3/film", "mirror"): lambda m, z: _set(settings__distance=-m * z),
+    (_21, "practise-3/film", "from-plane"): lambda m, z: _set(settings__distance=m * z / (1 + m)),
     # L22. 004: v = n x u; depth along n; TEACHING up-v, no-norm, dist-depth.
     (_22, "practise-1/v", "right"): lambda a, b, c: _v(a, b, c, True),
     (_22, "practise-1/v", "no-norm"): lambda a, b, c: _v(a, b, c, False),

@@ -20,6 +20,7 @@ from hypothesis import strategies as st
 import app.measure.run
 import app.measure.smoothing
 from app.document.document import Document
+from app.drawings.off_screen import pixels_of
 from app.measure import chart
 from app.measure.arithmetic import (
     CHEAP,
@@ -33,16 +34,26 @@ from app.measure.arithmetic import (
 )
 from app.measure.depth import BEYOND, NOTHING_APART, gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
-from app.measure.detail import TOO_FEW, outline
+from app.measure.detail import TOO_FEW, apart, outline
 from app.measure.detail import measure as measure_detail
-from app.measure.interpolation import ClipEdge, affine, bound, correct, steepest_edge, tabled
+from app.measure.interpolation import (
+    ClipEdge,
+    affine,
+    aligned,
+    bound,
+    correct,
+    steepest_edge,
+    tabled,
+)
 from app.measure.interpolation import measure as measure_interpolation
 from app.measure.interpolation import truth as true_place
+from app.measure.meaning import meaning
 from app.measure.measuring import measure_all
 from app.measure.reference import SAMPLE, sample, truth
 from app.measure.results import (
     BUSY,
     JUDGED,
+    UNSTEADY,
     ChartPoint,
     Measurements,
     Sweep,
@@ -53,7 +64,7 @@ from app.measure.results import (
     to_json,
 )
 from app.measure.run import Watch, in_turns, part_of, steady
-from app.measure.smoothing import SMOOTHINGS, pictures, samples_given, shown
+from app.measure.smoothing import SMOOTHINGS, pane, pictures, samples_given, shown
 from app.measure.smoothing import measure as measure_smoothing
 from app.measure.sweeps import SWEEPS, WORLD, in_view, sweep, values_of
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
@@ -178,6 +189,14 @@ def test_trade_1_times_every_way_and_defines_its_errors() -> None:
     assert str(SAMPLE) in JUDGED and table(trade)[0][-1] == JUDGED
     assert table(sweep("up", START, POINTS, (9.0,)))[0][-1] == JUDGED
     assert table(measure_depth(START))[0][-1] == ""
+
+
+def test_a_division_is_predicted_at_least_as_well_as_what_stands_for_it() -> None:
+    trade = measure(START, POINTS, seconds=0.0)
+    predicted = {choice.name: choice.predicted for choice in trade.choices}
+    for name in ("float32, reciprocal table, 2 Newton steps", "float32, snapped to 1/16 px"):
+        assert predicted["float32"] <= predicted[name]
+    assert all(c.error <= c.predicted for c in trade.choices if None not in (c.predicted, c.error))
 
 
 def test_float32_is_the_models_precision_to_the_bit() -> None:
@@ -422,6 +441,9 @@ def test_correct_interpolation_is_exact_and_more_pieces_are_better() -> None:
     trade = measure_interpolation(START, LETTER_F.corners, seconds=0.0)
     exact, *pieces = (choice for choice in trade.choices if "table" not in choice.name)
     assert exact.error is not None and exact.error <= (exact.predicted or 0.0) < 1e-9
+    assert len({choice.cost for choice in pieces}) == 1, "a pixel's work is the same"
+    said = meaning(trade)
+    assert "1040 B" in said and "40 B" in said
     errors = [choice.error for choice in pieces]
     assert errors == sorted(errors, reverse=True) and errors[0] > 10.0
     for choice in pieces:
@@ -434,6 +456,18 @@ def test_correct_interpolation_is_exact_and_more_pieces_are_better() -> None:
     away = replace(START, camera=Camera((0.0, 50.0, 0.0), (0.0, 90.0, 0.0), (0.0, 0.0, 1.0)))
     (nothing,) = measure_interpolation(away, LETTER_F.corners, seconds=0.0).choices
     assert nothing.error is None and "no edge" in nothing.note
+
+
+@pytest.mark.parametrize("count", [1, 7, 4097])
+def test_timed_arrays_begin_at_a_line_of_the_cache(count: int) -> None:
+    for _ in range(20):
+        array = aligned(count)
+        assert array.shape == (count,) and array.ctypes.data % 64 == 0
+    edge = ClipEdge(np.array([-1.0, 0.0, 0.0, 1.0]), np.array([9.0, 0.0, 0.0, 9.0]), 100.0)
+    for run in (correct(edge, array), affine(edge, array, 4)):
+        arrays = [c.cell_contents for c in run.__closure__ or ()]
+        arrays = [a for a in arrays if isinstance(a, np.ndarray)]
+        assert arrays and all(a.ctypes.data % 64 == 0 for a in arrays)
 
 
 def test_a_table_of_reciprocals_is_off_by_its_own_error_and_each_newton_step_squares_it() -> None:
@@ -501,6 +535,34 @@ def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
     )
 
 
+def test_a_time_that_ran_out_before_it_was_steady_is_doubted_in_row_and_sentence() -> None:
+    rushed = measure_interpolation(START, LETTER_F.corners, seconds=0.0)
+    timed = [choice for choice in rushed.choices if choice.cost is not None]
+    assert timed and all(choice.doubt in (UNSTEADY, BUSY) for choice in timed)
+    assert "Not certain: " in meaning(rushed)
+    calm = replace(rushed, choices=tuple(ChartPoint(c.name, 1.0, 1.0, c.error) for c in timed))
+    assert not calm.doubts and "Not certain" not in meaning(calm)
+    lasting = Measurements("", {}, {}, {}, (rushed,))
+    assert from_json(to_json(lasting)).trades[0].doubts == rushed.doubts
+    tree = json.loads(to_json(lasting))
+    for choice in tree["trades"][0]["choices"]:
+        del choice["steady"]
+    older = from_json(json.dumps(tree)).trades[0]
+    assert UNSTEADY not in older.doubts, "older files do not say it"
+
+
+def test_equal_times_are_called_equal_and_no_winner() -> None:
+    points = [ChartPoint(name, cost, cost, off, bytes=b) for name, cost, off, b in (
+        ("none", 1.0, 9.0, 8.0), ("FXAA", 1.04, 8.0, 12.0), ("MSAA 4", 2.0, 1.0, 36.0),
+    )]  # fmt: skip
+    trade = Trade("smoothing", "ms", "levels RMS", tuple(points), 20)
+    said = meaning(trade)
+    assert said.startswith("No choice is cheaper than FXAA (1 ms, 12 B, off by 8 levels RMS)")
+    assert said.endswith("Equal in cost to FXAA: none.")
+    apart = replace(trade, choices=(replace(points[0], cost=0.9), *points[1:]))
+    assert "Equal in cost" not in meaning(apart)
+
+
 def test_a_part_scales_its_progress() -> None:
     seen: list[float] = []
     part_of(seen.append, 0.5, 1.0)(0.5)
@@ -513,7 +575,7 @@ def test_a_time_is_the_least_with_its_95th_percentile(monkeypatch: pytest.Monkey
     fake = types.SimpleNamespace(perf_counter=lambda: clock[0])
     monkeypatch.setattr(app.measure.run, "time", fake)
     times = in_turns({"a": lambda: clock.__setitem__(0, next(ends))}, seconds=0.0)
-    assert times["a"] == pytest.approx((1.0, 6.7, 7))
+    assert times["a"] == pytest.approx((1.0, 6.7, 7, False))
 
 
 def test_a_cancelled_run_keeps_what_was_done() -> None:
@@ -689,9 +751,25 @@ def test_samples_are_counted() -> None:
 def test_shown_averages_or_repeats() -> None:
     pixels = np.zeros((2, 2, 4), dtype=np.uint8)
     pixels[0, 0, :3] = 100
-    assert shown(pixels, 2.0, (1, 1)).tolist() == [[[25.0] * 3]]
-    assert shown(pixels, 0.5, (4, 4))[1, 1].tolist() == [100.0] * 3
-    assert shown(pixels, 0.5, (4, 4)).shape == (4, 4, 3)
+    assert shown(pixels, 2.0, (1, 1)).tolist() == [[[25, 25, 25, 0]]]
+    assert shown(pixels, 0.5, (4, 4))[1, 1].tolist() == [100, 100, 100, 0]
+    assert shown(pixels, 0.5, (4, 4)).shape == (4, 4, 4)
+    drawn = np.random.default_rng(3).integers(0, 256, (18, 24, 4), dtype=np.uint8)
+    mean = drawn.reshape(6, 3, 8, 3, 4).mean(axis=(1, 3))
+    assert np.abs(shown(drawn, 3.0, (8, 6)) - mean).max() <= 0.5
+    assert shown(drawn, 1.0, (24, 18)) is drawn
+
+
+@pytest.mark.usefixtures("one_round")
+def test_every_choice_is_read_back_and_scaled_in_its_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    reads = list[Any]()
+    monkeypatch.setattr(
+        app.measure.smoothing, "pixels_of", lambda window: reads.append(window) or pixels_of(window)
+    )
+    measure_smoothing(LETTER_F, START, seconds=0.0)
+    runs = [window.GetSize() for window in reads]
+    # Once for the error, twice before the first round, and in it.
+    assert len(runs) >= 4 * len(pictures())
 
 
 @pytest.fixture(scope="module")
@@ -709,7 +787,8 @@ def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene)
     ]
     assert trade.choices[0].error == 0.0
     errors = [choice.error for choice in trade.choices]
-    assert errors[-1] > 1.0 and errors[1] <= 0.5
+    assert errors == sorted(set(errors)), "each share is told from the next"
+    assert errors[-1] > 1.0 and errors[1] <= 0.2
     triangles = [choice.values["triangles"] for choice in trade.choices]
     for share, count in zip(SHARES, triangles[1:], strict=True):
         assert count == pytest.approx(share * triangles[0], rel=0.2)
@@ -719,13 +798,40 @@ def test_fewer_triangles_move_the_outline_as_far_as_they_are_long(sphere: Scene)
 
 
 def test_the_outline_is_where_the_model_projects_it(sphere: Scene) -> None:
-    size = (320, 180)
-    places = outline(sphere, sphere.start, size)
+    """The sphere's ellipse is convex, so the farthest projected vertex each way is on it."""
+    places = outline(sphere, sphere.start, (320, 180)).reshape(-1, 2)
     image = sphere.start.trace(sphere.sample[: sphere.surface.n_points]).image / 4.0
-    centre = image.mean(axis=0)
-    radius = np.hypot(*(image - centre).T).max()
-    seen = np.hypot(*(places + 0.5 / 3.0 - centre).T)
-    assert seen.max() == pytest.approx(radius, abs=1.0)
+    angles = np.radians(np.arange(360.0))
+    ways = np.stack([np.cos(angles), np.sin(angles)])
+    assert np.abs((places @ ways).max(axis=0) - (image @ ways).max(axis=0)).max() < 1e-9
+
+
+def test_an_outline_with_holes_and_parts_behind_others_is_that_of_the_drawn_pixels() -> None:
+    size = (640, 360)
+    pieces = outline(LETTER_F, START, size)
+    finer = SMOOTHINGS[0]._replace(scale=3.0)
+    with pane(replace(LETTER_F, lines=None), START, size, finer) as (draw, read):
+        draw()
+        drawn = read()[..., :3] != 255
+    covered = drawn.any(axis=2)
+    inner = covered[1:-1, 1:-1]
+    alone = ~(covered[:-2, 1:-1] & covered[2:, 1:-1] & covered[1:-1, :-2] & covered[1:-1, 2:])
+    rows, columns = np.nonzero(inner & alone)
+    pixels = (np.stack([columns, rows], axis=1) + 1.5) / 3.0
+    ends = pieces.mean(axis=1)
+    away = np.hypot(*(pixels[:, None] - ends[None]).transpose(2, 0, 1))
+    assert away.min(axis=0).max() < 1.0, "no piece is inside the letter"
+    assert away.min(axis=1).max() < 1.0, "no edge of the letter is missing"
+
+
+def test_the_distance_of_two_outlines_is_that_of_their_farthest_places() -> None:
+    def square(side: float) -> np.ndarray:
+        corners = side / 2.0 * np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], dtype=float)
+        return np.stack([corners, np.roll(corners, -1, axis=0)], axis=1)
+
+    assert apart(square(2.0), square(2.0)) == 0.0
+    assert apart(square(2.0), square(4.0)) == pytest.approx(math.sqrt(2.0))
+    assert apart(np.empty((0, 2, 2)), square(2.0)) is None
 
 
 @pytest.mark.usefixtures("one_round")
@@ -736,7 +842,7 @@ def test_a_scene_of_few_faces_lends_its_camera_to_a_sphere() -> None:
     errors = [choice.error for choice in trade.choices]
     assert errors[0] == 0.0 and errors[-1] > 1.0
     (diagram,) = chart.diagrams(trade)
-    assert diagram.title == f"Detail: {TOO_FEW}"
+    assert diagram.title.endswith(f"; {TOO_FEW}"), diagram.title
     assert reduced(LETTER_F, 0.1) is LETTER_F
 
 

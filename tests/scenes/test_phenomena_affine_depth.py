@@ -10,6 +10,7 @@ import mpmath as mp
 import numpy as np
 import pytest
 
+from app.lecture.letters import LETTERS, in_letters
 from app.model.projection import (
     Array,
     Camera,
@@ -217,7 +218,17 @@ def test_l8_the_deviation_is_written_beside_the_bow() -> None:
     assert values(illustration)[:2] == pytest.approx([16.0, 2.0])
     assert values(show(projection, (4.0, 0.0, -4.0), (-1.0, 0.0, -1.0)))[0] == pytest.approx(16.0)
     texts = {text.text: text for text in illustration.ndc.texts}
-    assert set(texts) == {"16 %", "A z + B", "A + B / z", "P", "Q"}
+    assert set(texts) == {"16 %", "A z + B", "{divided_z}", "P", "Q"}
     said = texts["16 %"]
     assert said.point == pytest.approx([1 / 3, 0.0, -0.5])
     assert said.away_from == pytest.approx([1 / 3, 0.0, 0.0])
+
+
+def test_the_straight_line_is_written_with_the_lectures_sign() -> None:
+    """000, (12): (Az + B)/(-z) = -A - B/z. 002 divides by z itself: (Az + B)/z = A + B/z."""
+    a, b, z = -1.25, -2.25, -5.0
+    written = {each: in_letters("{divided_z}", each) for each in LETTERS}
+    assert written.pop("002") == "A + B / z"
+    for text in written.values():
+        value = eval(text.replace("−", "-"), {}, {"A": a, "B": b, "z": z})
+        assert value == pytest.approx((a * z + b) / -z)

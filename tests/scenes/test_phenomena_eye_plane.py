@@ -369,6 +369,62 @@ def test_the_world_shows_where_the_divide_puts_the_end_behind_the_eye() -> None:
     assert depths[0] == pytest.approx(depths[1]) and depths[0] > 0.0
 
 
+@pytest.mark.parametrize(
+    ("way", "kept", "missing"),
+    [
+        ("naive", 1.0, None),
+        ("faces", 0.5, (0.5, 1.0)),  # the image runs to infinity: up to the eye plane
+        ("cut", 0.5, (0.5, 1.0)),
+        ("clipped", 0.25, (0.25, 1.0)),  # at z = -1, where x = w
+    ],
+)
+def test_the_piece_without_an_image_is_dashed(way: str, kept: float, missing: Any) -> None:
+    """By hand: AB from (1, 0, -2) to (1, 0, 2) pierces z = 0 at (1, 0, 0), inside the plane."""
+    eye = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0))
+    projection = Projection(eye, Perspective(90.0, 0.1, 10.0), (600, 600))
+    world = PHENOMENON.illustration(
+        projection,
+        PHENOMENON.checked({"start": (1, 0, -2), "end": (1, 0, 2), "drawn": way}),
+        SUBJECT,
+    ).world
+    along = [line for line in world.lines if np.allclose(line.points[:, :2], (1.0, 0.0))]
+    solid = [line.points[:, 2] for line in along if line.colour in ("accent", "u")]
+    dashed = [line.points[:, 2] for line in along if line.colour == "muted"]
+    assert sum(float(np.ptp(z)) for z in solid) == pytest.approx(4.0 * kept)
+    assert np.min(solid) == -2.0
+    if missing is None:
+        assert not dashed
+    else:
+        assert (np.min(dashed), np.max(dashed)) == pytest.approx(
+            tuple(4.0 * t - 2.0 for t in missing)
+        )
+    front = [line.points[:, 2].max() for line in along if line.colour == "accent"]
+    assert front == pytest.approx([min(0.0, 4.0 * kept - 2.0)])
+    plane = next(face.points for face in world.faces if face.name == "w=0")
+    assert plane[:, 2] == pytest.approx(0.0) and (np.ptp(plane, axis=0)[:2] > 2.0).all()
+    ruled = [line for line in world.lines if line.name == "w=0" and len(line.points) == 2]
+    assert len(ruled) == 6
+
+
+def test_after_the_cut_the_image_runs_past_the_frame_and_after_clipping_it_ends_there() -> None:
+    """By hand: the plane is 0.5 before the eye and reaches to x = 0.5; A is seen at x = 0.25."""
+    eye = Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0))
+    projection = Projection(eye, Perspective(90.0, 0.1, 10.0), (600, 600))
+    reached = []
+    for way in ("cut", "clipped"):
+        settings = PHENOMENON.checked({"start": (1, 0, -2), "end": (1, 0, 2), "drawn": way})
+        shown = PHENOMENON.illustration(projection, settings, SUBJECT).world
+        image = [
+            line.points
+            for line in shown.lines
+            if line.colour == "accent" and np.allclose(line.points[:, 2], -0.5)
+        ]
+        assert len(image) == 1 and image[0][0] == pytest.approx((0.25, 0.0, -0.5))
+        reached.append(float(image[0][1, 0]))
+        assert {text.name for text in shown.texts} == {"A", "B", "A'", "w=0"}
+    assert reached == pytest.approx([0.9, 0.5])
+
+
 def test_the_three_ways_to_draw_an_edge_that_crosses_differ_at_a_glance() -> None:
     """Wrong edges in another colour; a cut one with an arrow; a clipped one with a dot."""
     naive, cut, clipped = (

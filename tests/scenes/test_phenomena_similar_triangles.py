@@ -47,16 +47,16 @@ def test_image_scale_and_sign_are_those_of_the_formula() -> None:
         said = readings(illustration)
         x, y, z = Exact(projection)(place).view
         if z >= 0:
-            assert said["x_p = d·x / w"] is None and said["scale d / w"] is None
+            assert said["x_p = d·x / −z"] is None and said["scale d / −z"] is None
             assert illustration.readings[2].note is not None
             continue
         checked += 1
         w = -z
-        assert said["w"] == pytest.approx(float(w), rel=1e-12)
+        assert said["−z"] == pytest.approx(float(w), rel=1e-12)
         for label, expected in (
-            ("x_p = d·x / w", distance * x / w),
-            ("y_p = d·y / w", distance * y / w),
-            ("scale d / w", distance / w),
+            ("x_p = d·x / −z", distance * x / w),
+            ("y_p = d·y / −z", distance * y / w),
+            ("scale d / −z", distance / w),
         ):
             assert said[label] == pytest.approx(float(expected), rel=1e-11, abs=1e-11)
             assert math.copysign(1.0, said[label]) == mp.sign(expected)
@@ -65,9 +65,9 @@ def test_image_scale_and_sign_are_those_of_the_formula() -> None:
         # The copy puts the point there too: d along the axis, x_p and y_p across it.
         moved = onto_plane(projection, distance) @ [*place, 1.0]
         hit = Exact(projection)(moved[:3] / moved[3]).view
-        size = abs(distance) + abs(said["x_p = d·x / w"]) + abs(said["y_p = d·y / w"])
+        size = abs(distance) + abs(said["x_p = d·x / −z"]) + abs(said["y_p = d·y / −z"])
         for found, expected in zip(
-            hit, (said["x_p = d·x / w"], said["y_p = d·y / w"], -distance), strict=True
+            hit, (said["x_p = d·x / −z"], said["y_p = d·y / −z"], -distance), strict=True
         ):
             assert abs(float(found) - expected) < 1e-9 * (size + 30.0)
 
@@ -91,7 +91,7 @@ def test_marked_points_lie_on_the_plane_and_on_their_projectors(distance: float)
     large, small = (face.points for face in illustration.world.faces[1:])
     sides = [np.linalg.norm(t - np.roll(t, -1, axis=0), axis=1) for t in (large, small)]
     assert np.ptp(sides[1] / sides[0]) < 1e-12
-    scale = readings(illustration)["scale d / w"]
+    scale = readings(illustration)["scale d / −z"]
     assert (sides[1] / sides[0])[0] == pytest.approx(abs(scale))
     # The chosen point is marked in the other panes where the model has it.
     trace = START.trace(place)
@@ -105,7 +105,7 @@ def test_a_point_outside_the_view_volume_is_marked_in_the_world_only() -> None:
     aside = show(point=(20.0, 5.0, 0.5))
     for illustration in (short, aside):
         assert illustration.ndc.dots == illustration.image.dots == illustration.image.texts == ()
-        assert illustration.world.dots and readings(illustration)["scale d / w"] is not None
+        assert illustration.world.dots and readings(illustration)["scale d / −z"] is not None
 
 
 def test_both_triangles_have_their_right_angles_on_the_axis_and_share_the_eye() -> None:
@@ -180,7 +180,7 @@ def test_l5_the_matrix_with_one_over_d_is_the_lectures(
     assert rows[:3].tolist() == np.eye(4)[:3].tolist()
     assert rows[3] == pytest.approx(last_row, rel=1e-15)
     assert said["of P: (x, y, z, −z/d)"] == pytest.approx(product)
-    assert (said["x_p = d·x / w"], said["y_p = d·y / w"]) == pytest.approx(image)
+    assert (said["x_p = d·x / −z"], said["y_p = d·y / −z"]) == pytest.approx(image)
     assert [part / product[3] for part in product[:2]] == pytest.approx(image)
     turned = "upright" if distance > 0.0 else "upside down and left for right"
     assert said["the image on the plane"] == turned
@@ -190,7 +190,7 @@ def test_l5_from_the_side_both_triangles_have_their_lengths() -> None:
     """Of (2, 3, -6) at d = 4: y_p : d = y : w is 2 : 4 = 3 : 6; from above 4/3 : 4 = 2 : 6."""
     projection = Projection(Camera((0, 0, 0), (0, 0, -1)), Perspective(60, 1, 30))
     illustration = show(projection, distance=4.0, point=(2.0, 3.0, -6.0))
-    assert dict(illustration.measured) == {"d": 4.0, "w": 6.0}
+    assert dict(illustration.measured) == {"d": 4.0, "-z": 6.0}
     found = {
         each.name: (each.view, each.value, each.start.tolist(), each.end.tolist())
         for each in illustration.lengths
@@ -206,7 +206,7 @@ def test_l5_from_the_side_both_triangles_have_their_lengths() -> None:
 def test_l5_numbers_and_lines_about_d_are_highlighted_together() -> None:
     illustration = show()
     about = {reading.label: set(reading.about) for reading in illustration.readings}
-    assert about["projection, with −1/d"] == {"settings.distance"} <= about["scale d / w"]
+    assert about["projection, with −1/d"] == {"settings.distance"} <= about["scale d / −z"]
     lit = [line for line in illustration.world.lines if "settings.distance" in line.about]
     eye = np.array(START.camera.eye)
     lengths = sorted(len(line.points) for line in lit)

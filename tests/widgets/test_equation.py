@@ -10,8 +10,10 @@ import pytest
 from PySide6.QtCore import QRect
 
 from app.document.settings import set_values
+from app.drawings.style import LIGHT
 from app.lessons.lesson import parse_lesson
 from app.model.refusal import Refusal
+from tests.support.drawings import to_bytes
 from tests.support.window import activate, give_room, rgb_of, settle
 from widgets.window.equation import LEAST_CELL, LEAST_EM
 from widgets.window.main_window import MainWindow
@@ -124,6 +126,28 @@ def test_a_line_of_formula_has_them_too(window: MainWindow) -> None:
         image = rgb_of(band.grab().toImage())
         counts.append([coloured(image, colour) > 10 for colour in ("#8a5a00", "#00609a")])
     assert counts == [[False, False], [True, False], [True, True]]
+
+
+@pytest.mark.undrawn
+def test_the_columns_of_the_objects_matrix_have_the_colours_of_its_axes(window: MainWindow) -> None:
+    """Each of the first three columns is one band from top to bottom, also where it is 0."""
+    shades = np.array([to_bytes(shade) for shade in (LIGHT.u, LIGHT.v, LIGHT.n)])
+    turned = set_values(window.store.document, ["object.rotate_deg=0,0,-30"])
+    window.store.set_projection(turned.projection)
+    for equation in ("object numbers", "frustum numbers"):
+        window.store.set_view(slide=("equation",), equation=equation)
+        settle()
+        image = rgb_of(window.slide.equation.grab().toImage()).astype(int)
+        tinted = [
+            np.abs(image - 0.2 * shade - 0.8 * image[0, 0]).max(axis=2) < 3 for shade in shades
+        ]
+        if equation == "frustum numbers":
+            assert not any(each.any() for each in tinted)
+            continue
+        lefts = [int(np.nonzero(each.any(axis=0))[0].min()) for each in tinted]
+        highs = [int(each.any(axis=1).sum()) for each in tinted]
+        assert lefts == sorted(lefts) and min(highs) > 0.95 * max(highs)
+        assert min(highs) > 0.7 * inked(window).height()  # three rows of four
 
 
 @pytest.mark.undrawn

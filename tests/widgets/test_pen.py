@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,9 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFrame
 
+from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lessons.strokes import (
+    COLOURS,
     Stroke,
     path_beside,
     picture_beside,
@@ -214,3 +217,48 @@ def test_the_speaker_sees_the_slide_with_its_strokes(window: MainWindow, qtbot: 
         screen.width() / screen.height(), rel=0.02
     )
     speaker.close()
+
+
+VISION = {
+    "all": np.eye(3),
+    "protanopia": ((0.1523, 1.0526, -0.2049), (0.1145, 0.7863, 0.0992), (-0.0039, -0.0481, 1.0520)),
+    "deuteranopia": (
+        (0.3673, 0.8606, -0.2280),
+        (0.2801, 0.6725, 0.0474),
+        (-0.0118, 0.0429, 0.969),
+    ),
+    "tritanopia": ((1.2556, -0.0767, -0.1788), (-0.0784, 0.9308, 0.1476), (0.0047, 0.6914, 0.3039)),
+}
+"""What linear colours become for the colour-blind (Machado, Oliveira and Fernandes 2009)."""
+XYZ = ((0.4124, 0.3576, 0.1805), (0.2126, 0.7152, 0.0722), (0.0193, 0.1192, 0.9505))
+
+
+def lab(colour: str, vision: Any) -> np.ndarray:
+    """CIE L*a*b* of a colour, as it is seen."""
+    part = np.array(rgb(colour))
+    linear = np.where(part <= 0.04045, part / 12.92, ((part + 0.055) / 1.055) ** 2.4)
+    white = np.array(XYZ).sum(axis=1)
+    xyz = np.array(XYZ) @ np.clip(np.array(vision) @ linear, 0.0, 1.0) / white
+    f = np.where(xyz > 0.008856, np.cbrt(xyz), 7.787 * xyz + 16.0 / 116.0)
+    return np.array([116.0 * f[1] - 16.0, 500.0 * (f[0] - f[1]), 200.0 * (f[1] - f[2])])
+
+
+@pytest.mark.parametrize("style", [LIGHT, DARK], ids=["light", "dark"])
+@pytest.mark.parametrize("vision", VISION)
+def test_nobody_confuses_the_colours_of_the_pen(style: Style, vision: str) -> None:
+    assert len(COLOURS) == 4 and "accent" not in COLOURS, "projectors have it"
+    seen = {name: lab(getattr(style, name), VISION[vision]) for name in (*COLOURS, "background")}
+    for one, other in itertools.combinations(seen, 2):
+        assert np.linalg.norm(seen[one] - seen[other]) > 12.5, (one, other)
+    pink = lab(style.accent, np.eye(3))
+    assert all(np.linalg.norm(lab(getattr(style, each), np.eye(3)) - pink) > 40 for each in COLOURS)
+
+
+def test_strokes_of_older_files_are_drawn_as_they_were(window: MainWindow, talk: Path) -> None:
+    path_beside(talk).write_text('{"strokes": {"one": [["accent", [0.1, 0.5], [0.9, 0.5]]]}}')
+    (stroke,) = read_strokes(talk)["one"]
+    window.slide.pen.begin_talk({"one": [stroke]})
+    settle()
+    seen = slide(window)
+    here = seen[seen.shape[0] // 2, seen.shape[1] // 3]
+    assert np.abs(here / 255.0 - rgb(LIGHT.accent)).max() < 0.02

@@ -9,9 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QEnterEvent, QFontInfo, QHelpEvent, QIcon, QPixmap
+from PySide6.QtGui import QEnterEvent, QFocusEvent, QFontInfo, QHelpEvent, QIcon, QImage, QPixmap
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QToolButton, QToolTip, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QLabel,
+    QLineEdit,
+    QToolButton,
+    QToolTip,
+    QWidget,
+)
 
 from app.document.settings import set_values
 from app.drawings.style import LIGHT
@@ -597,3 +604,64 @@ def test_a_flat_view_stays_flat_and_its_planes_can_be_dragged_anywhere(window: M
         settle()
         assert drawing.fixed == "side"
         assert (window.store.document.projection.lens.far != before.far) == moves
+
+
+def is_red(image: QImage, place: QPoint) -> bool:
+    """Whether the laser's dot is there."""
+    seen = image.pixelColor(place)
+    return seen.red() > 200 and seen.green() < 60
+
+
+def test_the_laser_lies_over_everything_and_repaints_no_picture(window: MainWindow) -> None:
+    begin(window)
+    handle = window.windowHandle()
+    pane = window.panes["world"].canvas
+    middle = pane.mapTo(window, pane.rect().center())
+    QTest.mouseMove(handle, middle)  # what lies there lights up
+    settle()
+    with counted_repaints(window) as counts:
+        QTest.keyPress(handle, Qt.Key.Key_L)
+        settle()
+        for place in (middle, middle + QPoint(150, 60), QPoint(400, 15), QPoint(300, 700)):
+            QTest.mouseMove(handle, place)
+            settle()
+            seen = window.grab().toImage()
+            assert is_red(seen, place)
+            assert not is_red(seen, place + QPoint(0, 30)), "it is small"
+        assert QApplication.overrideCursor().shape() == Qt.CursorShape.BlankCursor
+        QTest.keyRelease(handle, Qt.Key.Key_L)
+        settle()
+        assert not is_red(window.grab().toImage(), QPoint(300, 700))
+        assert QApplication.overrideCursor() is None
+    assert sum(counts.values()) == 0
+    QTest.keyPress(handle, Qt.Key.Key_L)
+    press(window, Qt.Key.Key_Escape)
+    assert not window.present.is_on and window.laser.isHidden()
+    QTest.keyRelease(handle, Qt.Key.Key_L)
+    QTest.keyPress(handle, Qt.Key.Key_L)
+    assert window.laser.isHidden(), "only a class needs it"
+    QTest.keyRelease(handle, Qt.Key.Key_L)
+
+
+@pytest.mark.undrawn
+def test_the_laser_leaves_typed_letters_and_drags_alone(window: MainWindow) -> None:
+    begin(window)
+    press(window, Qt.Key.Key_F4)
+    field = window.controls.findChildren(QLineEdit)[0]
+    field.setFocus()
+    handle = window.windowHandle()
+    QTest.keyClick(handle, Qt.Key.Key_L)
+    assert window.laser.isHidden() and field.text().startswith("l")
+    field.undo()
+    window.setFocus()
+    window.slide.pen.switch(True)
+    QTest.keyPress(handle, Qt.Key.Key_L)
+    place = QPoint(300, 400)
+    QTest.mousePress(handle, LEFT, pos=place)
+    QTest.mouseMove(handle, place + QPoint(80, 20))
+    QTest.mouseRelease(handle, LEFT, pos=place + QPoint(80, 20))
+    assert len(window.slide.pen.here) == 1 and len(window.slide.pen.here[0].points) > 1
+    assert window.laser.geometry().contains(place + QPoint(80, 20))
+    QApplication.sendEvent(handle, QFocusEvent(QEvent.Type.FocusOut))
+    assert window.laser.isHidden(), "the key may be released in another window"
+    QTest.keyRelease(handle, Qt.Key.Key_L)

@@ -180,7 +180,7 @@ def test_nothing_is_smeared_when_the_eye_goes_to_infinity(shown: Callable[..., S
 def test_letters_and_limits_are_the_stops_own(shown: Callable[..., Shown]) -> None:
     screen = shown()
     texts = (
-        {"x", "y", "z", "near", "far"},
+        {"x", "y", "z", "u⃗", "v⃗", "n⃗", "near", "far"},
         {"u⃗", "v⃗", "n⃗", "near", "far"},
         {"x", "y", "z", "far", "−1", "1", "near −0.222"},
         {"x", "y", "z", "near", "far", "−1", "1", "0"},

@@ -30,6 +30,7 @@ from PySide6.QtGui import (
     QImage,
     QKeyEvent,
     QMouseEvent,
+    QOpenGLContext,
     QPainter,
     QPaintEvent,
     QResizeEvent,
@@ -77,6 +78,13 @@ def smooth_window(window: Any, smoothing: str) -> None:
     for renderer in window.GetRenderers():
         renderer.SetUseFXAA(smoothing == "FXAA")
     window.SetMultiSamples(multisamples(smoothing))
+
+
+def release_context() -> None:
+    """Release Qt's OpenGL context before VTK draws off the screen, or VTK may use it as its own."""
+    current = QOpenGLContext.currentContext()
+    if current is not None:
+        current.doneCurrent()
 
 
 class _Canvas(QWidget):

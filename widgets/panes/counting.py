@@ -9,11 +9,11 @@ import math
 from collections.abc import Callable
 
 from PySide6.QtCore import QObject, QTimer, Signal
-from PySide6.QtGui import QOpenGLContext
 
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
+from widgets.panes.canvas import release_context
 from widgets.parts.panel import Changed, ShownData
 
 REST_MS = 250
@@ -75,9 +75,7 @@ class Counting(QObject):
         from app.drawings.off_screen import off_screen
         from app.drawings.rasterising import counted_wrong_share
 
-        current = QOpenGLContext.currentContext()
-        if current is not None:  # VTK might draw in Qt's context
-            current.doneCurrent()
+        release_context()
         wide = math.sqrt(PIXELS * projection.aspect)
         width, height = (
             max(1, min(LONGEST_PX, round(side))) for side in (wide, wide / projection.aspect)

@@ -20,7 +20,6 @@ from PySide6.QtGui import (
     QKeyEvent,
     QMouseEvent,
     QMoveEvent,
-    QOpenGLContext,
     QShowEvent,
 )
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
@@ -32,7 +31,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera
 from app.picking.picking import Probe
 from widgets.panes.ahead import DrawingsAhead
-from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand
+from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand, release_context
 from widgets.panes.header import Header
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock
@@ -293,6 +292,7 @@ class Pane(QFrame):
                 continue
             if what == "projection":
                 began = time.perf_counter()
+                release_context()  # a pair of pictures is drawn at once
                 drawing.show_projection(shown.projection, shown.illustration)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             elif what == "smoothing":
@@ -390,9 +390,7 @@ class Pane(QFrame):
         if self.drawing is None or not self.isVisible():
             return
         self._has_changed = False
-        current = QOpenGLContext.currentContext()
-        if current is not None:  # VTK might draw in Qt's context
-            current.doneCurrent()
+        release_context()
         self.drawing.refine()
         self.canvas.redraw()
 

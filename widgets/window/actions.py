@@ -121,6 +121,10 @@ class Actions(QObject):
             self.tr("&Present"), None, "F5",
             self.tr("Show the panes and the essential controls on the full screen, for a class"),
         )  # fmt: skip
+        self.present_all = self._action(
+            self.tr("Present from the beginnin&g"), None, "Shift+F5",
+            self.tr("Present the open talk from its first step"),
+        )  # fmt: skip
         self.blank = self._action(
             self.tr("&Blank the screen"), None, "B",
             self.tr("Show the class a black screen, or the panes again"),
@@ -272,8 +276,8 @@ class Actions(QObject):
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
         self.view_menu = menu = self._menu(
-            self.tr("&View"), self.present, self.blank, self.pointer, self.strip, self.pen, None,
-            self.compare, self.compare_way, None, *large,
+            self.tr("&View"), self.present, self.present_all, self.blank, self.pointer, self.strip,
+            self.pen, None, self.compare, self.compare_way, None, *large,
             self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
             self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
             None, self.controls, self.show_cost, self.all_digits,

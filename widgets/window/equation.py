@@ -16,7 +16,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.drawings.style import LIGHT, Style, tone
 from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of, latex_cell
-from app.lecture.highlight import ENDS
+from app.lecture.highlight import ENDS, OBJECT_AXES
 from app.lecture.notation import letters_in
 from app.lecture.typesetting import line_of, piece_of
 from app.model.parameters import PARAMETERS
@@ -327,19 +327,22 @@ class EquationSlide(QWidget):
             painter.drawRoundedRect(cell.adjusted(edge, edge, -edge, -edge), 2 * edge, 2 * edge)
             painter.setBrush(Qt.BrushStyle.NoBrush)
             return QColor(style.ink)
+        names = letters_in(matrix, row, column)
+        edge = 0.06 * em
+        for name, shade in zip(OBJECT_AXES, (style.u, style.v, style.n), strict=False):
+            if name in names:  # of a whole column, also where it is 0
+                painter.fillRect(cell.adjusted(edge, 0.0, -edge, 0.0), faded(shade, 0.2))
+                return QColor(tone(shade, style.background))
         if matrix.values[row][column] == 0.0 and (text == "0" or self._is_in_numbers):
             return QColor(style.muted)
-        names = letters_in(matrix, row, column)
         axes = [name for name in ("u", "v", "n") if name in names]
         planes = [name for name in ENDS if name in names]
         if len(axes) == 1:
             shade = getattr(style, axes[0])
             if len(text) == 3:  # a component of the axis
-                edge = 0.06 * em
                 painter.fillRect(cell.adjusted(0.0, edge, 0.0, -edge), faded(shade, 0.2))
             return QColor(tone(shade, style.background))
         if len(planes) == 1:
-            edge = 0.06 * em
             shade = getattr(style, planes[0])
             painter.fillRect(cell.adjusted(edge, edge, -edge, -edge), faded(shade, 0.12))
         return QColor(style.ink)

@@ -209,7 +209,8 @@ class LessonCard(QFrame):
         assert player is not None
         if self._shown != player.place:
             self._shown = player.place
-            player.progress = replace(player.progress, step=player.step.name)
+            is_over = player.lesson.is_talk and player.is_last  # then it begins anew
+            player.progress = replace(player.progress, step="" if is_over else player.step.name)
             self._late.start()
             if self.isHidden():
                 self.page.clear()

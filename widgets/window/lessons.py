@@ -284,8 +284,7 @@ class Lessons(QObject):
                 if getattr(end.view, name) != getattr(look, name)
             }
             store.set_view(**changes)
-            if end.view.panes != look.panes:
-                self._look_from(end.view.panes)
+            self._look_from(end.view.panes)  # which frames the picture anew
         else:  # first the end, for the undo history; then from the start to the end, frame by frame
             # The end also determines the cameras of the panes that the user has not turned.
             is_there = store.set_document(end)

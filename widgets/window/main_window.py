@@ -66,6 +66,7 @@ from widgets.window.files import Files
 from widgets.window.help import Help
 from widgets.window.hiding import Hiding
 from widgets.window.history import History
+from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
 from widgets.window.lessons import Lessons
 from widgets.window.look import Look, dress
@@ -175,6 +176,7 @@ class MainWindow(QMainWindow):
             panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
+        self.laser = Laser(self)
         self._make_components()
         self.highlighter = Highlighter(self)
         wire(self)

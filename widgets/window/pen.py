@@ -108,8 +108,8 @@ class Pen(QWidget):
         self.dot = tool_button("●", self.tr("Colours, eraser, undo, clear, keep"))
         names = {
             "ink": self.tr("Black"),
-            "accent": self.tr("Purple"),
-            "near": self.tr("Amber"),
+            "u": self.tr("Orange"),
+            "v": self.tr("Green"),
             "n": self.tr("Blue"),
         }
         self.colours: dict[str, QToolButton] = {
@@ -150,8 +150,7 @@ class Pen(QWidget):
         self._finish()
         self._step = step
         self.update()
-        if self.is_on:
-            self.raise_()
+        self.raise_()
 
     def begin_talk(self, strokes: dict[str, list[Stroke]]) -> None:
         """Forget all strokes but those that were kept of another talk."""

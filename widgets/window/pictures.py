@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 from PySide6.QtCore import QByteArray, QMimeData, QObject, QSize, QSizeF, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QImage, QOpenGLContext, QPainter, QPixmap
+from PySide6.QtGui import QGuiApplication, QImage, QPainter, QPixmap
 from PySide6.QtWidgets import QMainWindow
 
 from app.document.codec import picture_json
@@ -19,6 +19,7 @@ from app.document.files import write_bytes_atomically
 from app.drawings.figure import Figure
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
+from widgets.panes.canvas import release_context
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence, translated
 from widgets.parts.progress import ReportProgress, progress
@@ -149,13 +150,6 @@ class Pictures(QObject):
         self._messages.done()
         self.exported.emit(done)
         return True
-
-
-def release_context() -> None:
-    """Release Qt's OpenGL context before a figure is drawn, or VTK may use it as its own."""
-    current = QOpenGLContext.currentContext()
-    if current is not None:
-        current.doneCurrent()
 
 
 def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:

@@ -27,12 +27,13 @@ from app.lessons.lesson import Step
 from app.lessons.player import Player
 from app.lessons.text import in_line
 from app.model.refusal import Refusal
+from widgets.panes.canvas import release_context
 from widgets.parts import palette
 from widgets.parts.buttons import push_button
 from widgets.parts.layouts import TOP, in_column, in_row
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip
-from widgets.window.pictures import image_of, release_context
+from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.slots import panes_of_slide
 

@@ -104,7 +104,7 @@ class TalkKeys(QObject):
         key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         if is_of_speaker and held & Qt.KeyboardModifier.ControlModifier and key in _LARGER:
             return partial(self.larger.emit, _LARGER[key])
-        if held or (_is_typed_in() and key not in _IN_FIELDS):
+        if held or (is_typed_in() and key not in _IN_FIELDS):
             return None
         if key in _DIGITS:
             return partial(self._type, _DIGITS[key])
@@ -150,7 +150,7 @@ class TalkKeys(QObject):
         self._typed.start()
 
 
-def _is_typed_in() -> bool:
+def is_typed_in() -> bool:
     field = QApplication.focusWidget()
     if isinstance(field, (QTextEdit, QPlainTextEdit)):
         return not field.isReadOnly()

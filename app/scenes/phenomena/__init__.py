@@ -24,6 +24,7 @@ from app.scenes.phenomena import (
     planar_shadow,
     popping,
     similar_triangles,
+    two_eyes,
     vanishing_points,
     view_volumes,
 )
@@ -35,6 +36,7 @@ _ORDER = (
     field_of_view,
     view_volumes,
     off_axis_window,
+    two_eyes,
     oblique_drawing,
     vanishing_points,
     eye_plane,

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.readout import Phrase, Reading, figure
@@ -206,7 +206,7 @@ def _own_bow(projection: Projection, part: Inside, deviations: Deviation) -> Mar
         segment(on_chord, on_bow, "ink", 1.0),
         Dot(on_bow, "u", 1.2),
         Text("Az+B", curve[quarter], "u", away_from=beside, text="A z + B"),
-        Text("A+B/z", straight.mean(axis=0), "accent", (), on_bow, "A + B / z"),
+        Text("A+B/z", straight.mean(axis=0), "accent", (), on_bow, "{divided_z}"),
         *(named(name, end) for name, end in zip("PQ", straight, strict=True)),
     )
 
@@ -251,6 +251,7 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
+    shot=Shot(-6.0, 25.0),
     cube_side=(75.0, 10.0),
     leaves_out=frozenset({"near-picture"}),
     pale=frozenset({"ndc"}),

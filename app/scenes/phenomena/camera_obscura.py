@@ -15,7 +15,7 @@ import numpy as np
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
     grip_of_plane,
@@ -173,6 +173,6 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
     inks={"d": "v"},
-    side=(40.0, 14.0),
+    shot=Shot(50.0, 14.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

@@ -26,7 +26,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Reading
@@ -331,5 +331,6 @@ PHENOMENON = Phenomenon(
     leading="image",
     requires=frozenset({"texture", "vertices"}),
     names=("error", "stored"),
+    shot=Shot(17.0, 15.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

@@ -23,7 +23,7 @@ from app.model.parameter import Parameter
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
 from app.scenes.phenomena.readout import Reading
@@ -353,5 +353,6 @@ PHENOMENON = Phenomenon(
     numbers=7,
     leading="ndc",
     names=("A", "B", "C", "1", "2"),
+    shot=Shot(55.0, 25.0),
     pale=frozenset({"world", "ndc"}),
 )

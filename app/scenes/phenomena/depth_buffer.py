@@ -23,7 +23,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
@@ -256,5 +256,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"depth"}),
     own_mesh=True,
     names=("surface-1", "surface-2"),
+    shot=Shot(63.0, 35.0),
     leaves_out=frozenset({"near-picture"}),
 )

@@ -11,6 +11,7 @@ No picture here is cut at near and far, which would take away more and correct n
 
 from __future__ import annotations
 
+import itertools
 import math
 from functools import partial
 from typing import NamedTuple
@@ -23,7 +24,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Dot,
     Face,
@@ -54,6 +55,9 @@ _IMAGE_AT = 0.5  # of the target's distance: the plane on which the world shows 
 _FARTHEST_IMAGE = 4.0  # of that plane's distance: farther images are not marked
 _CROSSING = (3, 4)  # lecture 004's cases
 _AT_FRAME, _ARROW = 1e-6, 0.06  # of the picture's longer side
+_BEYOND = 0.4  # of its longer side: how far past the frame an image is drawn that runs on
+_RULES = 5  # lines of the eye plane each way, with its outline
+_DASHES = 7  # of a piece that has no image
 
 
 class EyePlanePictures(NamedTuple):
@@ -73,6 +77,8 @@ class EyePlanePictures(NamedTuple):
         Length that the right drawing has and the naive one lacks.
     left_out_px : (m,) array
         Length that lecture 004's cut removes in front of the eye.
+    part : (m, 2) array
+        Where the part begins and ends that the right drawing shows, from 0 to 1; NaN for nothing.
     """
 
     naive: Array
@@ -82,6 +88,7 @@ class EyePlanePictures(NamedTuple):
     wrong_px: Array
     missed_px: Array
     left_out_px: Array
+    part: Array
 
 
 def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictures:
@@ -121,6 +128,7 @@ def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictur
         np.where(in_front, 0.0, lengths[0]),
         np.where(in_front, 0.0, lengths[2]),
         np.maximum(lengths[2] - lengths[1], 0.0),
+        clipped.t[2],
     )
 
 
@@ -241,7 +249,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     return Illustration(
         _readings(projection, drawn, trace.view[0], mesh),
         world=Marks.of(
-            _world_marks(projection, subject, a, b, depths),
+            _world_marks(
+                projection, subject, np.stack([a, b]), depths, _kept(depths, drawn.part[0], way)
+            ),
             _image_in_world(projection, trace.view[0], drawn, way),
         ),
         ndc=_ndc_marks(projection, trace.clip[0]),
@@ -302,31 +312,57 @@ def _readings(
     return tuple(readings)
 
 
+def _kept(depths: Array, part: Array, way: str) -> tuple[float, float]:
+    """Where the part of AB begins and ends, from 0 to 1, that a way of drawing has an image of.
+
+    The cut at z = -0.01 is drawn at the eye plane. Both are 1 where nothing is drawn.
+    """
+    start, end = depths.tolist()
+    if way == "naive":
+        return 0.0, 1.0
+    if way == "clipped":
+        low, high = np.nan_to_num(part, nan=1.0).tolist()
+        return low, high
+    crossing = start / (start - end) if (start > 0.0) != (end > 0.0) else 1.0
+    return (0.0, crossing) if start > 0.0 else (crossing if end > 0.0 else 1.0, 1.0)
+
+
 def _world_marks(
-    projection: Projection, subject: Subject, a: Array, b: Array, depths: Array
+    projection: Projection, subject: Subject, ends: Array, depths: Array, kept: tuple[float, float]
 ) -> Marks:
-    """The segment, in front of the eye and behind it, and a piece of the eye plane."""
+    """The eye plane, and the segment: what is drawn of it, and dashed what has no image."""
     eye = np.array(projection.camera.eye)
     u, v, _ = projection.camera.frame
-    reach = 0.4 * subject.size
-    corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    marks: list[Mark] = [plate(corners, "eye", 1.0, 0.15, (), "w=0"), Dot(eye, "eye")]
-    marks += [
-        named("A", a, size=1.2),
-        named("B", b, size=1.2),
-        Text("w=0", corners[2], text="w = 0"),
-    ]
     start, end = depths.tolist()
-    pieces = [(a, b, start > 0.0)]
+    reach, crossing, share = 0.4 * subject.size, None, 0.0
     if (start > 0.0) != (end > 0.0):
         share = start / (start - end)
-        crossing = (1.0 - share) * a + share * b
-        marks.append(Dot(crossing, "u", 1.2))
-        pieces = [(a, crossing, start > 0.0), (crossing, b, end > 0.0)]
+        crossing = (1.0 - share) * ends[0] + share * ends[1]
+        aside = max(abs((crossing - eye) @ u), abs((crossing - eye) @ v))
+        reach = max(reach, min(1.3 * aside, subject.size))
+    across = reach * np.linspace(-1.0, 1.0, _RULES)[:, None]
+    corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
+    marks: list[Mark] = [plate(corners, "v", 1.5, 0.18, (), "w=0"), Dot(eye, "eye")]
+    for along, other in ((u, v), (v, u)):  # ruled, or it would be taken for a pane of glass
+        marks += [
+            Polyline(eye + place + reach * np.array([-other, other]), "v", 0.5, (), "w=0")
+            for place in across[1:-1] * along
+        ]
     marks += [
-        segment(one, other, "accent" if front else "u", 2.0 if front else 1.0)
-        for one, other, front in pieces
+        *(named(name, at, size=1.2) for name, at in zip("AB", ends, strict=True)),
+        Text("w=0", corners[2], "v", text="{eye_plane}"),
     ]
+    if crossing is not None:
+        marks.append(Dot(crossing, "v", 1.6))
+    low, high = kept
+    for first, last in itertools.pairwise(sorted({0.0, low, share, high, 1.0})):
+        one, other = ((1.0 - t) * ends[0] + t * ends[1] for t in (first, last))
+        if low <= first and last <= high:
+            depth = start + (first + last) / 2.0 * (end - start)
+            marks.append(segment(one, other, "accent" if depth > 0.0 else "u", 2.5))
+        else:
+            dashes = one + np.linspace(0.0, 1.0, 2 * _DASHES)[:, None] * (other - one)
+            marks += [Polyline(dash, "muted", 1.0) for dash in dashes.reshape(_DASHES, 2, 3)]
     return Marks.of(*marks)
 
 
@@ -337,7 +373,11 @@ def _image_in_world(
     eye, away = np.array(projection.camera.eye), _IMAGE_AT * projection.camera.distance
     plane = section(projection, away)
     marks: list[Mark] = [Polyline(outline(plane), "near", 1.0), Face(plane, "near", 0.1)]
+    marks += [segment(eye, corner, "muted", 0.5) for corner in plane]
+    is_cut = way in ("cut", "clipped")
     for name, end in zip(("A'", "B'"), view, strict=True):
+        if is_cut and end[2] > 0.0:
+            continue
         with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
             image = end * (away / -end[2])
         if not math.hypot(*image) <= _FARTHEST_IMAGE * away:
@@ -345,11 +385,25 @@ def _image_in_world(
         at = world_from_view(projection, image)
         start = world_from_view(projection, end)
         marks += [segment(start, at if end[2] > 0.0 else eye, "muted", 0.75), named(name, at)]
-    if way not in ("cut", "clipped"):
+    if not is_cut:
         marks += _laid(projection, plane, drawn.naive[0], "u", drawn.wrong_px[0] > 0.0)
     if way != "naive":
-        marks += _laid(projection, plane, drawn.right[0], "accent", True)
+        pixels = drawn.right[0]
+        if way == "cut" and drawn.case[0] in _CROSSING:
+            pixels = _run_on(pixels, projection.image_size)
+        marks += _laid(projection, plane, pixels, "accent", True)
     return Marks.of(*marks)
+
+
+def _run_on(ends: Array, size: tuple[int, int]) -> Array:
+    """A line of the picture (2, 2) with an end at the frame, drawn on past it."""
+    span = ends[::-1] - ends
+    length = math.hypot(*span[0])
+    if not length > 0.0:  # NaN, too
+        return ends
+    at_frame = (np.minimum(abs(ends), abs(ends - size)) <= _AT_FRAME * max(size)).any(axis=1)
+    further: Array = ends - np.where(at_frame, _BEYOND * max(size) / length, 0.0)[:, None] * span
+    return further
 
 
 def _laid(
@@ -474,7 +528,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
-    side=(10.0, 62.0),
+    shot=Shot(-17.0, 62.0),
     pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

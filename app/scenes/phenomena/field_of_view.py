@@ -29,7 +29,7 @@ from app.model.projection import (
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
 )
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
@@ -283,6 +283,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
-    side=(0.0, 65.0),
+    shot=Shot(-70.0, 65.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

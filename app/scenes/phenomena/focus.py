@@ -28,7 +28,7 @@ from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
@@ -321,6 +321,6 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     own_mesh=True,
     names=("eye", "sharp-from", "in-focus", "sharp-to"),
-    side=(45.0, 35.0),
+    shot=Shot(45.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

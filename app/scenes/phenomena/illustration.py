@@ -17,7 +17,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
-from typing import Any
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
@@ -120,6 +120,22 @@ class Subject:
         return math.dist(self.lower, self.upper)
 
 
+class Shot(NamedTuple):
+    """The direction from which a pane looks at the world; its distance follows from what is named.
+
+    The azimuth is counted from +z towards +x, or likewise from where the model's camera stands: so
+    a view from beside the camera goes with it.
+    """
+
+    azimuth_deg: float
+    elevation_deg: float
+    about: Literal["scene", "camera"] = "scene"
+
+
+FIRST_SHOT = Shot(-71.0, 14.0, "camera")
+"""From beside the camera, so that near and far stand apart."""
+
+
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Appearance:
     """How the panes draw a scene, and from where they look at it first.
@@ -134,9 +150,10 @@ class Appearance:
         The ids of the things that its pictures name, unless the document has a list of its own.
     inks : dict of str
         The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
-    side : (float, float), optional
-        From where the world pane looks at first: degrees from beside the camera to behind it, and
-        upwards. By default the pane chooses the side that shows most.
+    shot : Shot
+        From where the world pane looks as the scene opens.
+    upright : Shot, optional
+        Likewise in a pane that is higher than wide, if another side shows more there.
     cube_side : (float, float), optional
         From where the cube is seen at first: degrees to the right of its near face, and upwards.
     fixed : str
@@ -153,7 +170,8 @@ class Appearance:
     leading: str = "world"
     names: tuple[str, ...] = ()
     inks: Mapping[str, str] = field(default_factory=dict)
-    side: tuple[float, float] | None = None
+    shot: Shot = FIRST_SHOT
+    upright: Shot | None = None
     cube_side: tuple[float, float] | None = None
     fixed: str = ""
     leaves_out: frozenset[str] = frozenset()

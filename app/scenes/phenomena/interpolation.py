@@ -27,7 +27,7 @@ import numpy as np
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
@@ -230,5 +230,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"texture"}),
     own_mesh=True,
     names=("half-on-screen", "half-in-world"),
+    shot=Shot(51.0, 15.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

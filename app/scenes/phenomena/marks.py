@@ -309,6 +309,25 @@ class Aperture:
         )
 
 
+@dataclass(frozen=True)
+class Eyes:
+    """The projections of two eyes, whose pictures the image pane shows together.
+
+    The middle halves of both are ``"beside"`` each other, or ``"crossed"`` with the left eye's on
+    the right. In ``"red-cyan"`` one picture takes its red light from the left eye's, and its green
+    and blue light from the right eye's.
+    """
+
+    left: Projection
+    right: Projection
+    pictures: str
+
+    @property
+    def shares(self) -> tuple[float, float]:
+        """How far the left and the right eye's picture move to the right, in image widths."""
+        return {"beside": (-0.25, 0.25), "crossed": (0.25, -0.25)}.get(self.pictures, (0.0, 0.0))
+
+
 @dataclass(frozen=True, eq=False)
 class DetailLevel:
     """One level of detail of the scene's objects.
@@ -328,7 +347,7 @@ class Rendering:
 
     The depths are rounded to the codes of `buffer`. The `levels`, nearest first, are none or three,
     and replace the scene's faces; their faces must never change. With an `aperture`, what is not in
-    focus is blurred.
+    focus is blurred. With `eyes`, the picture is theirs.
     """
 
     buffer: DepthBuffer | None = None
@@ -336,3 +355,4 @@ class Rendering:
     fog: Fog | None = None
     levels: tuple[DetailLevel, ...] = ()
     aperture: Aperture | None = None
+    eyes: Eyes | None = None

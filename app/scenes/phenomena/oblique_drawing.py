@@ -25,7 +25,7 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Phrase, Reading, figure
@@ -251,6 +251,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=_SCALE_NAMES,
-    side=(55.0, 40.0),
+    shot=Shot(35.0, 40.0),
     leaves_out=frozenset({"near-picture"}),
 )

@@ -17,8 +17,8 @@ from app.model.parameter import Parameter
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
-from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, plate, segment
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import Aperture, Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
@@ -223,19 +223,10 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     if step == 0.0:
         return projection
     moved = projection.with_lens("frustum")
-    camera, lens = moved.camera, moved.lens
-    along = [step * part for part in camera.frame[0].tolist()]
-    eye, target = (
-        (x + along[0], y + along[1], z + along[2]) for x, y, z in (camera.eye, camera.target)
-    )
-    # The window stays in the world, so seen from the eye it moves the other way.
-    back = step * (lens.near / camera.distance)
-    left, right, bottom, top = moved.window
-    return replace(
-        moved,
-        camera=Camera(eye, target, camera.up),
-        lens=lens.replaced(left=left - back, right=right - back, bottom=bottom, top=top),
-    )
+    seen = Aperture(step, moved.camera.distance).seen_from(moved, 1.0, 0.0)
+    left, right, bottom, top = seen.window
+    kept = moved.lens.replaced(left=left, right=right, bottom=bottom, top=top)
+    return replace(seen, lens=kept)
 
 
 PHENOMENON = Phenomenon(
@@ -257,6 +248,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
-    side=(50.0, 35.0),
+    shot=Shot(40.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

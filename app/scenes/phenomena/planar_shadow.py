@@ -26,7 +26,7 @@ from app.model.limits import NOT_ZERO, vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Copy,
     Grip,
@@ -286,6 +286,6 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("light", "P", "P'", "ground"),
-    side=(20.0, 20.0),
+    shot=Shot(-53.0, 20.0),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

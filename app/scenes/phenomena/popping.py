@@ -24,7 +24,7 @@ from app.model.parameter import Parameter
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.readout import Reading
@@ -318,4 +318,5 @@ PHENOMENON = Phenomenon(
     check=_check,
     requires=frozenset({"fog", "levels"}),
     names=("far", "next-tree"),
+    shot=Shot(41.0, 25.0),
 )

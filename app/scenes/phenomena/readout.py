@@ -56,7 +56,7 @@ class Reading:
     def or_why(
         cls,
         label: str,
-        value: float | tuple[float, ...] | None,
+        value: float | tuple[float, ...] | str | None,
         unit: str = "",
         why: Phrase | None = None,
     ) -> Reading:

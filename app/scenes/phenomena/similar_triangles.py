@@ -16,7 +16,7 @@ import numpy as np
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Copy,
     Dot,
@@ -46,7 +46,7 @@ NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
 
 _MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
 # What numbers and lines are highlighted with, by the names of `app.lecture.highlight`.
-_OF_D, _OF_POINT, _OF_W = ("settings.distance",), ("settings.point",), ("w",)
+_OF_D, _OF_POINT, _OF_DEPTH = ("settings.distance",), ("settings.point",), ("-z",)
 _OF_X_P, _OF_Y_P = ("x_p",), ("y_p",)
 _OF_IMAGE = (*_OF_X_P, *_OF_Y_P)
 
@@ -126,7 +126,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Face(np.array([eye, axis, place]), "accent", 0.16),
             Face(np.array([eye, foot, hit]), "accent", 0.4),
             segment(foot, eye, "muted", 0.5, _OF_D),
-            segment(eye, axis, "muted", 0.5, _OF_W),
+            segment(eye, axis, "muted", 0.5, _OF_DEPTH),
             right_angle(axis, eye, place, side),
             right_angle(foot, eye, hit, side),
             segment(axis, place, "accent", 2.5, _OF_POINT),
@@ -152,11 +152,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         Reading(
             WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
         ),
-        Reading(WORDS["product"], product, about=(*_OF_D, *_OF_W, *_OF_POINT)),
-        Reading("x_p = d·x / w", x_p, note=note, about=_OF_X_P),
-        Reading("y_p = d·y / w", y_p, note=note, about=_OF_Y_P),
-        Reading(WORDS["scale"], scale, "×", note, about=(*_OF_D, *_OF_W)),
-        Reading("w", w, about=_OF_W),
+        Reading(WORDS["product"], product, about=(*_OF_D, *_OF_DEPTH, *_OF_POINT)),
+        Reading("x_p = d·x / −z", x_p, note=note, about=_OF_X_P),
+        Reading("y_p = d·y / −z", y_p, note=note, about=_OF_Y_P),
+        Reading(WORDS["scale"], scale, "×", note, about=(*_OF_D, *_OF_DEPTH)),
+        Reading("−z", w, about=_OF_DEPTH),
         Reading(WORDS["image"], WORDS["upright" if distance > 0.0 else "upside-down"]),
     )
     slab = SLAB * abs(distance) * (nearest if nearest < math.inf else 1.0)
@@ -172,7 +172,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             grip_of_plane(projection, "distance", distance, distance, "d", "near"),
         ),
         lengths=lengths,
-        measured=(("d", distance),) if x_p is None else (("d", distance), ("w", w)),
+        measured=(("d", distance),) if x_p is None else (("d", distance), ("-z", w)),
     )
 
 
@@ -199,9 +199,9 @@ PHENOMENON = Phenomenon(
     numbers=6,
     check=_check,
     own_mesh=True,
-    names=("y", "y_p", "d", "w", "eye", "P", "P'"),
+    names=("y", "y_p", "d", "-z", "eye", "P", "P'"),
     inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
-    side=(12.0, 10.0),
+    shot=Shot(-49.0, 10.0),
     fixed="side",
     leaves_out=frozenset({"frustum", "near-picture", "grid"}),
     pale=frozenset({"world"}),

@@ -18,7 +18,7 @@ import numpy as np
 from app.model.parameter import CLOSE, Parameter
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import (
     SIDES,
@@ -419,4 +419,5 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("V_x", "V_y", "V_z", "P", "horizon"),
+    shot=Shot(0.0, 35.0),
 )

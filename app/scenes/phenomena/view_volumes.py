@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.parameter import Parameter
 from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.readout import Reading
@@ -195,5 +195,5 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     implied=_implied,
     names=("A", "B", "C", "D", "E"),
-    side=(15.0, 30.0),
+    shot=Shot(75.0, 30.0),
 )

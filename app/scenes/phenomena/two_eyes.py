@@ -1,0 +1,220 @@
+"""Two eyes: a stereo pair, of cameras with off-axis frusta or of cameras that are toed in.
+
+The eyes are h = s/2 to the left and to the right of the camera's eye. Off axis, both look straight
+ahead through one window in the screen plane at distance D: glFrustum's l and r (lecture 003) move
+by ``h n/D``. Toed in, the camera's lens turns to the screen's middle by the angle whose tangent is
+t = h/D. An eye at -h or +h sees a point (x, y) at distance w from the eye plane at the tangents::
+
+    x' = (x -+ (h/D) (D - w)) / (w -+ t (x -+ h))       y' = y sqrt(1 + t^2) / (w -+ t (x -+ h))
+
+Off axis, where t = 0, the right picture's minus the left one's are ``s (1/D - 1/w)`` and 0. Toed in
+they differ by ``2 t x y sqrt(1 + t^2)`` over both denominators in height: the vertical parallax of
+keystone distortion, which is largest in the corners (A. Woods, T. Docherty and R. Koch, "Image
+distortions in stereoscopic video systems", Proc. SPIE 1915, 1993, section 2.5).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.limits import vector
+from app.model.parameter import Parameter
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import (
+    Aperture,
+    Eyes,
+    Grip,
+    Mark,
+    Marks,
+    Rendering,
+    Text,
+    named,
+    plate,
+    segment,
+)  # fmt: skip
+from app.scenes.phenomena.picture import section
+from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
+from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
+
+WORDS = PhenomenonWords("two-eyes")
+NOT_BEFORE_NEAR = QT_TRANSLATE_NOOP("Refusal", "must not be before the near plane ({0})")
+
+_SIDES = np.array([[-1.0], [1.0]])  # of the left and the right eye
+_NAMES, _COLOURS, _IMAGES = ("left-eye", "right-eye"), ("u", "n"), ("P_l", "P_r")
+
+
+class StereoPair(NamedTuple):
+    """The h, D and t of two eyes."""
+
+    half: float
+    screen: float
+    turn: float
+
+    @classmethod
+    def of(cls, projection: Projection, settings: Settings) -> StereoPair:
+        half, screen = number(settings, "separation") / 2.0, projection.camera.distance
+        return cls(half, screen, half / screen if settings["cameras"] == "toed-in" else 0.0)
+
+    def eyes(self, projection: Projection, pictures: str) -> Eyes:
+        """Return what both eyes see. Raises a `Refusal` if no camera and lens do that."""
+        camera, (u, v, n) = projection.camera, projection.camera.frame
+        if self.turn:
+            middle = vector(camera.eye - self.screen * n)
+            places = [vector(camera.eye + side * self.half * u) for (side,) in _SIDES]
+            turned = (Camera(eye, middle, vector(v)) for eye in places)
+            left, right = (replace(projection, camera=each) for each in turned)
+        else:
+            window = Aperture(self.half, self.screen)
+            left, right = (window.seen_from(projection, side, 0.0) for (side,) in _SIDES)
+        return Eyes(left, right, pictures)
+
+    def pixels(self, projection: Projection, points_world: Array) -> Array:
+        """Pixels (2, k, 2) of points (k, 3) for both eyes; NaN if they are not in front."""
+        x, y, z = projection.trace(points_world).view.T
+        left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
+        width, height = projection.image_size
+        with np.errstate(all="ignore"):
+            w = -z - _SIDES * self.turn * (x - _SIDES * self.half)
+            x = (x - _SIDES * (self.half / self.screen) * (self.screen + z)) / w
+            y = y * math.hypot(1.0, self.turn) / w
+            columns, rows = (x - left) / (right - left) * width, (top - y) / (top - bottom) * height
+        seen = (w > 0.0) & np.isfinite(columns) & np.isfinite(rows)
+        return np.where(seen[..., None], np.stack([columns, rows], axis=-1), np.nan)
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    """The letter F, whose front is in the plane z = 0, a cube before it and a post behind it."""
+    letter, rgb = letter_f()
+    boxes = (((0.2, 0.0, 2.2), (1.0, 0.8, 3.0)), ((1.7, 0.0, -5.0), (2.7, 3.4, -4.0)))
+    faces = np.concatenate([0.8 * letter + (-0.3, 0.0, -0.4), *(box_faces(*box) for box in boxes)])
+    colours = np.concatenate([rgb, *([SIDE_RGB] * len(boxes))])
+    return (faces, colours), joined(
+        ground_grid((-4.0, -6.0), (4.0, 4.0), (1.0, 1.0), 0.0), edges_of(faces)
+    )
+
+
+def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
+    return {"screen": projection.camera.distance}
+
+
+def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
+    """The screen plane is the target's."""
+    screen, near, camera = number(after, "screen"), projection.lens.near, projection.camera
+    if screen == before["screen"]:
+        return projection
+    if screen < near:
+        raise Refusal("settings.screen", screen, NOT_BEFORE_NEAR, near)
+    target = vector(camera.eye - screen * camera.frame[2])
+    return replace(projection, camera=Camera(camera.eye, target, camera.up))
+
+
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
+    if (parallel := WORDS.of_parallel(projection)) is not None:
+        return Illustration((), warning=parallel)
+    pair, place = StereoPair.of(projection, settings), np.array(point(settings, "point"))
+    try:
+        eyes = pair.eyes(projection, str(settings["pictures"]))
+    except Refusal:  # camera and lens are the reason
+        return Illustration((), warning=WORDS.phrase("no-pair"))
+    screen, eye = section(projection, pair.screen), projection.camera.eye
+    pixels = pair.pixels(projection, np.concatenate([place[None], screen]))
+    apart, behind = pixels[1] - pixels[0] + 0.0, WORDS.phrase("behind")
+    across, down = apart[0].tolist() if np.isfinite(apart[0]).all() else (None, None)
+    corners = np.abs(apart[1:, 1][np.isfinite(apart[1:, 1])])
+    where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(round(across or 0.0, 6)))]
+    u, along = projection.camera.frame[0], screen[:2].mean(axis=0) - eye
+    return Illustration(
+        (
+            Reading.or_why(WORDS["across"], across, "px", behind),
+            Reading.or_why(WORDS["down"], down, "px", behind),
+            Reading.or_why(WORDS["largest"], max(corners.tolist(), default=None), "px", behind),
+            Reading.or_why(WORDS["place"], None if across is None else WORDS[where], "", behind),
+            Reading(WORDS["turned"], math.degrees(math.atan(pair.turn)), "°"),
+        ),
+        world=_world_marks(projection, pair, eyes, place),
+        image=_image_marks(projection, eyes, pixels[:, 0]),
+        rendering=Rendering(eyes=eyes),
+        warning=WORDS.phrase("before-near") if pair.screen < projection.lens.near else None,
+        grips=(
+            Grip("point", place),
+            Grip("screen", eye + along, eye, vector(along / pair.screen)),
+            Grip("separation", eye + pair.half * u, eye, vector(u / 2.0)),
+        ),
+    )
+
+
+def _world_marks(projection: Projection, pair: StereoPair, eyes: Eyes, place: Array) -> Marks:
+    """The screen plane, both eyes with their frusta up to it, and the projectors of P."""
+    screen, reach = section(projection, pair.screen), math.hypot(pair.screen, pair.half)
+    reach = reach if pair.turn else pair.screen
+    marks: list[Mark] = [plate(screen, "accent", 1.5, 0.14, (), "screen")]
+    marks.append(Text("screen", screen[3], "accent", text=WORDS["screen"]))
+    each = zip(_NAMES, _IMAGES, _COLOURS, (eyes.left, eyes.right), strict=True)
+    for name, image, colour, seen in each:
+        eye, window = np.array(seen.camera.eye), section(seen, reach)
+        marks += [segment(eye, corner, colour, 0.75) for corner in window]
+        marks += [plate(window, colour, 1.0, 0.05)] if pair.turn else []
+        marks.append(named(name, eye, colour, 1.6, WORDS[name]))
+        away = -float(seen.trace(place).view[2])
+        if away > 1e-9 * reach:  # or the projector meets the plane nowhere, or far out
+            hit = eye + (place - eye) * (reach / away)
+            marks.append(segment(eye, place if away > reach else hit, colour, 1.5))
+            marks.append(named(image, hit, colour))
+    return Marks.of(*marks, named("P", place, size=1.6))
+
+
+def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
+    """P in both pictures, and how far apart or how unlike in height it is there."""
+    (width, height), shares = projection.image_size, np.array(eyes.shares)
+    beside, middles = bool(shares.any()), width * (0.5 + shares)
+    places = pixels + np.column_stack([width * shares, (0.0, 0.0)])
+    x, y = places.T
+    inside = np.abs(x - middles) <= width * (0.25 if beside else 0.5)
+    inside &= (y >= 0.0) & (y <= height)
+    marks: list[Mark] = []
+    if beside:
+        marks.append(segment((width / 2.0, 0.0), (width / 2.0, height), "ink", 1.0))
+    if inside.all():
+        ends = ((0.0, y[0]), (width, y[0])) if beside else places
+        marks.append(segment(ends[0], ends[1], "muted", 0.75))
+    each = zip(_NAMES, _IMAGES, _COLOURS, places, middles, inside, strict=True)
+    for name, image, colour, place, middle, is_seen in each:
+        if beside:
+            marks.append(Text(name, np.array([middle, 0.0]), colour, text=WORDS[name]))
+        if is_seen:
+            marks.append(named(image, place, colour))
+    return Marks.of(*marks)
+
+
+PHENOMENON = Phenomenon(
+    WORDS,
+    lectures=("000", "002", "003"),
+    start=Projection(
+        Camera((0.0, 1.8, 8.0), (0.0, 1.8, 0.0)), Perspective(fov_y_deg=45.0, near=4.0, far=14.0)
+    ),
+    geometry=_geometry,
+    show=_show,
+    adjustable=(
+        Parameter("screen", 8.0, 1e-6, 1e6, span=(4.0, 14.0)),
+        Parameter("separation", 0.8, 0.0, 1e3, span=(0.0, 2.0)),
+        Parameter("cameras", "off-axis"),
+        Parameter("pictures", "beside"),
+        Parameter("point", (1.0, 0.8, 3.0)),
+    ),
+    numbers=4,
+    follow=_follow,
+    implied=_implied,
+    own_mesh=True,
+    names=("left-eye", "right-eye", "screen", "P", "P_l", "P_r"),
+    shot=Shot(35.0, 35.0),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
+)
