@@ -8,7 +8,7 @@ never alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -25,12 +25,13 @@ from app.drawings.probes import order_at
 from app.drawings.style import rgb
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
-from app.lecture.highlight import ENDS, OBJECT_AXES, SIDES, WINDOW, Highlight
+from app.lecture.highlight import CORNERS, ENDS, SIDES, WINDOW, Highlight
 from app.model.parameters import FAR, NEAR, PARAMETERS, UP
 from app.model.projection import Array
 from app.picking.handles import (
     CORNER,
     EYE,
+    FAR_CORNERS,
     NEAR_CORNERS,
     NEAR_SIDES,
     PLANES,
@@ -43,7 +44,6 @@ from app.picking.handles import (
     shown,
 )
 from app.picking.picking import Lines
-from app.scenes.scene import Scene
 
 APART_EM = 0.95
 """Least distance of a plane's grip from the others, if there is room."""
@@ -60,13 +60,7 @@ _AWAY_PX = -1e4
 _NO_WORLD = frozenset({EYE.name, TARGET.name, UP.handle, *ENDS, CORNER})
 _OF_ANY_SCENE = "camera.eye", "camera.target", "lens.near", "lens.far"
 """What is moved in a scene without controls of its own."""
-
-
-def _controls_of(scene: Scene) -> tuple[str, ...]:
-    phenomenon = scene.phenomenon
-    if phenomenon is None:
-        return _OF_ANY_SCENE
-    return (*(each.path for each in phenomenon.settings), *phenomenon.controls)
+_NAMED = dict(zip((*NEAR_CORNERS, *FAR_CORNERS, *NEAR_SIDES), (*CORNERS, *SIDES), strict=True))
 
 
 class HandleMarks(Handles, Layer):
@@ -79,7 +73,11 @@ class HandleMarks(Handles, Layer):
     _without = _NO_WORLD
 
     def __init__(self, state: PaneState) -> None:
-        self._state, self._style, self._controls = state, state.style, _controls_of(state.scene)
+        self._state, self._style, phenomenon = state, state.style, state.scene.phenomenon
+        self._controls: tuple[str, ...] = _OF_ANY_SCENE
+        if phenomenon is not None:
+            settings = (each.path for each in phenomenon.settings)
+            self._controls = *settings, *phenomenon.controls
         self._paths = self._controls
         self.held = None
         self.called = frozenset[str]()
@@ -162,15 +160,12 @@ class HandleMarks(Handles, Layer):
         """The handles of the controls, one for each and few in all."""
         resting: dict[Handle, None] = {}
         for section, _, name in (path.partition(".") for path in self._paths):
-            of_setting = [each for each in handles if each.setting == name]
-            fields = set(PARAMETERS[name].fields) if name in PARAMETERS else set()
-            moved = [
-                each
-                for each in handles
-                if each.name != "grip"
-                and any(one.name in fields for one in moved_by(self._state.projection, each))
-            ]
-            resting |= dict.fromkeys((of_setting if section == "settings" else moved)[:1])
+            fields = set(PARAMETERS[name].fields) if name in PARAMETERS else set[str]()
+            for handle in handles:
+                moved = {each.name for each in moved_by(self._state.projection, handle)}
+                if handle.setting == name if section == "settings" else moved & fields:
+                    resting[handle] = None
+                    break
         return frozenset(list(resting)[:_MOST_AT_REST])
 
     def _colour(self, handle: Handle) -> tuple[int, ...]:
@@ -209,35 +204,20 @@ class HandleMarks(Handles, Layer):
         return Taken(handle, place(self._state.projection, handle, self.planes_drawn))
 
     def about(self, handle: Handle) -> Highlight:
-        if handle.name == "grip":
-            return frozenset((f"settings.{handle.setting}",))
-        moved = moved_by(self._state.projection, handle)
-        if handle.name == "object":
-            named = f"object_{handle.setting}"
-            return frozenset((named,)) if named in OBJECT_AXES else moved[0].highlights
-        if handle.name != CORNER:
-            return frozenset((handle.name,))
-        right, up = handle.at
-        sides = ("left", "right")[right > 0.0], ("bottom", "top")[up > 0.0]
-        if 0.0 in handle.at:
-            return frozenset((sides[right == 0.0],))
-        return frozenset((f"{handle.face}_{'_'.join(sides)}",))
-
-    def _named(self, handle: Handle) -> Iterable[str]:
-        """The names of the labels that stand for a handle."""
-        if handle.name == "grip":
-            return (self._state.grips[handle.setting].name,)
-        return self.about(handle)
+        kind = {"grip": "settings.", "object": "object_"}.get(handle.name)
+        name = _NAMED.get(handle, handle.name) if kind is None else kind + handle.setting
+        return frozenset((name,))
 
     def _label_at(self, pixel: Spot) -> Taken | None:
         name = self._state.board.name_at(*self._in_renderer(pixel))
         name = WINDOW.get(name, name)
-        if not name:
-            return None
-        handles = [handle for handle, _ in self.shown]
-        exact = [handle for handle in handles if name in self._named(handle)]
+        for setting, grip in self._state.grips.items():
+            if name and name == grip.name:
+                return self.taken(Handle("grip", setting=setting))
+        handles = [handle for handle, _ in self.shown if handle.name != "grip"]
+        exact = [handle for handle in handles if name in self.about(handle)]
         # A lens with an angle has no sides, but corners that move them.
-        beside = [each for each in handles if each.name == CORNER and name in str(self.about(each))]
+        beside = [each for each in handles if name in SIDES and name in _NAMED.get(each, "")]
         return next((self.taken(handle) for handle in (*exact, *beside)), None)
 
     def _edge_at(self, pixel: Spot) -> Taken | None:
@@ -263,7 +243,7 @@ class HandleMarks(Handles, Layer):
                 sides = np.cross(across, point - corners) @ normal
                 if (sides >= 0.0).all() or (sides <= 0.0).all():
                     first, taken = order / w, Taken(handle, point)
-        return None if self._is_hidden(pixel, first) else taken
+        return None if taken is None or self._is_hidden(pixel, first) else taken
 
     def _is_hidden(self, pixel: Spot, order: float) -> bool:
         """Whether a face of the scene is before what has this order."""

@@ -107,7 +107,6 @@ class WorldDrawing(Drawing):
         self._canvas = PropGroup(screen, style, self._lay_out)
         self.state = state = WorldState(self._canvas, scene, words)
         self.names, self.board, self.own = state.names, state.board, state.own
-        state.is_live = live
         self._scene = SceneInWorld(state)
         self.picture = NearPicture(state)
         self.camera = CameraDrawing(state)

@@ -87,8 +87,6 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.is_live = False
-        """Whether a hand can take hold of the handles."""
         self.nearest = 0.0
         """The depth from which on the pane's own camera sees."""
         self._place(scene.start.placement)

@@ -80,9 +80,9 @@ _SIDES = ((0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0))
 _NEAR = [Handle(NEAR.handle, NEAR.name, at) for at in _MIDDLES]
 _FAR = [Handle(FAR.handle, FAR.name, at) for at in _MIDDLES]
 NEAR_CORNERS = [Handle(CORNER, NEAR.name, at) for at in _CORNERS]
-_FAR_CORNERS = [Handle(CORNER, FAR.name, at) for at in _CORNERS]
+FAR_CORNERS = [Handle(CORNER, FAR.name, at) for at in _CORNERS]
 NEAR_SIDES = [Handle(CORNER, NEAR.name, at) for at in _SIDES]
-_ALL = [EYE, TARGET, *_NEAR, *_FAR, *NEAR_CORNERS, *_FAR_CORNERS, *NEAR_SIDES]
+_ALL = [EYE, TARGET, *_NEAR, *_FAR, *NEAR_CORNERS, *FAR_CORNERS, *NEAR_SIDES]
 _ON_FACES = _ALL[2:]
 _AT = np.array([handle.at for handle in _ON_FACES])
 _IS_FAR = np.array([handle.face == FAR.name for handle in _ON_FACES])
@@ -178,7 +178,7 @@ def shown(
             if any(take(handle, least_px) for handle in alternatives):
                 break
     near_corners = NEAR_CORNERS if side_px >= 2.0 * apart_px else []
-    for handle in (*near_corners, *_FAR_CORNERS) if has_window else ():
+    for handle in (*near_corners, *FAR_CORNERS) if has_window else ():
         take(handle)
     if kept is not None and kept in spots and kept.name not in without:
         visible[kept] = spots[kept]
@@ -318,6 +318,8 @@ def present(projection: Projection, names: Iterable[str]) -> Change:
 
 def moved_by(projection: Projection, handle: Handle) -> tuple[Parameter, ...]:
     """The parameters that a handle changes; none for a grip."""
+    if handle.name == "grip":
+        return ()
     if handle.name == "object":
         return (_OF_OBJECT.get(handle.setting, SCALE),)
     if handle.name != CORNER:

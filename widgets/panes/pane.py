@@ -54,6 +54,7 @@ AS_BUILT: dict[str, Any] = {
     "fixed": "",
     "object_axes": False,
     "handles": frozenset(),
+    "grips": None,
     "highlight": NOTHING,
 }
 """The requests that a pane takes, with their first values, in the order of the calls."""
@@ -65,6 +66,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "fixed": lambda drawing, view: drawing.show_fixed(view),
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
     "handles": lambda drawing, names: drawing.handles.call(names),
+    "grips": lambda drawing, paths: drawing.handles.rest(paths),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
 """How a drawing is told the requests that take one call."""
@@ -241,6 +243,7 @@ class Pane(QFrame):
         the stage strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
+        ``"grips"``: the values whose grips are shown at rest, or None for the scene's controls.
         """
         if wanted == self.requested[what]:
             return False
