@@ -458,7 +458,7 @@ def test_grips_are_seen_in_every_style(window: MainWindow) -> None:
             around = picture[y - 12 : y + 13, x - 12 : x + 13]
             off = np.abs(around - 255.0 * np.array(rgb(fill))).max(axis=2)
             assert (off <= 6.0).sum() >= (120 if presents else 60), name
-            assert presents or 9 <= (off[12, 5:20] <= 6.0).sum() <= 11, "ten pixels wide"
+            assert presents or 9 <= (off[12, 7:18] <= 6.0).sum() <= 11, "ten pixels wide"
 
 
 def at_rest(window: MainWindow) -> set[str]:
