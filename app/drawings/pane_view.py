@@ -12,11 +12,13 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings.actors import axes_of
 from app.drawings.prop_group import PropGroup
 from app.model.projection import Array
+from app.picking.sight import Sight
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
 _ACROSS = 9
 _SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
 _ONES = np.ones(len(_SAMPLES))
+_LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
 _YZX, _ZXY = [1, 2, 0], [2, 0, 1]
 
 Spot: TypeAlias = tuple[float, float, float]
@@ -138,6 +140,47 @@ class PaneView(NamedTuple):
                 part = len(self.covered(faces[first : first + 4])) / len(_SAMPLES)
             parts.append(part if part >= least else 0.0)
         return parts
+
+    def slope_of_depth(self, face: Array, nearest: float, farthest: float) -> tuple[float, float]:
+        """How depth in NDC changes along x and y of NDC on a plane, of which a face is (4, 3)."""
+        normal = self.axes @ np.cross(face[1] - face[0], face[3] - face[0])
+        wide, high = self.size_px
+        per_ndc = normal[:2] * (self.slope or self.flat) * (wide / high, 1.0)
+        if self.flat:
+            per_ndc *= 2.0 / (farthest - nearest) / normal[2]
+        else:
+            away = normal @ self.axes @ (face.mean(axis=0) - self.eye)
+            per_ndc *= 2.0 / (1.0 / nearest - 1.0 / farthest) / away
+        x, y = (-per_ndc).tolist()
+        return x, y
+
+    def lifted(self, times: float) -> Array:
+        """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""
+        lift = np.eye(4)
+        if self.flat:
+            lift[:3, 3] = -times * _LINES_LIFT * 2.0 * self.flat * self.axes[2]
+            return lift
+        lift[:3, :3] *= 1.0 - times * _LINES_LIFT
+        lift[:3, 3] = times * _LINES_LIFT * self.eye
+        return lift
+
+    def sight(self, origin: Array, nearest: float) -> Sight:
+        """How it looks at the world, of which this is the scene's origin, from a depth on."""
+        width_px, height_px = self.size_px
+        right, up, toward = self.axes
+        rows = np.zeros((4, 4))
+        px = height_px / (2.0 * (self.flat or self.slope))
+        if self.flat:
+            rows[3, 3] = 1.0
+            rows[2, :3] = toward
+        else:
+            rows[3, :3] = toward
+            rows[2, 3] = -1.0
+        rows[0] = width_px / 2.0 * rows[3]
+        rows[1] = height_px / 2.0 * rows[3]
+        rows[0, :3] += px * right
+        rows[1, :3] -= px * up
+        return Sight(self.eye + origin, rows, np.array([(*toward, -nearest)]))
 
 
 class Pose(NamedTuple):

@@ -67,7 +67,7 @@ class SceneInWorld(FacesLayer):
 
     def lift_lines(self) -> None:
         """Lift dots and lines towards the pane's own camera."""
-        lifted = self._state.own.lifted(1.0)
+        lifted = self._state.own.pane.lifted(1.0)
         for space in self._line_spaces:
             space.set(lifted @ self._state.local_from_object)
         self._ground_space.set(lifted)

@@ -134,7 +134,7 @@ class WorldState(PaneState):
         return Placing(np.ones(3), -self.origin, limit)
 
     def copies_from_local(self, times: float) -> Array:
-        return self.own.lifted(times)
+        return self.own.pane.lifted(times)
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -142,7 +142,7 @@ class WorldState(PaneState):
 
     @property
     def sight(self) -> Sight:
-        return self.own.sight
+        return self.own.pane.sight(self.origin, self.own.depths[0])
 
     @property
     def places_labels(self) -> bool:

@@ -1003,7 +1003,7 @@ def test_lines_on_faces_are_lifted_along_their_rays(make_view: MakeView, times: 
     own = view.drawing.own
     own.look()
     eye, points = np.array((3.0, 2.0, 7.0)), np.random.default_rng(3).uniform(-4, 4, (20, 3))
-    lifted = applied(own.lifted(times), points)
+    lifted = applied(own.pane.lifted(times), points)
     np.testing.assert_allclose(lifted, points + times * 2e-3 * (eye - points), atol=1e-12)
 
 
