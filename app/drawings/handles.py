@@ -126,10 +126,10 @@ class HandleMarks(Handles, Layer):
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
         for handle, spot in self.shown:
-            if self._is_drawn(handle):
+            if self.is_drawn(handle):
                 ground.keep([self._in_renderer(spot)], DOT_EM * self._state.em)
 
-    def _is_drawn(self, handle: Handle) -> bool:
+    def is_drawn(self, handle: Handle) -> bool:
         is_called = bool({handle.name, handle.setting} & self.called)
         is_drawn = is_called or self._state.names.all or handle == self.held
         return is_drawn or handle in self._at_rest[1]
@@ -146,7 +146,7 @@ class HandleMarks(Handles, Layer):
         self._places[..., :2] = _AWAY_PX
         ring, ink = _bytes(self._style.background), _bytes(self._style.ink)
         for i, (handle, spot) in enumerate(self.shown):
-            if not (math.isfinite(sum(spot)) and self._is_drawn(handle)):
+            if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
                 continue
             out = handle == self.held
             larger = _POINTED_OUT if out else 1.0

@@ -464,7 +464,7 @@ def test_grips_are_seen_in_every_style(window: MainWindow) -> None:
 def at_rest(window: MainWindow) -> set[str]:
     """The handles whose grips are drawn."""
     handles: Any = world(window).handles
-    return {h.setting or h.name for h, _ in handles.shown if handles._is_drawn(h)}
+    return {h.setting or h.name for h, _ in handles.shown if handles.is_drawn(h)}
 
 
 def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
@@ -479,7 +479,7 @@ def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
     }.items():
         window = make_scene(scene)
         assert at_rest(window) == names, scene
-        assert sum(world(window).handles._is_drawn(h) for h, _ in world(window).handles.shown) <= 4
+        assert sum(world(window).handles.is_drawn(h) for h, _ in world(window).handles.shown) <= 4
 
 
 def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(window: MainWindow) -> None:

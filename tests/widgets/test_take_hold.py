@@ -100,9 +100,9 @@ def things(window: MainWindow) -> list[Thing]:
         set() if "frustum" not in hidden else {"near", "far"}
     )
     named = {grip.name: setting for setting, grip in state.grips.items()}
-    for key, (label, _) in state.board._labels.items():
-        name = key[1] if isinstance(key, tuple) else key
-        if label.actor.GetVisibility() and (name in movable or name in named):
+    for key in (*sorted(movable), *(("text", name, 0) for name in named)):
+        name, label = key if isinstance(key, str) else key[1], state.board.label(key)
+        if label.actor.GetVisibility():
             left, right, bottom, top = label.box_px
             box = np.array([(left, height - top), (right, height - bottom)])
             made.append(
