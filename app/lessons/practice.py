@@ -205,21 +205,14 @@ def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem |
 
 
 class Waiting(NamedTuple):
-    """What is to be practised again.
-
-    Attributes
-    ----------
-    due : tuple of PlacedExercise
-        The exercises that have come back, the longest waiting ones first.
-    minutes : int
-        How long a review of them will take, of `MOST` at once.
-    following : date, optional
-        When the next ones come back.
-    """
+    """What is to be practised again."""
 
     due: tuple[PlacedExercise, ...]
+    """The exercises that have come back, the longest waiting ones first."""
     minutes: int
+    """How long a review of them will take, of `MOST` at once."""
     following: date | None
+    """When the next ones come back."""
 
 
 def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
@@ -258,19 +251,13 @@ def to_review(
 
 
 class ExerciseMark(NamedTuple):
-    """An exercise of a test, and how it was answered.
-
-    Attributes
-    ----------
-    typed : str
-        Empty without an answer.
-    word : str
-        `RIGHT`, the name of a wrong idea, or `WRONG`.
-    """
+    """An exercise of a test, and how it was answered."""
 
     item: SheetItem
     typed: str
+    """Empty without an answer."""
     word: str
+    """`RIGHT`, the name of a wrong idea, or `WRONG`."""
 
 
 def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:

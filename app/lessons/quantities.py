@@ -203,16 +203,8 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 class Quantities:
     """Every number of a document, by its name.
 
-    Parameters
-    ----------
-    scene : callable
-        Returns its scene; called only when the readout is needed.
-    view : View, optional
-        The document's by default.
-    before : Quantities, optional
-        The quantities of an earlier state, whose names begin with ``was_``.
-    given : mapping of str to float, optional
-        Numbers with names of their own, which come before all others.
+    `scene` is called only when the readout is needed. The names of an earlier state, `before`,
+    begin with ``was_``; those of `given` come before all others.
     """
 
     def __init__(

@@ -70,22 +70,15 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 
 
 class Orbit(NamedTuple):
-    """The camera's position relative to its target.
-
-    Attributes
-    ----------
-    azimuth_deg : float
-        Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
-    elevation_deg : float
-        Angle above the target's horizon, from -90 to 90.
-    roll_deg : float
-        Rotation about the view direction, clockwise as the photographer sees it.
-    """
+    """The camera's position relative to its target."""
 
     azimuth_deg: float
+    """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
     elevation_deg: float
+    """Angle above the target's horizon, from -90 to 90."""
     distance: float
     roll_deg: float = 0.0
+    """Rotation about the view direction, clockwise as the photographer sees it."""
 
 
 @dataclass(frozen=True)

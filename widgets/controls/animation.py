@@ -42,30 +42,21 @@ FASTEST_DEG_S = 3600
 
 @dataclass(frozen=True)
 class Motion:
-    """How the camera walks.
-
-    Parameters
-    ----------
-    speed_deg_s : float
-        Turn about the vertical through the target, degrees per second; positive is
-        anticlockwise from above.
-    height : {"fixed", "swing", "steps"}
-        The eye keeps its y, swings between the limits, or takes the next of four heights
-        every `STEP_S`.
-    look : {"target", "level"}
-        The camera looks at the target, or horizontally: the target gets the eye's y.
-    lowest, highest : float
-        Limits of the eye's y, world units; in either order.
-    clock_s : float
-        Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest.
-    """
+    """How the camera walks."""
 
     speed_deg_s: float = 20.0
+    """Turn about the vertical through the target, degrees per second; positive is anticlockwise
+    from above."""
     height: HeightMode = "fixed"
+    """The eye keeps its y, swings between the limits, or takes the next of four heights every
+    `STEP_S`."""
     look: LookMode = "target"
+    """The camera looks at the target, or horizontally: the target gets the eye's y."""
     lowest: float = 0.0
     highest: float = 10.0
+    """Limits of the eye's y, world units; in either order."""
     clock_s: float = 0.0
+    """Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest."""
 
     @property
     def _middle(self) -> float:

@@ -56,17 +56,13 @@ class MatrixQuestion(MarkedQuestion):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
 
     A typed answer is one text: its cells are separated by ``|``, its rows by ``;``.
-
-    Attributes
-    ----------
-    first : tuple of int
-        Row and column of the first cell in the matrix that these are a part of, from 1.
     """
 
     kind = "answer"
     rows: int
     columns: int
     first: tuple[int, ...] = ()
+    """Row and column of the first cell in the matrix that these are a part of, from 1."""
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> MatrixQuestion:

@@ -103,25 +103,17 @@ class Reply:
 
 @dataclass(frozen=True, kw_only=True)
 class Question(Asked):
-    """A question with one right reply.
-
-    Attributes
-    ----------
-    replies : tuple of Reply
-        Choices, or the wrong values that have an idea.
-    checks : tuple of (int, Condition)
-        Conditions that hold if the right reply is correct.
-    symbol : str
-        TeX of what the value is called in its worked solution.
-    number : str
-        The name of the number of the model that the value is; empty if it is none, or is the key.
-    """
+    """A question with one right reply."""
 
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]
+    """Choices, or the wrong values that have an idea."""
     checks: tuple[tuple[int, Condition], ...] = ()
+    """Conditions that hold if the right reply is correct."""
     symbol: str = ""
+    """TeX of what the value is called in its worked solution."""
     number: str = ""
+    """The name of the number of the model that the value is; empty if it is none, or is the key."""
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:

@@ -41,13 +41,7 @@ class Wrong(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Task(Asked):
-    """A task: done when all of `until` hold; then the student reads `done`.
-
-    Attributes
-    ----------
-    right : State, optional
-        A state that fulfils the task, for the check; `why` says how it is found.
-    """
+    """A task: done when all of `until` hold; then the student reads `done`."""
 
     kind = "task"
     has_field = False
@@ -55,6 +49,7 @@ class Task(Asked):
     done: str
     replies: tuple[Wrong, ...] = ()
     right: State | None = None
+    """A state that fulfils the task, for the check; `why` says how it is found."""
 
     @classmethod
     def read(cls, body: Body) -> Task:
