@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import atexit
 import contextlib
-import difflib
 import functools
 import os
 import re
@@ -24,7 +23,7 @@ from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import NOT_THE_EYE
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, nearest
 from app.scenes.phenomena import PHENOMENA
 
 if TYPE_CHECKING:
@@ -60,11 +59,10 @@ def place_of(course: Course, step: str | None) -> int:
     if step in names:
         return names.index(step)
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
-        near = max(names, key=lambda name: difflib.SequenceMatcher(None, step, name).ratio())
-        nearest = "" if step.isdigit() else f"; the nearest is {near}"
+        near = "" if step.isdigit() else f"; the nearest is {nearest(step, names)}"
         raise CliError(
             f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a"
-            f" step{nearest}."
+            f" step{near}."
         )
     return int(step) - 1
 

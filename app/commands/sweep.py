@@ -97,12 +97,13 @@ def states(options: argparse.Namespace, file: str | None) -> list[Document]:
     if options.stages:
         check_stages(options)
         values = [f"view.stage={_position(part)!r}" for part in parts]
-        return [with_values(before, [*options.set, value]) for value in values]
-    path, first, last = _ends(options.sweep)
-    values = []
-    for part in parts:
-        numbers = [a * (1.0 - part) + b * part for a, b in zip(first, last, strict=True)]
-        values.append(f"{path}={','.join(map(_written, numbers))}")
+    else:
+        path, first, last = _ends(options.sweep)
+        values = []
+        for part in parts:
+            ends = zip(first, last, strict=True)
+            numbers = [repr(a * (1.0 - part) + b * part).removesuffix(".0") for a, b in ends]
+            values.append(f"{path}={','.join(numbers)}")
     return [with_values(before, [*options.set, value]) for value in values]
 
 
@@ -282,10 +283,6 @@ def _ends(sweep: str) -> tuple[str, list[float], list[float]]:
             " lens.near=0.5:8 or camera.eye=3,2,4:0,2,5."
         )
     return path.strip(), first, last
-
-
-def _written(value: float) -> str:
-    return repr(value).removesuffix(".0")
 
 
 def names(out: str, frames: int) -> list[str]:

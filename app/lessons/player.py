@@ -215,7 +215,7 @@ class Player:
         self._rest: list[ReadBlock] = []
         """The parts of the step that are not shown yet."""
         self.revealed = 0
-        """A class's progress through the step: its picture, then each question asked and answered."""
+        """A class's progress: the step's picture alone, then each question asked, and answered."""
         self._reached: dict[int, int] = {}
         """How far each step was revealed when it was left."""
         self.arrived: Mapping[str, Camera] = {}
