@@ -128,8 +128,7 @@ def check_out(name: str, out: str) -> None:
         raise CliError(f"{name} = {out!r}: is a pipe or a device, not a regular file.")
     folder = os.path.dirname(os.path.realpath(full_path(out)))
     if not os.path.isdir(folder):
-        named = os.path.dirname(out) or folder
-        raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+        raise CliError(f"{name} = {out!r}: there is no folder {os.path.dirname(out) or folder}.")
     needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
         raise CliError(f"{name} = {out!r}: may not be written.")

@@ -156,8 +156,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     files = tuple(os.path.join(folder, name) for name in course.files)
     for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
-        where = f"{line.where}, step {place}"
-        yield ListedFigure(where, cells, (*line.sources, *files))
+        yield ListedFigure(f"{line.where}, step {place}", cells, (*line.sources, *files))
 
 
 def _of_list(source: str) -> Iterator[ListedFigure]:

@@ -347,8 +347,7 @@ def compared(document: Document, name: str) -> Document:
     states = [pictured(document, picture) for picture in pictures]
     own = states.index(document) if document in states else len(states) - 1
     pictures[own] = replace(pictures[own], live=True)
-    view = replace(document.view, compare=tuple(pictures), dividers=())
-    return replace(states[own], view=view)
+    return replace(states[own], view=replace(document.view, compare=tuple(pictures), dividers=()))
 
 
 def name_of(document: Document, picture: ComparedPicture) -> str:

@@ -126,8 +126,7 @@ def topics() -> Mapping[str, Course]:
 def practised(names: Iterable[str]) -> dict[str, Course]:
     """Return the lessons of all topics, and the user's own lessons of these names that exist."""
     courses = dict(topics())
-    own = {course.name for course in courses.values()}
-    for name in sorted(set(names) - own):
+    for name in sorted(set(names) - {course.name for course in courses.values()}):
         course = course_named(name)
         if course is not None and course.name == name and any(exercises_of(course)):
             courses[Path(name).stem] = course

@@ -402,8 +402,7 @@ _WORD = re.compile(r"[^\W_]+")
 
 def reading_name(label: str) -> str:
     """Return the name of a reading: the words of its label before a formula or a remark."""
-    head = re.split(r"[=:;]", label)[0]
-    return "_".join(_WORD.findall(head))
+    return "_".join(_WORD.findall(re.split(r"[=:;]", label)[0]))
 
 
 # --------------------------------------------------------------------------- simple quantities

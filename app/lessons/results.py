@@ -111,8 +111,7 @@ def read(path: AnyPath) -> StudentResults:
         lessons = tree.get("lessons")
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
-        attempts = corrected(map(attempt_from, answers), hints_of)
-        return StudentResults(student, digests, attempts)
+        return StudentResults(student, digests, corrected(map(attempt_from, answers), hints_of))
 
 
 def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:

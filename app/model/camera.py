@@ -213,8 +213,7 @@ class Camera:
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))
-        held = [e - t for e, t in zip(eye, target, strict=True)]
-        if math.dist(held, offset) > 1e-6 * distance:
+        if math.dist([e - t for e, t in zip(eye, target, strict=True)], offset) > 1e-6 * distance:
             raise Refusal("distance", distance, DISTINCT, 0)
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)

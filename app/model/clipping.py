@@ -249,8 +249,7 @@ def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool
     """Whether one segment has a point inside, in rational numbers."""
     low, high = Fraction(0), Fraction(1)
     ends: Any = np.array([list(map(Fraction, point.tolist())) for point in (start, end)])
-    sums = _boundaries(ends, depth)
-    for b_start, b_end, asked in zip(*sums, chosen, strict=True):
+    for b_start, b_end, asked in zip(*_boundaries(ends, depth), chosen, strict=True):
         if not asked or (b_start >= 0 and b_end >= 0):
             continue
         t = b_start / (b_start - b_end)  # ends that are both negative are excluded before

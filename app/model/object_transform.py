@@ -179,8 +179,7 @@ class ObjectTransform:
         """`world_from_object` before it is rounded."""
         if self.is_identity:
             return [[Fraction(i == j) for j in range(4)] for i in range(4)]
-        factors = [evaluated(table, self.letters) for _, table in self.step.factors]
-        return reduce(product, factors)
+        return reduce(product, [evaluated(table, self.letters) for _, table in self.step.factors])
 
     @cached_property
     def matrix(self) -> Array:

@@ -463,8 +463,7 @@ class Controls(Dock, RowHolder):
         for value in (-math.inf, math.inf):
             error = self._limit(binding, value)
             if error is not None:
-                bound = translated(error.bound)
-                clauses.append(bound.format(*shown_limits(error.limits, value)))
+                clauses.append(translated(error.bound).format(*shown_limits(error.limits, value)))
         return "; ".join(dict.fromkeys(clauses))
 
     def _adopt(self, projection: Projection) -> None:

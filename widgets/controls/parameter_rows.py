@@ -108,8 +108,7 @@ def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) ->
         ]
     for title, part in parts:
         row = make_row(part, title)
-        lenses = lenses_with(parameter)
-        yield Binding(row, rows, part, part.part, parameter.name, memory, lenses)
+        yield Binding(row, rows, part, part.part, parameter.name, memory, lenses_with(parameter))
 
 
 def make_row(parameter: Parameter, title: str = "", none: str = "") -> Row:

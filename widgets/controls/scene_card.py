@@ -259,8 +259,7 @@ class SceneCard(QWidget, RowHolder):
         labels = {setting.path: setting.title for setting in self._phenomenon.settings}
         if error.field not in labels:
             return error
-        name = of_phenomena(labels[error.field])
-        return Refusal(name, error.value, error.bound, *error.limits)
+        return Refusal(of_phenomena(labels[error.field]), error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
         for motion in self.motions.values():
