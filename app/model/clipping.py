@@ -179,16 +179,9 @@ def clip_segments(
     Raises a `Refusal` for another depth range or plane, a coordinate that is not finite or larger
     than `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
 
-    Parameters
-    ----------
-    starts_clip, ends_clip : (..., 4) array_like
-        The ends, before the divide; any w, 0 for points at infinity of clip space.
-    depth : {"opengl", "direct3d", "reversed"}
-        The NDC range of z.
-    planes : names in `PLANES`
+    The ends, (..., 4), are those before the divide; any w, 0 for points at infinity of clip space.
+    `planes` are names in `PLANES`.
 
-    Notes
-    -----
     The crossings are compared by ``b_in/b_out``, which is precise at both ends of the segment; the
     one farthest from each end wins. If the two winners meet within `_TIE`, rational numbers decide
     whether anything is left between them.

@@ -252,6 +252,8 @@ class Asked(ReadBlock):
     hints: tuple[str, ...] = ()
     responses: tuple[tuple[int, str], ...] = ()
     """All replies to answers, and the hints, each with its line."""
+    replies: Sequence[Any] = ()
+    """The answers that the lesson expects, each with its idea and what the lesson `says` to it."""
     hides: frozenset[str] = frozenset()
     """What would show the answer, of `HIDDEN`; it is not seen until there is one."""
 
@@ -327,7 +329,7 @@ class Asked(ReadBlock):
 
     def response_to(self, idea: str) -> str:
         """Return the lesson's own response to a wrong idea, as Markdown; empty if it has none."""
-        return ""
+        return next((each.says for each in self.replies if each.idea == idea), "")
 
     # -- the right answer
 

@@ -111,10 +111,6 @@ class Click(MarkedQuestion):
                 return wrong.verdict(here)
         return Verdict(False)
 
-    def verdict(self, here: Here, sample: str, line: int) -> str:
-        with on_line(line):
-            return super().verdict(here, sample, line)
-
     def solution(self, here: Here) -> str:
         """Return a line for each coordinate; none if no reader knows a name in it."""
         known = self.known(here)

@@ -109,10 +109,6 @@ class MatrixQuestion(MarkedQuestion):
         remark = self._remark(numbers, right, cells)
         return (wrong or Verdict(False, too_short=too_short, remark=remark))._replace(cells=cells)
 
-    def verdict(self, here: Here, sample: str, line: int) -> str:
-        with on_line(line):
-            return super().verdict(here, sample, line)
-
     def _remark(
         self, numbers: Sequence[TypedNumber], right: Sequence[float], cells: Sequence[bool]
     ) -> Refusal:

@@ -135,9 +135,6 @@ class Question(Asked):
     def answer_line(self) -> int:
         return self.key[1]
 
-    def response_to(self, idea: str) -> str:
-        return next((each.says for each in self.replies if each.idea == idea), "")
-
     def right_sample(self, here: Here) -> str:
         try:
             values = self.values(here, *self.key)
@@ -314,12 +311,13 @@ class MarkedQuestion(Question):
             trial.add_warning(refused(self.right_line, NO_RIGHT, self.name))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        try:
-            return self.mark(here, sample).word
-        except Refusal as error:
-            if error.field != "answer":
-                raise
-            return "no number"
+        with on_line(line):
+            try:
+                return self.mark(here, sample).word
+            except Refusal as error:
+                if error.field != "answer":
+                    raise
+                return "no number"
 
 
 def hidden_in(text: str, line: int) -> set[str]:

@@ -105,9 +105,6 @@ class Task(Asked):
     def can_be_told(self) -> bool:
         return bool(self.why) or self.right is not None
 
-    def response_to(self, idea: str) -> str:
-        return next((each.says for each in self.replies if each.idea == idea), "")
-
     def right_sample(self, here: Here) -> str:
         return ", ".join(condition.text for _, condition in self.until)
 

@@ -241,12 +241,7 @@ class Lens(Geometry):
     ) -> Iterator[Lens]:
         """Yield lenses of this kind that may have a matrix, those with the present fields first.
 
-        Parameters
-        ----------
-        cells : 4 lists of 4 Fraction
-            The last row is that of the kind's table.
-        near, far : float
-            The planes that the third row corresponds to.
+        The last row of `cells` is that of the kind's table; the third row belongs to near and far.
         """
         yield from ()
 
