@@ -134,6 +134,7 @@ class Board:
 
         If not `afresh`, labels stay where they are as long as possible.
         """
+        self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         self._asked = self._wishes, ground, len(ground.taken)
         placed = self._place(None if afresh else self._kept)
         goals = dict[Hashable, KeptSpot | None]()
@@ -248,6 +249,15 @@ class Board:
         for key in self._fades:
             self._fade(key, 1.0)
         self._fades = {}
+
+
+def _is_outside(wish: Wish, ground: Ground) -> bool:
+    """Whether a wish is for a single point, and that lies beyond the pane's border."""
+    left, low, right, high = ground.limits
+    if len(wish.spots) != 1:
+        return False
+    (x, y), rim = wish.spots[0], ground.em
+    return not (left - rim <= x <= right + rim and low - rim <= y <= high + rim)
 
 
 def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:
