@@ -1,7 +1,7 @@
 """``python3 -m tests.pictures``: are the pictures of README and docs those that the program draws?
 
 ``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
-command for each. The charts are drawn from the recorded ``docs/measured-letter-f.json``.
+command for each. The charts are drawn from the recorded ``app/measure/content/letter-f.json``.
 ``--measure`` records them again, and draws the charts and the captions of ``docs/measurements.md``.
 """
 
@@ -23,13 +23,12 @@ from PIL import Image
 from app.bootstrap import ROOT
 from app.commands import cli
 from app.measure.meaning import bargain, meaning
-from app.measure.results import from_json
+from app.measure.single import SHIPPED, read_results
 from app.scenes.phenomena import PHENOMENA
 from tests.support.commands import run
 from widgets.parts.chart_picture import picture
 
 DOCS = Path(ROOT) / "docs"
-MEASURED = DOCS / "measured-letter-f.json"
 MOST_DIFFERENT = 0.001
 """Share of a picture's squares that may differ: drivers and fonts differ along edges."""
 _SQUARE_PX, _LEVELS = 8, 24
@@ -85,7 +84,7 @@ def draw(name: str, path: Path) -> None:
     """Draw a picture of the docs into a file."""
     command = PICTURES[name]
     if name.startswith("measure-"):
-        results = from_json(MEASURED.read_text(encoding="utf-8"))
+        results = read_results(SHIPPED)
         trades = tuple(trade for trade in results.trades if trade.name == command[0])
         drawn = replace(results, trades=trades, sweeps=() if trades else results.sweeps)
         cost = "bytes" if "bytes" in command else "time"
@@ -99,7 +98,7 @@ def draw(name: str, path: Path) -> None:
 
 def captioned(page: str) -> str:
     """The page of measurements with what the recorded ones say in italics below each chart."""
-    trades = {t.name: t for t in from_json(MEASURED.read_text(encoding="utf-8")).trades}
+    trades = {t.name: t for t in read_results(SHIPPED).trades}
 
     def caption(found: re.Match[str]) -> str:
         trade, cost, name = PICTURES[found[2]]
@@ -145,7 +144,7 @@ def main() -> int:
     if found.measure:
         done = run("measure", "--json=-")
         assert done.returncode == 0, done.stderr
-        MEASURED.write_text(json.dumps(json.loads(done.stdout)) + "\n", encoding="utf-8")
+        SHIPPED.write_text(json.dumps(json.loads(done.stdout)) + "\n", encoding="utf-8")
         page = DOCS / "measurements.md"
         page.write_text(captioned(page.read_text(encoding="utf-8")), encoding="utf-8")
         names = [name for name in PICTURES if name.startswith("measure-")]

@@ -91,7 +91,7 @@ def measure_all(
 def machine(opengl: str) -> dict[str, str]:
     """Describe the computer that measures."""
     return {
-        "system": f"{platform.system()} {platform.release()}",
+        "system": f"{platform.system()} {platform.release().partition('-')[0]}",
         "processor": platform.processor() or platform.machine(),
         "cores": str(os.cpu_count() or 1),
         "opengl": opengl,

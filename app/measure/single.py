@@ -11,6 +11,9 @@ from app.measure.results import DAMAGED, Measurements, Sweep, Trade, from_json, 
 from app.model.refusal import Refusal
 from app.strangers import decode, open_regular
 
+SHIPPED = Path(__file__).with_name("content") / "letter-f.json"
+"""The results that the program brings, of another machine; `tests/pictures.py` records them."""
+
 
 def only_part(results: Measurements) -> Trade | Sweep:
     """Return the only trade or sweep of split results."""

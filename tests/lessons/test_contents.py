@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 from functools import partial
 from importlib import import_module
 from pathlib import Path
@@ -13,7 +14,10 @@ from typing import Any, NamedTuple
 import pytest
 from mpmath import mp
 
-from app.document.settings import set_values
+from app.document.settings import pictured, set_values
+from app.document.view import View
+from app.drawings.side_by_side import BARE_EM, cells
+from app.drawings.style import TITLE_EM
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
@@ -360,3 +364,29 @@ def test_only_lessons_are_among_the_lessons() -> None:
     report = CheckReport()
     report.take(read(CONTENT / "ideas.md"))
     assert report.wrong == []
+
+
+WIDE = {"eyes"}
+"""Steps whose pictures show an angle across: with another shape they would show another angle."""
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_compared_images_fill_the_slide_of_a_talk(size: tuple[int, int]) -> None:
+    """By the shapes of the images, below a header of 16 % of the screen."""
+    width, height, em = size[0], round(0.84 * size[1]), 0.03 * size[1]
+    compared = 0
+    for course in (Course(read(path)) for path in sorted(CONTENT.glob("talk-*.md"))):
+        for place, step in enumerate(course.lesson.steps):
+            shown = course.shown(place)
+            pictures = shown.view.get("compare", ())
+            if not pictures or shown.view.get("slide") != ("image",) or step.name in WIDE:
+                continue
+            document = replace(shown.document, view=replace(View(), compare=pictures))
+            aspects = [pictured(document, each).projection.aspect for each in pictures]
+            cell = cells(width, height, aspects, em)
+            high = [min(h - (2 * BARE_EM + TITLE_EM) * em, (w - 2 * BARE_EM * em) / a)
+                    for (_, _, w, h), a in zip(cell, aspects, strict=True)]  # fmt: skip
+            filled = sum(a * h * h for a, h in zip(aspects, high, strict=True)) / (width * height)
+            assert filled > 0.72, (course.lesson.path.stem, step.name, filled)
+            compared += 1
+    assert compared > 6

@@ -138,7 +138,7 @@ def test_the_start_by_hand() -> None:
     corner /= (8 + t * (wide + 0.4)) * (8 - t * (wide - 0.4))
     assert value(toed_in, LARGEST) == pytest.approx(px * corner)
     assert value(toed_in, "turns in") == pytest.approx(math.degrees(math.atan(0.05)))
-    assert reading(off_axis, "P appears").value == "before the screen plane"
+    assert reading(off_axis, "P appears").value == "before the screen"
 
 
 def test_what_lies_in_the_screen_plane_does_not_move_and_the_rest_does() -> None:
@@ -151,10 +151,10 @@ def test_what_lies_in_the_screen_plane_does_not_move_and_the_rest_does() -> None
     moved = PHENOMENON.follow(START, {"screen": 8.0}, PHENOMENON.checked({"screen": 5.0}))
     in_it = shown(moved)
     assert value(in_it, ACROSS) == 0.0
-    assert reading(in_it, "P appears").value == "in the screen plane"
+    assert reading(in_it, "P appears").value == "in the screen"
     behind = shown(moved, point=(1.7, 3.4, -4.0))
     assert value(behind, ACROSS) > 30.0
-    assert reading(behind, "P appears").value == "behind the screen plane"
+    assert reading(behind, "P appears").value == "behind the screen"
 
 
 def test_the_screen_plane_is_the_target_s_and_moves_nothing_else() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise, product
@@ -14,23 +15,26 @@ import numpy as np
 import psutil
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QProcess, Qt
+from PySide6.QtGui import QPalette
 from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
+from app.bootstrap import ROOT
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
 from app.measure.arithmetic import CHEAP
 from app.measure.meaning import bargain, meaning
 from app.measure.results import ChartPoint, Measurements, Trade, from_json, table, to_csv, to_json
+from app.measure.single import SHIPPED, read_results, split
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.cheap_arithmetic import hardware_of
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
 from tests.support.results import RESULTS, TRADE, curve, sweep
 from tests.support.shown import show
-from tests.support.window import settle
+from tests.support.window import rgb_of, settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panes.canvas import SMOOTHINGS
@@ -110,8 +114,49 @@ def write(path: Path, results: Measurements) -> Path:
 # -- measuring
 
 
+def hue_of(panel: MeasurePanel) -> int:
+    """How far the chart's most colourful pixel is from grey."""
+    (view,) = (view for view in panel.diagrams if view.isVisible())
+    seen = rgb_of(view.grab().toImage()).astype(int)
+    return int((seen.max(axis=2) - seen.min(axis=2)).max())
+
+
+def test_it_opens_with_the_results_of_another_machine_in_grey(
+    panel: MeasurePanel, qtbot: QtBot
+) -> None:
+    shipped = split(read_results(SHIPPED))
+    grey = panel.palette().color(QPalette.ColorRole.PlaceholderText)
+    for name in chart.TITLES:
+        panel.choose(name)
+        results = shipped[name]
+        assert hue_of(panel) < 40, name
+        assert panel.table.rowCount() and panel.where.toolTip() == chart.where(results)
+        assert panel.table.item(0, 0).foreground().color() == grey
+        assert chart.machine(results) in panel.sentence.text()
+    panel.choose("depth")
+    assert panel.run_button.text() == "Measure here" and not panel.export_button.isEnabled()
+    assert panel.run_button.height() > 1.3 * panel.load_button.height()
+    measured(qtbot, panel, "depth")
+    assert hue_of(panel) > 100 and "another machine" not in panel.sentence.text()
+    assert panel.where.toolTip() == chart.where(panel.measured["depth"])
+    panel.choose("near")
+    assert hue_of(panel) < 40, "only what was measured is replaced"
+
+
+def test_the_results_that_the_program_brings_name_no_place_and_are_packed() -> None:
+    assert not re.search(r"[/\\](?!u00)\w{3,}|home|user", SHIPPED.read_text(encoding="utf-8"))
+    results = read_results(SHIPPED)
+    assert re.fullmatch(r"[A-Za-z]+ [\d.]+", results.machine["system"]), "no name of its own"
+    assert results.complete and set(split(results)) == set(chart.TITLES)
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
+    packed = project["tool"]["setuptools"]["package-data"]
+    for folder in (ROOT / "app").rglob("content"):
+        package = ".".join(folder.parent.relative_to(ROOT).parts)
+        assert packed[package] == ["content/*"]
+
+
 def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> None:
-    assert panel.sentence.text() == "Not measured yet." and not panel.export_button.isEnabled()
+    assert "on another machine" in panel.sentence.text() and not panel.export_button.isEnabled()
     fractions = QSignalSpy(panel.measuring.progressed)
     panel.choose("depth")
     panel.run()
@@ -151,8 +196,7 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
     assert heads(panel)[0] == "near"
     assert sum(view.isVisible() for view in panel.diagrams) == 1
     panel.choose("up")
-    assert panel.sentence.isVisible() and panel.sentence.text() == "Not measured yet."
-    assert panel.table.rowCount() == 0
+    assert panel.sentence.isVisible() and "on another machine" in panel.sentence.text()
     panel.choose("depth")
     for ending in ("csv", "json", "png", "pdf"):
         assert panel.export(tmp_path / f"depth.{ending}")

@@ -18,6 +18,7 @@ from tests.support.phenomenon import EVERYTHING
 from tests.support.window import show_scene
 from widgets.panels.scene_panel import ScenePanel
 from widgets.parts import palette
+from widgets.parts.diagram import DiagramView
 from widgets.window.main_window import MainWindow
 
 SUBJECT = Subject((0.0, 0.0, 0.0), (1.0, 1.0, 1.0), np.zeros((1, 3)))
@@ -43,9 +44,6 @@ def test_it_explains_the_scene_and_names_the_lectures(panel: ScenePanel) -> None
     assert panel.title.text() == "A setting of every kind"
     assert panel.explanation.text() == EVERYTHING.words.explanation
     assert panel.lectures.text() == "Lectures: 001, 002"
-    panel.show_scene("Letter F", None)
-    assert panel.title.text() == "Letter F" and not panel.lectures.isVisible()
-    assert "no diagram" in panel.explanation.text()
 
 
 def test_there_are_as_many_diagrams_as_the_illustration_has(panel: ScenePanel) -> None:
@@ -115,8 +113,7 @@ def test_a_diagram_goes_to_the_clipboard_and_into_a_file_with_the_document(
     assert "cannot be written" in window.messages.text
 
 
-@pytest.mark.undrawn
-def test_where_there_is_no_diagram_none_is_copied(window: MainWindow) -> None:
-    window.panels.open(window.measure_panel)
-    (view,) = window.measure_panel.diagrams
+def test_where_there_is_no_diagram_none_is_copied(qtbot: QtBot) -> None:
+    view = DiagramView()
+    qtbot.addWidget(view)
     assert not any(action.isEnabled() for action in view.actions())

@@ -26,7 +26,7 @@ from app.document.view import AS_EVER
 from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import MOST_STEPS, Step, parse_lesson
+from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.fuzz.catalogue import a_view, edited
@@ -37,17 +37,27 @@ from tests.support.window import (
     go_to,
     pixels,
     present,
+    rgb_of,
     settle,
     tick,
 )
 from widgets.parts.message_bar import MessageBar
+from widgets.window.lesson_card import heads
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
 from widgets.window.question import QuestionOverlay
 from widgets.window.settings import Settings
 from widgets.window.speaker import SpeakerWindow, TalkClock
 from widgets.window.talk_ahead import REST_MS
-from widgets.window.talk_band import LINE_SHARE, LINES, SMALLER, TITLE_SHARE, TOP_SHARE, TalkBand
+from widgets.window.talk_band import (
+    GAP_SHARE,
+    LINE_SHARE,
+    LINES,
+    SMALLER,
+    TITLE_SHARE,
+    TOP_SHARE,
+    TalkBand,
+)
 from widgets.window.talk_keys import TYPED_MS
 
 
@@ -983,7 +993,7 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
     band = TalkBand()
     band.resize(1366, 10)
     band.set_screen(768.0)
-    high = round((TOP_SHARE + TITLE_SHARE + LINE_SHARE) * 768)
+    high = round((TOP_SHARE + TITLE_SHARE + GAP_SHARE + LINE_SHARE) * 768)
     too_high = "$$k = \\frac{\\frac{h}{\\frac{w}{2}}}{2} = 1$$"
     cases = {
         "reads **this**": ("The class reads this, and", ""),
@@ -1005,6 +1015,24 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
             assert document.size().height() <= LINE_SHARE * 768
             least = (SMALLER if band.is_cut else LINES)[-1]
             assert document.defaultFont().pixelSize() >= math.floor(least * 768)
+
+
+def ink_rows(band: TalkBand, title: str, parts: Any) -> np.ndarray:
+    """The rows of the band that the letters reach."""
+    band.show_step(SimpleNamespace(title=title, parts=parts), "")  # type: ignore[arg-type]
+    return np.nonzero((rgb_of(band.grab().toImage()) < 140).any(axis=(1, 2)))[0]
+
+
+@pytest.mark.parametrize("size", [(1366, 768), (1920, 1080)])
+def test_no_fraction_touches_the_title(display: Any, size: tuple[int, int]) -> None:
+    band = TalkBand()
+    band.set_screen(float(size[1]))
+    band.resize(size[0], band.height())
+    for head in heads(talks=True):
+        for step in read(head.path).steps:
+            title = ink_rows(band, step.title, ())
+            if (line := ink_rows(band, "", step.parts)).size:
+                assert line[0] - title[-1] > 0.009 * size[1], (head.path.stem, step.title)
 
 
 @pytest.mark.parametrize(

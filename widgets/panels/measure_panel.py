@@ -2,14 +2,17 @@
 
 ::
 
-    Run --> Measuring (another process) --> Measurements, one for each trade or sweep
-    a file of results --------------------> drawn thinner over them
+    Measure here --> Measuring (another process) --> Measurements, one for each trade or sweep
+    results that the program brings --------------> grey, until there are others
+    a file of results ----------------------------> drawn thinner over those of this machine
     a click on a point or a row --> used({"rung": "float32"})
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from functools import cached_property
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -47,6 +50,7 @@ from app.measure.results import (
     to_json,
 )
 from app.measure.single import (
+    SHIPPED,
     has_numbers,
     joined_tables,
     only_part,
@@ -73,6 +77,7 @@ ENDINGS = (".csv", ".json", *chart.ENDINGS)
 """Endings of the export formats."""
 NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
+_HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
 _NAME = Qt.ItemDataRole.UserRole
 
 
@@ -121,7 +126,7 @@ class MeasurePanel(DiagramPanel):
         self._make_views()
         left = in_column(precision, (self.list, 1), controls, gap=3)
         notes = in_column(self.where, self.seen, gap=0)
-        below = in_row((notes, 1), self.cost, margins=(0, 0, 0, 0))
+        below = in_row((notes, 1), self.cost, self.run_button, margins=(0, 0, 0, 0))
         middle = in_column((self._drawn, 1), below, gap=0)
         right = in_column(self.sentence, (self.table, 1), gap=3)
         in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
@@ -150,8 +155,10 @@ class MeasurePanel(DiagramPanel):
             ((self.tr("Quick"), True), (self.tr("Full"), False)),
         )
         self.run_button = push_button(
-            self.tr("Run"), self.tr("Measure what is chosen, for this scene and camera"), self.run
-        )
+            self.tr("Measure here"),
+            self.tr("Measure on this machine what is chosen, for this scene and camera"), self.run,
+        )  # fmt: skip
+        self.run_button.setObjectName("measureHere")  # the style sheet makes it large
         tip = self.tr("Stop, and keep the results so far")
         self.cancel_button = push_button(self.tr("Cancel"), tip, self.measuring.cancel)
         self.progress = QProgressBar()
@@ -175,12 +182,12 @@ class MeasurePanel(DiagramPanel):
         buttons.setSpacing(3)
         buttons.addWidget(self.progress, 1, 0, 1, 3)
         for row, widgets in (
-            (0, (self.how, self.run_button, self.cancel_button)),
+            (0, (self.how, self.cancel_button)),
             (2, (self.export_button, self.load_button, self.forget_button)),
         ):
             for column, widget in enumerate(widgets):
                 buttons.addWidget(widget, row, column)
-        for button in (self.run_button, self.cancel_button, self.export_button, self.load_button):
+        for button in (self.cancel_button, self.export_button, self.load_button):
             button.setMinimumWidth(60)
         return buttons
 
@@ -209,6 +216,9 @@ class MeasurePanel(DiagramPanel):
     def _place_diagrams(self) -> None:
         self.diagrams[-1].spot_clicked.connect(self._spot_used)
         self._drawn.addWidget(self.diagrams[-1], 1)
+
+    def heightForWidth(self, _width: int) -> int:
+        return self.minimumSizeHint().height()  # texts wrap, but chart, list and table give way
 
     # -- called by the owner
 
@@ -317,7 +327,7 @@ class MeasurePanel(DiagramPanel):
         """Save what is shown, in the format of the file's ending; return whether that worked."""
         shown, other = self._shown()
         ending = path.suffix.lower()
-        if shown is None:
+        if shown is None or self._is_shipped:
             self._refuse(self.tr("There is nothing to export yet: run a measurement first."))
             return False
         if ending not in ENDINGS:
@@ -384,7 +394,18 @@ class MeasurePanel(DiagramPanel):
     def _shown(self) -> tuple[Measurements | None, Measurements | None]:
         """Return the results that are shown, and those drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
+        if self._is_shipped:
+            return self._shipped[self.name], None
         return (measured, loaded) if measured is not None else (loaded, None)
+
+    @cached_property
+    def _shipped(self) -> dict[str, Measurements]:
+        return split(read_results(SHIPPED))
+
+    @property
+    def _is_shipped(self) -> bool:
+        """Whether the results are those that the program brings."""
+        return not any(self.name in own for own in (self.measured, self.loaded, self.words))
 
     def _fill(self) -> None:
         shown, other = self._shown()
@@ -393,12 +414,15 @@ class MeasurePanel(DiagramPanel):
             has = any(each and has_numbers(each) for each in both)
             self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
-        self.export_button.setEnabled(shown is not None)
+        self.export_button.setEnabled(shown is not None and not self._is_shipped)
         self._show_chart(shown, other)
         self._show_table(shown, other)
         words = self.words.get(self.name, "")
+        if shown is not None and self._is_shipped:
+            words = self.tr("Measured with the letter F on another machine: {0}.")
+            words = words.format(chart.machine(shown))
         if shown is None:
-            said = words or self.tr("Not measured yet.")
+            said = words
         else:
             part = self._priced(shown)
             said = ""
@@ -427,6 +451,11 @@ class MeasurePanel(DiagramPanel):
             part, current = self._priced(shown), self._current()
             diagrams = chart.diagrams(part, current, over, name, of_measurements)
         self._show_diagrams(diagrams, least=1)
+        style = self._style
+        if self._is_shipped:
+            style = replace(style, **dict.fromkeys(_HUES, style.muted))  # type: ignore[arg-type]
+        for view in self.diagrams:
+            view.set_style(style)
 
     def _show_table(self, shown: Measurements | None, other: Measurements | None) -> None:
         heads: list[str] = []
@@ -476,7 +505,8 @@ class MeasurePanel(DiagramPanel):
                 cell.setFont(slanted)
                 if x == 0 and choice is not None and choice.cost is not None:
                     cell.setText(self.tr("{0} (measured only)").format(cell.text()))
-            if trade is not None and choice is not None and trade.is_beaten(choice):
+            is_beaten = trade is not None and choice is not None and trade.is_beaten(choice)
+            if is_beaten or self._is_shipped:
                 cell.setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
             set_tip(cell, "\n".join(filter(None, (named(row[-1], of_measurements), why))))
             if 0 < x < len(row) - 1:

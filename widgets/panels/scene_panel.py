@@ -50,21 +50,18 @@ class ScenePanel(DiagramPanel):
         self._columns_of_diagrams = 0
         columns = ((_Column(text, self.tr("What this scene shows")), 4), self._diagram_column)
         self._columns = in_row(*columns, on=self, margins=(4, 0, 4, 2), gap=12)
-        self.show_scene(self.tr("This scene"), None)
+        self.show_scene("", None)
 
     def show_scene(self, title: str, phenomenon: Phenomenon | None) -> None:
-        """Show another scene; `phenomenon` is None for a scene that only shows the pipeline."""
+        """Show another scene; one without a phenomenon has no explanation."""
         if phenomenon is not self._phenomenon or phenomenon is None:
             self._phenomenon, self._illustration = phenomenon, None
         self.title.setText(breakable(title, WORD))
         lectures = () if phenomenon is None else phenomenon.lectures
         self.lectures.setText(self.tr("Lectures: {0}").format(", ".join(lectures)))
         self.lectures.setVisible(bool(lectures))
-        self.explanation.setText(
-            self.tr("This scene has no diagram: the panes show everything.")
-            if phenomenon is None
-            else subscripts(of_phenomena(phenomenon.words.explanation))
-        )
+        explained = "" if phenomenon is None else of_phenomena(phenomenon.words.explanation)
+        self.explanation.setText(subscripts(explained))
         self._show_diagrams(())
 
     def take(self, shown: ShownData, changed: Changed) -> None:

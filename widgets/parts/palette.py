@@ -58,7 +58,8 @@ _STYLE_SHEET = """
 #stepMarks QToolButton[practice="true"] {{ border: 2px dashed {frame}; padding: 1px 5px; }}
 #stepMarks QToolButton:hover {{ background: {Mid}; }}
 #stepMarks QToolButton:checked {{ color: {HighlightedText}; background: {Highlight}; }}
-QPushButton#nextStep {{ font-weight: 600; }}
+QPushButton#nextStep, #measureHere {{ font-weight: 600; }}
+#measureHere {{ padding: 8px 16px; }}
 #paneNote {{ color: {muted}; }}
 #quietTitle {{ color: {muted}; font-weight: 600; }}
 #messageBar {{ background: {bar}; border: 1px solid {edge_of_bar}; border-radius: 4px; }}

@@ -1,5 +1,5 @@
-"""The panels below the panes. Their names stay at the bottom of the window; the open panel takes at
-most a third of its height.
+"""The panels below the panes. Their names stay at the bottom of the window; the open panel is as
+high as its content, and at most a third of the window.
 """
 
 from __future__ import annotations
@@ -7,9 +7,10 @@ from __future__ import annotations
 from functools import partial
 from typing import cast
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPaintEvent
 from PySide6.QtWidgets import (
+    QAbstractScrollArea,
     QFrame,
     QScrollArea,
     QSizePolicy,
@@ -18,6 +19,7 @@ from PySide6.QtWidgets import (
     QStyle,
     QStyleOptionToolButton,
     QStylePainter,
+    QTableView,
     QToolButton,
     QWidget,
 )
@@ -31,6 +33,10 @@ _UNLIMITED_PX = 2**24 - 1
 """Qt's own largest height."""
 LARGEST_SHARE = 1 / 3
 """Largest share of the window's height for the open panel."""
+STEADY_LINES = 4
+"""An open panel whose content has fewer lines less keeps its height: panes must not jump."""
+REST_MS = 100
+"""How long the content of the open panel must have kept its size."""
 
 
 class _DrawerHead(QToolButton):
@@ -62,6 +68,8 @@ class Panels(QWidget):
 
     opened = Signal()
     """A panel was opened, or the last one folded."""
+    changed = Signal()
+    """The content of the open panel has another size."""
     chosen = Signal(object)
     """The user has opened this `Panel` by its name."""
 
@@ -73,12 +81,16 @@ class Panels(QWidget):
         self._buttons: list[QToolButton] = []
         self._tips: list[str] = []
         self._why_closed = ""
+        self._empty: set[Panel] = set()
+        """The panels that have nothing to show."""
         self._wanted: Panel | None = None
         """The panel that was to be opened while all were closed."""
         self.names = QWidget()
         """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest.timeout.connect(self.changed)
         self._stack = QStackedWidget()
         in_column(self._stack, on=self, margins=(0, 2, 0, 0))
         self.hide()
@@ -99,6 +111,7 @@ class Panels(QWidget):
         self._stack.addWidget(area)
         area.setWidget(panel)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        panel.installEventFilter(self)
 
     @property
     def all(self) -> tuple[Panel, ...]:
@@ -132,6 +145,8 @@ class Panels(QWidget):
         """Open one panel, or fold them all."""
         if self._why_closed:
             self._wanted, panel = panel, None
+        if panel in self._empty:
+            panel = None
         if panel is not None:
             self.notify(panel)
             self._stack.setCurrentIndex(self.all.index(panel))
@@ -139,6 +154,13 @@ class Panels(QWidget):
         for each, button in zip(self.all, self._buttons, strict=True):
             button.setChecked(panel is each)
         self.opened.emit()
+
+    def offer(self, panel: Panel, on: bool) -> None:
+        """Show the name of a panel, or hide it because the panel has nothing to show."""
+        (self._empty.discard if on else self._empty.add)(panel)
+        self._buttons[self.all.index(panel)].setVisible(on)
+        if not on and panel is self.open_panel:
+            self.open(None)
 
     def close_for(self, why: str) -> None:
         """Keep all panels closed for a reason; without one, open the panel that was open before."""
@@ -151,11 +173,47 @@ class Panels(QWidget):
             set_tip(button, why or tip)
         self.open(wanted)
 
+    def wanted_px(self, most_px: int) -> int:
+        """Return the height of the open panel's content, at most so much."""
+        panel = self.open_panel
+        if panel is None or any(_grows(each, panel) for each in panel.findChildren(QWidget)):
+            return most_px
+        areas = panel.findChildren(QAbstractScrollArea)
+        lacking = [_content_px(each) - each.height() for each in areas if each.isVisibleTo(panel)]
+        wanted = panel.height() + max(lacking) if lacking else panel.sizeHint().height()
+        return min(most_px, max(wanted, panel.minimumSizeHint().height()) + 2)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.LayoutRequest and watched is self.open_panel:
+            self._rest.start()
+        return super().eventFilter(watched, event)
+
     def _clicked(self, panel: Panel) -> None:
         is_open = panel is self.open_panel
         self.open(None if is_open else panel)
         if not is_open:
             self.chosen.emit(panel)
+
+
+def _grows(widget: QWidget, panel: Panel) -> bool:
+    """Whether a widget uses all the height that it gets: a diagram, not a list."""
+    is_area = isinstance(widget, QAbstractScrollArea)
+    expands = widget.sizePolicy().verticalPolicy() == QSizePolicy.Policy.Expanding
+    return expands and not is_area and widget.isVisibleTo(panel)
+
+
+def _content_px(area: QAbstractScrollArea) -> int:
+    """Return the height at which an area needs not scroll up or down."""
+    bar = area.horizontalScrollBar()
+    beside = 2 * area.frameWidth() + (bar.sizeHint().height() if bar.isVisibleTo(area) else 0)
+    if isinstance(area, QTableView):
+        return area.horizontalHeader().height() + area.verticalHeader().length() + beside
+    inside = area.widget() if isinstance(area, QScrollArea) else None
+    if inside is None:
+        return 0
+    if inside.hasHeightForWidth():
+        return inside.heightForWidth(area.viewport().width()) + beside
+    return inside.sizeHint().height() + beside
 
 
 class Drawer(QSplitter):
@@ -174,6 +232,7 @@ class Drawer(QSplitter):
             self.setStretchFactor(place, stretch)
             self.setCollapsible(place, False)
         panels.opened.connect(self.fit)
+        panels.changed.connect(self._fit_content)
         self.splitterMoved.connect(self._dragged)
 
     def set_presenting(self, on: bool, *, alone: bool = False) -> None:
@@ -185,15 +244,25 @@ class Drawer(QSplitter):
         self._panels.notify()
 
     def fit(self) -> None:
-        """Give the open panel its share of the height, the same for all: panes must not jump."""
+        """Give the open panel the height of its content, at most its share of the window."""
         window_px, height = self.window().height(), sum(self.sizes())
         if self._is_for_class:
             self._panels.setMaximumHeight(_UNLIMITED_PX if self._is_alone else 0)
             self.setSizes([0, height] if self._is_alone else [height, 0])
             return
         self._panels.setMaximumHeight(int(LARGEST_SHARE * window_px))
-        wanted = int(self._share * window_px)
+        most = int(self._share * window_px)
+        self.setSizes([height - most, most])
+        QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
+        wanted = self._panels.wanted_px(most)
         self.setSizes([height - wanted, wanted])
+
+    def _fit_content(self) -> None:
+        """Fit the panel again if its content has grown, or shrunk a lot."""
+        now, most = self.sizes()[1], int(self._share * self.window().height())
+        kept = STEADY_LINES * self.fontMetrics().height()
+        if not self._is_for_class and not 0 <= now - self._panels.wanted_px(most) < kept:
+            self.fit()
 
     def _dragged(self) -> None:
         self._share = min(LARGEST_SHARE, self.sizes()[1] / self.window().height())

@@ -42,7 +42,7 @@ class SceneGuide(QObject):
         choose: Callable[[str], object],
     ) -> None:
         super().__init__(panel)
-        self._panel, self._controls = panel, controls
+        self._panel, self._panels, self._controls = panel, panels, controls
         self._manipulation, self._image, self._menus = manipulation, image, menus
         self._store, self._choose = store, choose
         self._needs_shader = False
@@ -78,6 +78,7 @@ class SceneGuide(QObject):
         mesh = Path(document.mesh).name
         self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
         self._panel.show_scene(title, phenomenon)
+        self._panels.offer(self._panel, phenomenon is not None)
         own = (phenomenon.controls, phenomenon.replaces) if phenomenon else ((),)
         self._controls.bring_to_front(*own)
 

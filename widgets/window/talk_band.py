@@ -33,6 +33,8 @@ from widgets.parts.plain import TextDocument
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
+GAP_SHARE = 0.0075
+"""Free between the title and the line, in heights of the screen: a fraction fills the line."""
 TITLES = (0.044, 0.04, 0.036, 0.0305)
 LINES = (0.036, 0.033, 0.0305)
 """Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
@@ -90,7 +92,7 @@ class TalkBand(QFrame):
     def set_screen(self, screen_px: float) -> None:
         """Take the height from that of the screen."""
         self._screen_px = screen_px
-        self.setFixedHeight(round((TOP_SHARE + TITLE_SHARE + LINE_SHARE) * screen_px))
+        self.setFixedHeight(round((TOP_SHARE + TITLE_SHARE + GAP_SHARE + LINE_SHARE) * screen_px))
 
     def show_step(self, step: Step, number: str) -> None:
         self._number, self._step = number, step.title
@@ -172,7 +174,7 @@ class TalkBand(QFrame):
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
         painter, room = QPainter(self), self._room
-        below = room.top() + TITLE_SHARE * self._screen_px
+        below = room.top() + (TITLE_SHARE + GAP_SHARE) * self._screen_px
         free = LINE_SHARE * self._screen_px - self._words.size().height()
         self._title.paint(painter, room.topLeft(), self.palette())
         corner = QPointF(room.left(), below + max(0.0, free / 3.0))

@@ -161,7 +161,7 @@ def _world_marks(projection: Projection, pair: StereoPair, eyes: Eyes, place: Ar
     each = zip(_NAMES, _IMAGES, _COLOURS, (eyes.left, eyes.right), strict=True)
     for name, image, colour, seen in each:
         eye, window = np.array(seen.camera.eye), section(seen, reach)
-        marks += [segment(eye, corner, colour, 0.75) for corner in window]
+        marks += [segment(eye, corner, colour, 0.5) for corner in window]
         marks += [plate(window, colour, 1.0, 0.05)] if pair.turn else []
         marks.append(named(name, eye, colour, 1.6, WORDS[name]))
         away = -float(seen.trace(place).view[2])
