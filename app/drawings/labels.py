@@ -76,7 +76,7 @@ class Board:
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
         self.spots: list[tuple[float, float]] = []
-        """All that is named: points, and the corners of planes."""
+        """All that is named: points, and the corners of planes; and the box of the objects."""
 
     @property
     def boxes(self) -> list[tuple[float, float, float, float]]:

@@ -296,3 +296,9 @@ def test_an_angle_is_written_in_degrees_if_the_view_asks_for_it(off_screen: Make
     drawing.show_names(frozenset({"angle"}))
     screen.pixels()
     assert "θ_h/2" in texts_of(screen)
+
+
+def test_a_question_knows_where_the_objects_are(off_screen: MakeScreen) -> None:
+    drawing = opened(off_screen(*PANE_PX))
+    corners = [(x, y) for x, y, _ in drawing.state.seen(drawing.state.objects)]
+    assert len(corners) == 8 and set(corners) <= set(drawing.board.spots)
