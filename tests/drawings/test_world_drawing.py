@@ -54,12 +54,13 @@ from tests.support.drawings import (
     to_bytes,
 )
 from tests.support.frustum import corners_world
+from tests.support.letter_f import AFAR, letter_f
 
 __all__ = ["off_screen"]
 
 Pixels = NDArray[np.uint8]
 CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])
-START = load("letter-f").start
+START = AFAR
 
 
 class View:
@@ -119,9 +120,9 @@ def make_view(plotter: Any) -> Iterator[MakeView]:
     def make(scene: Scene | str = "letter-f", *args: Any, **options: Any) -> View:
         if made:
             made.pop().drawing.remove()
-        made.append(
-            View(plotter, load(scene) if isinstance(scene, str) else scene, *args, **options)
-        )
+        if isinstance(scene, str):
+            scene = letter_f() if scene == "letter-f" else load(scene)
+        made.append(View(plotter, scene, *args, **options))
         return made[-1]
 
     with heard() as said:

@@ -348,6 +348,6 @@ PHENOMENON = Phenomenon(
     numbers=7,
     leading="ndc",
     names=("A", "B", "C", "1", "2"),
-    shot=Shot(55.0, 25.0),
+    shot=Shot(40.0, 32.0),
     pale=frozenset({"world", "ndc"}),
 )

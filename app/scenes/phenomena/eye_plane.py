@@ -528,7 +528,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
-    shot=Shot(-17.0, 62.0),
+    shot=Shot(12.0, 30.0),
     pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

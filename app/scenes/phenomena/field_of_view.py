@@ -282,6 +282,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("nearest", "farthest", "d"),
-    shot=Shot(-70.0, 65.0),
+    shot=Shot(-62.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -319,6 +319,6 @@ PHENOMENON = Phenomenon(
     controls=("lens.fov_y_deg",),
     own_mesh=True,
     names=("eye", "sharp-from", "in-focus", "sharp-to"),
-    shot=Shot(45.0, 35.0),
+    shot=Shot(-50.0, 30.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.parameter import CLOSE, Parameter
-from app.model.parameters import ALPHA, BETA
+from app.model.parameters import ALPHA, BETA, NEAR
 from app.model.projection import (
     Array,
     Camera,
@@ -238,7 +238,7 @@ PHENOMENON = Phenomenon(
     start=oblique(
         Projection(
             Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),
-            Orthographic(-2.1 * 16 / 9, 2.1 * 16 / 9, -2.1, 2.1, 5.0, 13.0, "y"),
+            Orthographic(-2.1 * 16 / 9, 2.1 * 16 / 9, -2.1, 2.1, 5.0, 9.5, "y"),
         ),
         1.0,
         45.0,
@@ -257,7 +257,7 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     implied=_implied,
     own_mesh=True,
-    names=_SCALE_NAMES,
-    shot=Shot(35.0, 40.0),
+    names=(*_SCALE_NAMES, NEAR.name, "x", "x'"),
+    shot=Shot(-52.0, 24.0),
     leaves_out=frozenset({"near-picture"}),
 )
