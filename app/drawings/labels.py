@@ -92,6 +92,12 @@ class Board:
         boxes += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
         return boxes
 
+    def name_at(self, x_px: float, y_px: float) -> str:
+        """What the label at a pixel, from the left and the bottom, is the name of."""
+        keys = (key for key, (label, _) in self._labels.items() if label.covers(x_px, y_px))
+        key = next(keys, "")
+        return str(key[1]) if isinstance(key, tuple) else str(key)
+
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:

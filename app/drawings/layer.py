@@ -37,6 +37,7 @@ from app.model.projection import Array, Projection
 from app.picking.picking import Probe
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
 NO_POINTS = np.empty((0, 3))
@@ -95,6 +96,20 @@ class PaneState:
     def marked(self) -> Illustration | None:
         """The illustration, if its marks are shown."""
         return self.illustration
+
+    @property
+    def grips(self) -> dict[str, Grip]:
+        """The scene's settings that can be dragged in this pane, by name."""
+        if self.marked is None:
+            return {}
+        drawn = {dot.name for dot in getattr(self.marked, self.pane).dots}
+        grips = [g for g in self.marked.grips if self.pane == "world" or g.name in drawn]
+        return {grip.setting: grip for grip in grips}
+
+    @property
+    def corner_px(self) -> tuple[int, int]:
+        """Where the renderer begins in the pane, from its top left."""
+        return 0, 0
 
     @property
     def seen_projection(self) -> Projection:

@@ -327,6 +327,16 @@ def pick_in(
     return hit._replace(point=(x, y, z))
 
 
+def order_at(
+    scene: Scene, projection: Projection, sight: Sight, pixel: tuple[float, float]
+) -> float:
+    """The order of the foremost face at a pixel; infinity beside them all."""
+    sort_ahead(scene)
+    placed = sight.of_object(projection, scene.origin)
+    hit = _sorted[scene][0].result().pick(placed, pixel, 0.0)
+    return math.inf if hit is None else hit.order
+
+
 def _lines_of(scene: Scene) -> Lines:
     lines = scene.lines
     ends = np.empty((0, 2, 3)) if lines is None else lines.points[lines.lines.reshape(-1, 3)[:, 1:]]

@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import CLOSE, Parameter
 from app.model.projection import (
     Array,
@@ -29,7 +30,7 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Marks, Polyline, Text
+from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
@@ -206,6 +207,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             at_squares.append(Text(name, square[corner], colour, text=WORDS[name]))
     texts += at_squares
     ends = np.array([camera.eye, camera.target])
+    # The grip is in the middle of d: at its end is the eye's.
+    middle, factor = ends.mean(axis=0), _implied(projection, settings)["distance"]
+    along = (middle - camera.target) / factor
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
     places = [text.point for text in texts]
@@ -227,6 +231,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         image=Marks.of(
             *seen_lines(projection, segments_clip, colours, 1.5), *seen_texts(trace, texts)
         ),
+        grips=(Grip("distance", middle, camera.target, vector(along), "d", face=ends),),
     )
 
 
