@@ -37,7 +37,7 @@ from app.scenes.phenomena.marks import (
     plate,
     segment,
 )
-from app.scenes.phenomena.picture import section
+from app.scenes.phenomena.picture import grip_of_plane, section
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
@@ -103,7 +103,6 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(across or 0.0))]
     turn = math.atan2(half, distance) if settings["cameras"] == "toed-in" else 0.0
     eye, u = projection.camera.eye, projection.camera.frame[0]
-    along = screen[:2].mean(axis=0) - eye
     return Illustration(
         (
             Reading.or_why(WORDS["across"], across, "px", behind),
@@ -117,9 +116,9 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         rendering=Rendering(eyes=eyes),
         warning=WORDS.phrase("before-near") if distance < projection.lens.near else None,
         grips=(
-            Grip("point", place),
-            Grip("screen", eye + along, eye, vector(along / distance)),
-            Grip("separation", eye + half * u, eye, vector(u / 2.0)),
+            Grip("point", place, name="P"),
+            grip_of_plane(projection, "screen", distance, distance, "screen", "accent"),
+            Grip("separation", eye + half * u, eye, vector(u / 2.0), "right-eye", "n"),
         ),
     )
 
