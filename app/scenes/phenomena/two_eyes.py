@@ -39,7 +39,7 @@ from app.scenes.phenomena.marks import (
     plate,
     segment,
 )  # fmt: skip
-from app.scenes.phenomena.picture import section
+from app.scenes.phenomena.picture import grip_of_plane, section
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
@@ -131,7 +131,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     across, down = apart[0].tolist() if np.isfinite(apart[0]).all() else (None, None)
     corners = np.abs(apart[1:, 1][np.isfinite(apart[1:, 1])])
     where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(round(across or 0.0, 6)))]
-    u, along = projection.camera.frame[0], screen[:2].mean(axis=0) - eye
+    u = projection.camera.frame[0]
     return Illustration(
         (
             Reading.or_why(WORDS["across"], across, "px", behind),
@@ -145,8 +145,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         rendering=Rendering(eyes=eyes),
         warning=WORDS.phrase("before-near") if pair.screen < projection.lens.near else None,
         grips=(
-            Grip("point", place),
-            Grip("screen", eye + along, eye, vector(along / pair.screen)),
+            Grip("point", place, name="P"),
+            grip_of_plane(projection, "screen", pair.screen, pair.screen, "screen", "accent"),
             Grip("separation", eye + pair.half * u, eye, vector(u / 2.0)),
         ),
     )
