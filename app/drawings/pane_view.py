@@ -205,6 +205,7 @@ class Pose(NamedTuple):
         return Pose(focus, axes, half, half / slope if slope else distance, slope)
 
 
+_LEAST_PART = 1e-12  # of the focus' coordinates, for the distance to it
 _FLATTEST = 0.01
 """Slope of a camera that is hardly different from a parallel one."""
 
@@ -262,8 +263,14 @@ class PaneCamera:
         return Pose(focus, axes_of(camera), half or slope * distance, distance, slope)
 
     def begin_glide(self, start: Pose) -> None:
-        """Keep the present place as the goal of a way that begins at another pose."""
-        self._glide_from = start
+        """Keep the present place as the goal of a way that begins at another pose.
+
+        From a place so far away that rounding would put the eye on the focus, there is no way.
+        """
+        poses = (start, self.pose)
+        farthest = max(float(np.abs(pose.focus).max()) for pose in poses)
+        is_lost = min(pose.distance for pose in poses) < _LEAST_PART * farthest
+        self._glide_from = self.pose if is_lost else start
         self.is_turned = self.was_moved
         self.keep_goal()
 

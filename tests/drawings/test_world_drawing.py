@@ -1078,3 +1078,16 @@ def test_lengths_that_were_never_wanted_are_no_ink(make_view: MakeView) -> None:
     lengths.ink(ground)
     lengths.want(ground)
     lengths.ink(ground)
+
+
+@pytest.mark.parametrize("distance", [1e17, 1e40, 1e150])
+def test_there_is_no_way_from_where_rounding_puts_the_eye_on_the_focus(
+    make_view: MakeView, distance: float
+) -> None:
+    drawing = make_view().drawing
+    goal = drawing.own.pose
+    drawing.begin_glide(goal._replace(focus=distance * np.array([1.0, 0.3, 0.1])))
+    for part in (0.0, 0.5, 0.999, 1.0):
+        drawing.glide(part)
+        assert np.isfinite(drawing.own.pane.axes).all()
+    assert drawing.own.pose.is_near(goal)
