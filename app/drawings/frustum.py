@@ -327,6 +327,9 @@ class FrustumDrawing(Layer):
         corners, own = self._state.corners_seen, self._state.own
         if corners is not None:
             edges = own.pane.spots(corners[_EDGES])
+            if self.apex.GetVisibility():
+                eyes = np.broadcast_to(self._state.standing.eye, (4, 3))
+                ground.ink_lines(own.pane.spots(np.stack([eyes, corners[:4]], axis=1)))
             # In a flat view a plane is one upright line: letters keep a square away from it.
             aside = SQUARE_EM * self._state.em if own.fixed in ("side", "top") else 0.0
             for shift in {-aside, 0.0, aside}:
