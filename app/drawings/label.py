@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 import weakref
 from functools import lru_cache
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,13 @@ from app.lecture.typesetting import line_of, piece_of
 
 Pixels = NDArray[np.uint8]
 
+Tile: TypeAlias = tuple[Pixels, Pixels, int, int]
+"""The coverage of a piece's letters and of their halo, from the top; how far its first column is
+from the pixel where it begins, and its first row above the line."""
+
+TILES: dict[str, Tile] = {}
+"""The tiles that have been drawn, at most `MOST_TILES`."""
+MOST_TILES = 300
 HALO_EM = 0.14
 HALO_OPACITY = 0.8
 """The tint of a plane shows through."""
@@ -76,14 +83,16 @@ def drawn(
 
 
 @lru_cache(maxsize=2048)
-def _tile(
-    piece: str, is_tex: bool, em: float, halo_px: float, shift: int
-) -> tuple[Pixels, Pixels, int, int]:
-    """Draw a piece that begins `shift` parts of a pixel to the right of a whole one.
+def _tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Tile:
+    """Draw a piece that begins `shift` parts of a pixel to the right of a whole one."""
+    key = f"{em!r} {halo_px!r} {shift} {int(is_tex)} {piece}"
+    made = TILES[key] if key in TILES else _drawn_tile(piece, is_tex, em, halo_px, shift)
+    if len(TILES) < MOST_TILES:
+        TILES[key] = made
+    return made
 
-    Returns the coverage of the letters and of their halo, from the top, how far its first column
-    is from that pixel, and its first row above the line.
-    """
+
+def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Tile:
     from matplotlib.backends.backend_agg import RendererAgg
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D

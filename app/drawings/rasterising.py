@@ -479,8 +479,9 @@ def counted_wrong_share(
         true = DepthBuffer("float32", "reversed", buffer.lens)
         rasteriser.show(Rendering(buffer=true), seen)
         reach = max(math.dist(corner, projection.camera.eye) for corner in scene.corners.tolist())
-    apart, gap = behind.copy(), float(np.linalg.norm(behind[:3, 3]))
-    apart[:3, 3] *= max(1.0, FINEST * reach / gap)
+    apart, away = behind.copy(), -projection.camera.frame[2]
+    gap = float(behind[:3, 3] @ away)
+    apart[:3, 3] += (max(1.0, FINEST * reach / gap) - 1.0) * gap * away
     apart = back @ apart @ shift
     if even:
         clip_from_local = _over_the_scene(clip_from_local, scene.corners - origin, apart)

@@ -14,7 +14,7 @@ import logging
 import pathlib
 import re
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache, lru_cache
 from typing import Any, NamedTuple
 
@@ -35,6 +35,9 @@ AMONG_WORDS = 1.12
 WIDEST = 400
 """Largest width of a formula, in em."""
 _EM = 100.0
+SET: dict[str, Outline] = {}
+"""What has been set: formulas by their TeX, words behind a line feed. At most `MOST_SET`."""
+MOST_SET = 400
 _ONE_READER = threading.RLock()
 """matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _LOWERED = re.compile("[₀-₉]+")
@@ -102,7 +105,14 @@ def outline(tex: str) -> Outline:
         if depth > DEEPEST:
             raise ValueError(f"has more than {DEEPEST} levels of braces")
     with _ONE_READER:
-        return _read(tex)
+        return _set_once(tex, lambda: _read(tex))
+
+
+def _set_once(key: str, make: Callable[[], Outline]) -> Outline:
+    made = SET[key] if key in SET else make()
+    if len(SET) < MOST_SET:
+        SET[key] = made
+    return made
 
 
 def _read(tex: str) -> Outline:
@@ -240,8 +250,10 @@ def is_set_in_words(piece: str) -> bool:
 
 @lru_cache(maxsize=1024)
 def piece_of(text: str, is_tex: bool) -> Outline:
-    if is_tex:
-        return outline(text)
+    return outline(text) if is_tex else _set_once(f"\n{text}", lambda: _words(text))
+
+
+def _words(text: str) -> Outline:
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextToPath
 

@@ -37,8 +37,12 @@ Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
 NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
-OF_POSTS: dict[str, Any] = {"shot": Shot(57.0, 25.0), "cube_side": (75.0, 10.0)}
-"""The cube of the posts is seen nearly from the side, along which they crowd."""
+SHOWN: dict[str, dict[str, Any]] = {
+    "cube": {"shot": Shot(-75.0, 30.0, "camera")},
+    # The numbers are on the fronts; in the cube the posts crowd along its depth.
+    "posts": {"shot": Shot(-38.0, 28.0, "camera"), "cube_side": (75.0, 10.0)},
+}
+"""How the panes show a scene that differs from the letter F."""
 WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
 """The title of each scene, and what to try there."""
 WORDS_OF_A_MESH = PhenomenonWords("own-mesh")
@@ -52,7 +56,7 @@ def _letter_f() -> Parts:
 def _cube() -> Parts:
     """A unit cube standing on the ground, with the world's axes coming out of it."""
     faces = box_faces((-0.5, 0.0, -0.5), (0.5, 1.0, 0.5))
-    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([1.5, 2.0, 1.5]).tolist()])
+    axes = np.array([[(0.0, 0.0, 0.0), end] for end in np.diag([0.9, 1.3, 0.9]).tolist()])
     return (
         (faces, SIDE_RGB.copy()),
         joined(
@@ -61,13 +65,13 @@ def _cube() -> Parts:
             (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, visible on a light background
         ),
         Projection(
-            Camera((2.4, 2.0, 3.2), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=45.0, near=1.6, far=7.0),
+            Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)),
+            Perspective(fov_y_deg=38.0, near=1.8, far=3.5),
         ),
     )
 
 
-_POSTS = 20
+_POSTS = 6
 _POST_SPACING = 6.0
 
 
@@ -87,13 +91,13 @@ def _posts() -> Parts:
         quads += [(post, wood), (plate, plate_rgb), (digits, flat(EDGE_RGB, len(digits)))]
         outline = edges_of(plate)[0]  # grey: far away little but the outline is visible
         lines.append((outline, flat(OUTLINE_RGB, len(outline))))
-    ground = ground_grid((-10.0, -126.0), (10.0, 12.0), (2.0, 6.0), 0.0)
+    ground = ground_grid((-6.0, -36.0), (6.0, 12.0), (2.0, 6.0), 0.0)
     return (
         joined(*quads),
         joined(ground, *lines),
         Projection(
-            Camera((6.0, 5.0, 9.0), (1.0, 1.8, -8.0)),
-            Perspective(fov_y_deg=45.0, near=9.0, far=130.0),
+            Camera((3.0, 2.6, 10.0), (0.2, 1.2, -10.0)),
+            Perspective(fov_y_deg=26.0, near=9.0, far=41.0),
         ),
     )
 

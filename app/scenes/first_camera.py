@@ -13,13 +13,13 @@ from app.scenes.shapes import box_corners
 
 FRAMED_FROM = (0.6, 0.45, 0.9)
 """Direction from a box to the eye of `frame_camera`; any length."""
+_FOV_DEG = 38.0
 
 
 def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     """Place a camera so that a box (world bounds, not a point) is in view with room around it.
 
-    The near plane is just in front of the box; the far plane leaves room for the ground grid that
-    `load` puts under a mesh.
+    Near and far are close round the box, so that the whole frustum can be seen beside it.
     """
     size = math.dist(lower, upper)
     # Rounded to a thousandth of the size, for the number fields.
@@ -28,9 +28,8 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     toward_eye = vector(np.array(FRAMED_FROM) / math.hypot(*FRAMED_FROM))
     u, v, n = Camera(toward_eye, (0.0, 0.0, 0.0)).frame
 
-    lens = Perspective()
     aspect = Projection().aspect
-    tan_y = math.tan(math.radians(lens.fov_y_deg / 2.0))
+    tan_y = math.tan(math.radians(_FOV_DEG / 2.0))
     margin = 0.8  # of the half picture that the box may fill
     corners = box_corners(lower, upper) - target
     radius = float(np.linalg.norm(corners / size, axis=1).max()) * size
@@ -42,8 +41,8 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     )
     camera = Camera(eye, target)
     near = _two_digits(camera.distance - 1.05 * radius, math.floor)
-    far = _two_digits(camera.distance + 2.6 * radius, math.ceil)
-    return Projection(camera, Perspective(lens.fov_y_deg, near, far))
+    far = _two_digits(camera.distance + 1.05 * radius, math.ceil)
+    return Projection(camera, Perspective(_FOV_DEG, near, far))
 
 
 def centre_of(lower: Sequence[float], upper: Sequence[float]) -> Vector:

@@ -35,7 +35,7 @@ from app.model.projection import (
     Vector,
 )
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.built_in import BUILDERS, NAMES, OF_POSTS, WORDS, WORDS_OF_A_MESH
+from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
@@ -381,7 +381,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     if name_or_path in BUILDERS:
-        shown = OF_POSTS if name_or_path == "posts" else {}
+        shown = SHOWN.get(name_or_path, {})
         return _built_in(name_or_path, *BUILDERS[name_or_path](), **shown)
     path = Path(name_or_path)
     is_file_name = path.name != name_or_path or path.suffix != ""

@@ -194,7 +194,7 @@ def letter_f() -> Coloured:
 
 
 LETTER_F = Projection(
-    Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=45.0, near=4.0, far=18.0)
+    Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=38.0, near=5.0, far=12.5)
 )
 """The first projection of the letter F, and of the program."""
 

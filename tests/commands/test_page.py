@@ -43,7 +43,7 @@ def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_pat
     assert re.findall("https?:|url\\(|@import|src=", text) == []
     states = list(slots_of(text))
     assert [slots[4] for slots in states] == ["near n = 2", "near n = 3", "near n = 4"]
-    assert all(f"near {near}, far 18." in states[k][5] for k, near in enumerate("234"))
+    assert all(f"near {near}, far 12.5." in states[k][5] for k, near in enumerate("234"))
     alone = tmp_path / "alone.svg"
     of_one = ("--set=lens.near=4", "--panes=ndc", *sweep[2:5])
     assert run_here("export", alone, *of_one).returncode == 0

@@ -199,7 +199,7 @@ def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_pa
         (frame,), (figure,) = frames_of(tmp_path / f"{number}.png"), frames_of(alone)
         assert (frame == figure).all(axis=2).mean() > 0.98, "the view of the world is rounded"
     middle = read(tmp_path / "1.png")
-    assert middle.projection.lens.near == pytest.approx(2.0)  # of 4 and 1, as in the window
+    assert middle.projection.lens.near == pytest.approx(5.0**0.5)  # of 5 and 1, as in the window
     assert middle.view.stage == pytest.approx(2.5)
     assert set(middle.view.panes) == {"world"}, "which goes from one view to the other"
     for step, words in (

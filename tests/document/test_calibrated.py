@@ -40,7 +40,7 @@ def test_k_is_set_as_opencv_writes_it() -> None:
     assert p[1, 1] == pytest.approx(2 * 905.1 / 720, rel=1e-14)
     assert p[0, 2] == pytest.approx(1 - 2 * 633.7 / 1280, abs=1e-14)
     assert p[1, 2] == pytest.approx(2 * 372.4 / 720 - 1, abs=1e-14)
-    assert (projection.lens.near, projection.lens.far) == (4.0, 18.0)
+    assert (projection.lens.near, projection.lens.far) == (5.0, 12.5)
     # Nothing else changes, and near may be set at the same time.
     near = set_to(*IMAGE, *K, "lens.near=1", "camera.eye=1,2,3")
     assert near.intrinsics == pytest.approx(projection.intrinsics, rel=1e-13)

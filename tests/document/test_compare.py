@@ -112,7 +112,7 @@ def test_a_document_opens_even_if_it_cannot_have_a_compared_picture_now() -> Non
     document = set_values(of("letter-f"), ["view.compare=lens.near=6"])
     nearer = replace(
         document,
-        projection=replace(document.projection, lens=document.projection.lens.replaced(far=5.0)),
+        projection=replace(document.projection, lens=document.projection.lens.replaced(far=5.5)),
     )
     again = parse(to_json(nearer))
     with pytest.raises(Refusal, match=r"lens.near = 6"):
@@ -189,15 +189,15 @@ def names(document: Document) -> list[str]:
 @pytest.mark.parametrize(
     ("scene", "compared_with", "expected"),
     [
-        ("letter-f", "lens.near=8", ["near 8", "near 4"]),
+        ("letter-f", "lens.near=8", ["near 8", "near 5"]),
         ("letter-f", "camera.eye=1,1,9;lens.fov_y_deg=95", ["field of view 95°",
-                                                           "field of view 45°"]),
-        ("letter-f", "lens.near=8|lens.near=8;lens.far=40", ["near 8, far 18", "near 8, far 40",
-                                                            "near 4, far 18"]),
+                                                           "field of view 38°"]),
+        ("letter-f", "lens.near=8|lens.near=8;lens.far=40", ["near 8, far 12.5", "near 8, far 40",
+                                                            "near 5, far 12.5"]),
         ("letter-f", "lens.kind=orthographic", ["orthographic", "perspective"]),
         ("letter-f", "image.width=720", ["720 × 720", "1280 × 720"]),
-        ("letter-f", "lens.near=4", ["", ""]),
-        ("letter-f", "lens.near=4.0000001", ["near 4.0000001", "near 4"]),
+        ("letter-f", "lens.near=5", ["", ""]),
+        ("letter-f", "lens.near=5.0000001", ["near 5.0000001", "near 5"]),
         ("field-of-view", "settings.preset=eye|settings.preset=monitor",
          ["Human eye: 120° across", "Monitor: 30° across", "Photograph: 29 mm at 30 cm"]),
         ("field-of-view", "eye 120°: settings.preset=eye|settings.preset=monitor",
@@ -212,14 +212,14 @@ def test_a_picture_is_called_what_differs(
 
 
 def test_an_author_names_pictures_and_says_which_is_the_documents_own() -> None:
-    text = "wide: lens.fov_y_deg=60|d: lens.fov_y_deg=45|near 8: lens.near=8"
+    text = "wide: lens.fov_y_deg=60|d: lens.fov_y_deg=38|near 8: lens.near=8"
     document = set_values(of("letter-f"), [f"view.compare={text}"])
     assert [picture.live for picture in document.view.compare] == [False, True, False]
     assert names(document) == ["wide", "d", "near 8"]
     assert "|".join(map(picture_text, document.view.compare)) == text
     assert parse(to_json(document)).view == document.view
     turned = set_values(document, ["lens.fov_y_deg=30"])
-    assert names(turned) == ["wide", "field of view 30°, near 4", "near 8"], "it is no longer d"
+    assert names(turned) == ["wide", "field of view 30°, near 5", "near 8"], "it is no longer d"
 
 
 # -- in what they differ
@@ -232,8 +232,8 @@ def test_only_what_differs_is_found() -> None:
     )
     assert differences([Held(start), Held(start)]) == []
     assert differences([Held(start), Held(other), Held(start)]) == [
-        ("lens.fov_y_deg", (45.0, 60.0, 45.0)),
-        ("lens.near", (4.0, 8.0, 4.0)),
+        ("lens.fov_y_deg", (38.0, 60.0, 38.0)),
+        ("lens.near", (5.0, 8.0, 5.0)),
         ("image", ((1280, 720), (720, 720), (1280, 720))),
     ]
 

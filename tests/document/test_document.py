@@ -62,8 +62,8 @@ from tests.support.phenomenon import EVERYTHING, called, make_known
 
 DESIGN = """
 {"format": "frustum-lab", "version": 2, "scene": "letter-f",
- "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
- "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 1, "far": 30},
+ "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
+ "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 1, "far": 30},
  "depth": "opengl", "image": {"width": 1280, "height": 720}}
 """
 WRITTEN = """\
@@ -71,8 +71,8 @@ WRITTEN = """\
   "format": "frustum-lab",
   "version": 2,
   "scene": "letter-f",
-  "camera": {"eye": [6, 5, 9], "target": [0, 2.2, 0], "up": [0, 1, 0]},
-  "lens": {"kind": "perspective", "fov_y_deg": 45, "near": 4, "far": 18},
+  "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
+  "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 5, "far": 12.5},
   "depth": "opengl",
   "image": {"width": 1280, "height": 720}
 }
@@ -114,12 +114,12 @@ def test_the_format_is_that_of_the_design() -> None:
     assert document.scene == "letter-f"
     assert document.extra == {}
     assert document.projection == Projection(
-        Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
-        Perspective(45.0, 1.0, 30.0),
+        Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0), (0.0, 1.0, 0.0)),
+        Perspective(38.0, 1.0, 30.0),
         (1280, 720),
         "opengl",
     )
-    assert to_json(document) == WRITTEN.replace('4, "far": 18', '1, "far": 30')
+    assert to_json(document) == WRITTEN.replace('5, "far": 12.5', '1, "far": 30')
 
 
 def test_an_orthographic_lens_writes_keep_and_may_leave_it_out() -> None:
@@ -281,7 +281,7 @@ BAD_VALUES: list[tuple[str, object, str]] = [
     ("camera.eye", [1, 2], f"[1, 2]: {PLACE}"),
     ("camera.eye", "6,5,9", f"'6,5,9': {PLACE}"),
     ("camera.eye", [6, None, 9], f"[6, null, 9]: {PLACE}"),
-    ("camera.up", [12, 5.6, 18], "[12, 5.6, 18]: must not be parallel to the view direction"),
+    ("camera.up", [10, 4.6, 16], "[10, 4.6, 16]: must not be parallel to the view direction"),
     ("image.width", 0, f"0: {PIXELS}"),
     ("image.height", "720", f"'720': {PIXELS}"),
     ("depth", "vulkan", f"'vulkan': {RANGES}"),
@@ -332,7 +332,7 @@ BAD_TEXTS = [
     ('"far": 30', '"far": -1e400', f"lens.far = -1e400: {FINITE} or inf."),
     ('"far": 30', '"far": 30, "far": 31', "lens.far is given twice."),
     ('"depth"', '"far": Infinity, "depth"', f"far = Infinity: {FINITE}."),
-    ("[6, 5, 9]", "[6, -Infinity, 9]", f"camera.eye[1] = -Infinity: {FINITE}."),
+    ("[5, 4.5, 8]", "[5, -Infinity, 8]", f"camera.eye[1] = -Infinity: {FINITE}."),
     ('"near": 1', '"near": 1' + "0" * 100_000, ZEROS),
     ('"depth"', '"note": {"a": [NaN]}, "depth"', f"note.a[0] = NaN: {FINITE}."),
     ('"depth"', '"depth": "opengl", "depth"', "depth is given twice."),
@@ -623,7 +623,7 @@ def test_a_file_that_is_no_document_is_refused_by_its_name(
         "empty.json": (b"", " is empty."),
         "two\nlines.json": (b"", " is empty."),
         "cut.json": (WRITTEN.encode()[:100], " is broken or cut short: the text from line 5,"
-                     " column 32 on is not JSON."),
+                     " column 33 on is not JSON."),
         "photo.json": (b"\xff\xd8\xff\xe0\0\x10JFIF", f" {no_text}"),
         "photo.jpg": (b"\xff\xd8\xff\xe0\0\x10JFIF", " is neither a document (.json), a lesson"
                       f" (.md), an exported picture (.png), a mesh ({meshes}) nor a camera file"

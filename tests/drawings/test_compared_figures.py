@@ -98,7 +98,7 @@ def test_what_differs_is_written_below_pictures_side_by_side() -> None:
     # The same words, whatever is above them: letters of 12 pixels, a line high.
     assert (first[-18:] == second[-18:]).all() and 8 <= written_rows(first) <= 12
     start = load("letter-f").start
-    nothing = set_values(Document("letter-f", start), ["view.compare=lens.near=4"])
+    nothing = set_values(Document("letter-f", start), ["view.compare=lens.near=5"])
     one = set_values(Document("letter-f", start), ["view.compare=lens.near=6"])
     two = set_values(Document("letter-f", start), ["view.compare=lens.near=6;lens.fov_y_deg=30"])
     figures = (figure(each, size=(800, 300))[-18:] for each in (nothing, one, two))
@@ -130,7 +130,7 @@ def test_in_what_pictures_differ_in_words() -> None:
     plain = DifferenceWriter(lambda name: TITLES[name], str, written_figure)
     unnamed = [replace(picture, changes=()) for picture in document.view.compare]
     assert in_words(unnamed, states, (), plain) == [
-        "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 45°", "near 6 → 4",
+        "up (0, 2, 1) → (0, 1, 0)", "field of view 30° → 38°", "near 6 → 5",
     ]  # fmt: skip
 
 
@@ -138,9 +138,9 @@ def test_a_picture_that_there_is_not_is_refused_in_one_sentence() -> None:
     document = set_values(
         Document("letter-f", load("letter-f").start), ["view.compare=lens.near=6"]
     )
-    lens = document.projection.lens.replaced(far=5.0)
+    lens = document.projection.lens.replaced(far=5.5)
     document = replace(document, projection=replace(document.projection, lens=lens))
-    with pytest.raises(Refusal, match=r"^lens.near = 6: must be less than far, which is 5\.$"):
+    with pytest.raises(Refusal, match=r"^lens.near = 6: must be less than far, which is 5.5\.$"):
         figure(document)
 
 
@@ -213,7 +213,7 @@ def worlds(*slide: str) -> Document:
     return set_values(
         Document("letter-f", scene.start),
         [f"view.slide={','.join(slide)}", "view.names=near", "view.fixed=side",
-         "view.compare=near 4: lens.near=4|near 6: lens.near=6"],
+         "view.compare=near 5: lens.near=5|near 6: lens.near=6"],
     )  # fmt: skip
 
 

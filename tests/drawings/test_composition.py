@@ -31,7 +31,7 @@ def kinds(found: ComposedPicture, screen_px: int | None = None) -> list[str]:
 
 def test_the_labels_of_a_picture_are_those_that_its_view_names() -> None:
     found = picture("world", "view.names=eye,near")
-    assert sorted(each.text for each in found.labels) == ["eye", "near n = 4"]
+    assert sorted(each.text for each in found.labels) == ["eye", "near n = 5"]
     assert all(0.0 <= each.left < each.right <= SIZE[0] for each in found.labels)
     assert all(0.0 <= each.low < each.high <= SIZE[1] for each in found.labels)
     assert kinds(picture("world", "view.layers=labels")) == kinds(picture("world", "view.names="))
@@ -93,7 +93,7 @@ def test_overlaps_cuts_and_underscores_are_found() -> None:
 
 def test_a_name_without_a_place_is_hidden() -> None:
     found = picture("world", "view.names=eye,near", em=70.0)
-    assert "near n = 4" in found.left_out and "eye" not in found.left_out
+    assert "near n = 5" in found.left_out and "eye" not in found.left_out
     assert [each.text for each in found.labels] == ["eye"]
     assert "hidden" in kinds(found)
     assert not picture("world", "view.names=eye,near").left_out
@@ -137,7 +137,7 @@ def test_the_points_of_labels_are_where_the_picture_shows_them() -> None:
 
 def test_the_named_planes_of_a_flat_view_fill_it() -> None:
     values = "view.fixed=side", "lens.fov_y_deg=90", "lens.far=60", "view.names=eye,near,far"
-    assert max(picture("world", *values).fill) > 0.8
+    assert max(picture("world", *values).fill) > 0.75
 
 
 @pytest.mark.parametrize(("em", "is_fault"), [(20.0, True), (36.7, False), (50.0, True)])

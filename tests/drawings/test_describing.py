@@ -20,10 +20,10 @@ def test_the_letter_f_in_words() -> None:
     found = told("view.probes=1,2,3,0,0,100", "lens.far=inf")
     assert found.title == "Letter F"
     assert found.general == (
-        "The eye is at (6, 5, 9) and looks at (0, 2.2, 0).",
-        "Lens: perspective, near 4, far ∞.",
-        "The vertical field of view is 45°.",
-        "Point 1 at (1, 2, 3) has its picture at the pixel (552.6, 460.7).",
+        "The eye is at (5, 4.5, 8) and looks at (0, 2.2, 0).",
+        "Lens: perspective, near 5, far ∞.",
+        "The vertical field of view is 38°.",
+        "Point 1 at (1, 2, 3) has its picture at the pixel (525.4, 502.4).",
         "Point 2 has no picture.",
     )
     assert found.panes == {
@@ -38,8 +38,8 @@ def test_the_letter_f_in_words() -> None:
 @pytest.mark.parametrize(
     ("values", "expected"),
     [
-        (["lens.near=17.9999999"], "near 17.9999999, far 18."),
-        (["lens.far=4.00001"], "near 4, far 4.00001."),
+        (["lens.near=12.4999999"], "near 12.4999999, far 12.5."),
+        (["lens.far=5.00001"], "near 5, far 5.00001."),
         (["lens.near=3.9999", "lens.far=18.00001"], "near 4, far 18."),
         (["lens.fov_y_deg=179.99999"], "field of view is 179.99999°."),
         (["lens.fov_y_deg=1e-9"], "field of view is 1e−09°."),

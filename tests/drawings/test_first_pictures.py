@@ -143,7 +143,7 @@ def test_what_is_drawn_fills_a_pane_of_any_shape(
     width, height = drawn_px(off_screen(*size_px), name)
     under_title = size_px[1] - TITLE_EM * LIGHT.font_size
     assert max(width / size_px[0], height / under_title) >= 0.8
-    if name not in ("focus", "far-plane-popping"):  # long rows, seen from the side
+    if name not in ("focus", "far-plane-popping", "similar-triangles"):  # long, from the side
         assert min(width / size_px[0], height / under_title) >= 0.35
 
 
@@ -195,11 +195,11 @@ def test_what_a_scene_is_held_at_is_not_beyond_a_break(off_screen: MakeScreen) -
         assert any(edge.GetVisibility() for _, edge in drawing.frustum.breaks["far"]) == is_broken
 
 
-@pytest.mark.parametrize(("far", "is_broken"), [(18.0, False), (20.0, True), (math.inf, True)])
+@pytest.mark.parametrize(("far", "is_broken"), [(17.0, False), (17.3, True), (math.inf, True)])
 def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     off_screen: MakeScreen, far: float, is_broken: bool
 ) -> None:
-    """The letter's deepest corner is 12.93 from the eye plane: 1.5 times that is 19.4."""
+    """The letter's deepest corner is 11.42 from the eye plane: 1.5 times that is 17.1."""
     scene = load("letter-f")
     drawing = opened(off_screen(*LARGE), "letter-f")
     drawing.show_projection(replace(scene.start, lens=scene.start.lens.replaced(far=far)))

@@ -39,11 +39,12 @@ from tests.support.drawings import (
     texts_of,
     to_bytes,
 )
+from tests.support.letter_f import AFAR
 
 __all__ = ["off_screen"]
 
 SIZE_PX = 580, 640
-START = load("letter-f").start
+START = AFAR
 
 
 def with_lens(**values: Any) -> Projection:

@@ -152,7 +152,7 @@ def test_a_figure_has_its_labels_as_text_and_is_small() -> None:
     tree = ElementTree.fromstring(text)
     written = ["".join(each.itertext()) for each in tree.iter("{http://www.w3.org/2000/svg}text")]
     labels = [shape.written.text for shape in found if isinstance(shape, TextShape)]
-    assert len(labels) >= 6 and "near n = 4" in labels
+    assert len(labels) >= 6 and "near n = 5" in labels
     assert [each.replace("\u200b", "") for each in written] == labels
     assert tree.get("width") == "162.56mm" and tree.get("viewBox") == "0 0 1920 640"
 

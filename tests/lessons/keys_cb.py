@@ -122,11 +122,11 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # Talk 004: v = n x u; eye (0, 9, 3), target 0, V (0, 1, 0): v_y = 3/sqrt(90). TEACHING up-v.
     ("talk-004", "frame/up", "1"): lambda: mpf(1),
     ("talk-004", "frame/up", "2"): lambda: 3 / sqrt(mpf(9 * 9 + 3 * 3)),
-    # 004: (R P)[2][3] = -n.T_0; T_0 = (6, 5, 9), N = (6, 2.8, 9). TEACHING order, inverse.
+    # 004: (R P)[2][3] = -n.T_0; T_0 = (5, 4.5, 8), N = (5, 2.3, 8). TEACHING order, inverse.
     ("talk-004", "product/last", "1"): lambda: (
-        -(6 * mpf(6) + 5 * mpf("2.8") + 9 * mpf(9)) / sqrt(36 + mpf("2.8") ** 2 + 81)
+        -(5 * mpf(5) + mpf("4.5") * mpf("2.3") + 8 * mpf(8)) / sqrt(25 + mpf("2.3") ** 2 + 64)
     ),
-    ("talk-004", "product/last", "2"): lambda: mpf(-9),
-    ("talk-004", "product/last", "3"): lambda: mpf(9),
+    ("talk-004", "product/last", "2"): lambda: mpf(-8),
+    ("talk-004", "product/last", "3"): lambda: mpf(8),
 }
 """By file, step and block, and the right answer, the idea or the choice's number."""

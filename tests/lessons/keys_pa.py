@@ -163,6 +163,11 @@ def _row_of_depth(n: mpf, f: mpf) -> tuple[mpf, mpf]:
     return a, b
 
 
+def _on_screen(eye: mpf, D: mpf, w: mpf) -> mpf:
+    """x in the screen plane of the ray from an eye at this x to a point at x = 1 and depth w."""
+    return eye + (1 - eye) * (D / w)
+
+
 def _window_moved(sign: int) -> Of:
     return lambda n, q: _set(lens__left=2 * sign * q - 2, lens__right=2 * sign * q + 2)
 
@@ -308,11 +313,10 @@ KEYS: dict[tuple[str, str, str], Of] = {
         "centre-sign": lambda **g: (_row_1(**g)[0], mpf(0), -_row_1(**g)[1], mpf(0)),
         "transposed": lambda **g: (_row_1(**g)[0], mpf(0), mpf(0), mpf(0)),
     }),
-    **_keys("l06-off-axis-frustum", "practise-2/depth", {
-        "right": lambda n, f: (mpf(0), mpf(0), *_row_of_depth(n, f)),
-        "signed": lambda n, f: (mpf(0), mpf(0), *_row_of_depth(-n, -f)),
-        "near-far": lambda n, f: (mpf(0), mpf(0), *_row_of_depth(f, n)),
-        "transposed": lambda n, f: (mpf(0), mpf(0), _row_of_depth(n, f)[0], mpf(-1)),
+    **_keys("l06-off-axis-frustum", "practise-2/parallax", {
+        "right": lambda s, D, w: _on_screen(s / 2, D, w) - _on_screen(-s / 2, D, w),
+        "from-screen": lambda s, D, w: s * ((w - D) / D),
+        "no-shift": lambda s, D, w: _on_screen(s / 2, D, w) - _on_screen(-s / 2, D, w) - s,
     }),
     **_keys("l06-off-axis-frustum", "practise-3/lean", {
         "done": _window_moved(1), "centre-sign": _window_moved(-1),

@@ -218,7 +218,8 @@ def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> No
 
 
 def test_a_model_moves_from_state_to_state_and_ends_where_it_should() -> None:
-    start = set_values(Document(), ["lens.near=1", "lens.far=100"])
+    there = "camera.eye=6,5,9"
+    start = set_values(Document(), ["lens.near=1", "lens.far=100", there])
     end = set_values(Document(), ["lens.near=4", "camera.eye=-6,5,-9"])
     assert transition.can_move(start, end)
     middle = transition.between(start, end, 0.5)

@@ -74,9 +74,10 @@ from app.precision.levels import trace
 from app.scenes.fewer_triangles import QUADRIC_TRIANGLES, SHARES, reduced
 from app.scenes.scene import Scene, load
 from tests.oracles.exact import Exact, mp
+from tests.support.letter_f import letter_f
 from tests.support.samples import pairwise
 
-LETTER_F = load("letter-f")
+LETTER_F = letter_f()
 POINTS = LETTER_F.sample
 START = LETTER_F.start
 

@@ -53,7 +53,8 @@ def brute_force(projection: Projection, gap: float, random: np.random.Generator)
     normal = np.cross(across, along)
     n, eye = projection.camera.frame[2], np.array(projection.camera.eye)
     found = []
-    for shift in (0.0, -gap * n):
+    aside = np.cross(normal, n)
+    for shift in (np.zeros(3), -gap * n + 3.0 * aside / np.linalg.norm(aside)):
         part = ((RAMP[0] + shift - first) @ normal) / ((last - first) @ normal)
         place = first + part[:, None] * (last - first)
         local = place - RAMP[0] - shift

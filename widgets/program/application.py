@@ -51,7 +51,13 @@ from widgets.program import opengl
 from widgets.program.display import display
 from widgets.program.logs import log_qt, log_vtk, start_log
 from widgets.program.report import ExceptionWatch
-from widgets.window.settings import Settings, log_path, name_application, settings_path
+from widgets.window.settings import (
+    Settings,
+    labels_path,
+    log_path,
+    name_application,
+    settings_path,
+)
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
@@ -239,6 +245,9 @@ def run_window(
             _take_screenshot(application, window, options.screenshot, watch)
         else:
             application.exec()
+            from app.drawings import kept_labels
+
+            kept_labels.save(labels_path())
         window.deleteLater()
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     finally:
@@ -268,7 +277,8 @@ def _probe(options: Options) -> opengl.OpenGL:
 def _open_panes(window: Any) -> None:
     """Import VTK, now that the window is visible, and fill its panes."""
     with bootstrap.for_good():
-        from app.drawings import image, stage, world  # noqa: F401
+        from app.drawings import image, kept_labels, stage, world  # noqa: F401
+    kept_labels.load(labels_path())
     log_vtk()
     window.open_panes()
 

@@ -56,6 +56,11 @@ def log_path() -> Path:
     return _folder(QStandardPaths.StandardLocation.AppLocalDataLocation) / f"{NAME}.log"
 
 
+def labels_path() -> Path:
+    """Return the file of the labels that are kept; it can be deleted at any time."""
+    return _folder(QStandardPaths.StandardLocation.AppLocalDataLocation) / "labels.json"
+
+
 def settings_path() -> Path:
     return _folder(QStandardPaths.StandardLocation.AppConfigLocation) / f"{NAME}.ini"
 

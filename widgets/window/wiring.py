@@ -87,6 +87,7 @@ def _wire_components(window: Any) -> None:
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
     for pane in window.panes.values():
+        window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
         pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:

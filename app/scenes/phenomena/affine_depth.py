@@ -141,7 +141,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     world = Marks.of(
         Polyline(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
     )
-    grips = Grip("start", ends[0]), Grip("end", ends[1])
+    grips = Grip("start", ends[0], name="P"), Grip("end", ends[1], name="Q")
     mesh = subject.mesh
     if projection.lens.far == math.inf:
         why = WORDS.phrase("infinite")
@@ -251,7 +251,7 @@ PHENOMENON = Phenomenon(
     leading="ndc",
     own_mesh=True,
     names=("P", "Q", "Az+B", "A+B/z", "deviation"),
-    shot=Shot(-6.0, 25.0),
+    shot=Shot(-48.0, 16.0),
     cube_side=(75.0, 10.0),
     leaves_out=frozenset({"near-picture"}),
     pale=frozenset({"ndc"}),

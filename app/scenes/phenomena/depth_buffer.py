@@ -6,8 +6,10 @@ surface appear (z-fighting). A perspective lens with the standard range spends m
 behind the near plane: at w >> n the step is ``w^2/(n 2^bits)`` (lectures 000 and 001;
 `app.model.depth`).
 
-The hidden surface is the visible one moved away along n by the gap. On a plane with normal m, in
-view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y, -1)``.
+The hidden surface is the visible one moved away along n by the gap. The ramp is also moved to the
+side, along itself and at a right angle to n, so that two surfaces are seen. On a plane with normal
+m, in view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the projector ``(X, Y,
+-1)``.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Copy, Marks, Polyline, Rendering, Text, outline
+from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
@@ -41,6 +43,8 @@ _FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is line
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
 # A ramp that leads away, so that one picture has many distances.
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
+_ASIDE = 3.0
+"""How far the hidden ramp reaches out at the side, so that two surfaces are seen."""
 # A Fibonacci lattice has as many rows and columns as places: stripes are rows or columns.
 _SAMPLES, _STRIDE = 1597, 987
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES
@@ -65,10 +69,14 @@ def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phras
         return WORDS.phrase("no-infinite" if chosen == "infinite" else "no-log")
 
 
-def moved_behind(projection: Projection, gap: float) -> Array:
-    """The 4x4 that moves world points away along n by the gap."""
+def moved_behind(projection: Projection, gap: float, aside: float = 0.0) -> Array:
+    """The 4x4 that moves world points away along n by the gap, and along the ramp to the side."""
+    n = projection.camera.frame[2]
     matrix = np.eye(4)
-    matrix[:3, 3] = -gap * projection.camera.frame[2]
+    matrix[:3, 3] = -gap * n
+    if aside:  # at a right angle to n, so that no depth of the plane changes
+        along = np.cross(np.cross(_CORNERS[1] - _CORNERS[0], _CORNERS[3] - _CORNERS[0]), n)
+        matrix[:3, 3] += aside * along / max(float(np.linalg.norm(along)), 1e-12)
     return matrix
 
 
@@ -87,7 +95,8 @@ def distances(projection: Projection, gap: float, subject: Subject) -> tuple[Arr
     if rays is None:
         return np.empty(0), np.empty(0)
     first, inside_first = _cut(corners.view, *rays)
-    second, inside_second = _cut(corners.view - (0.0, 0.0, gap), *rays)
+    moved = projection.camera.frame @ moved_behind(projection, gap, _ASIDE)[:3, 3]
+    second, inside_second = _cut(corners.view + moved, *rays)
     low, high = np.minimum(first, second), np.maximum(first, second)
     seen = inside_first & inside_second & (low >= near) & (high <= far)
     return first[seen], second[seen]
@@ -155,8 +164,8 @@ def _cut(corners: Array, starts: Array, directions: Array) -> tuple[Array, NDArr
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     gap = number(settings, "gap")
-    matrix = moved_behind(projection, gap)
-    # The other panes have their own depth buffers, so there its outline is enough.
+    matrix = moved_behind(projection, gap, _ASIDE if subject.mesh is None else 0.0)
+    # The world has a depth buffer of its own, so that a face is enough there.
     copies = (Copy(matrix, panes=("image",), colour=_BEHIND),)
     marks = image = Marks()
     if subject.mesh is None:
@@ -165,7 +174,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Text("surface-1", _CORNERS[3], "near", text=WORDS["first"]),
             Text("surface-2", moved[2], "n", text=WORDS["second"]),
         )
-        marks = Marks.of(Polyline(outline(moved), _BEHIND, 1.5), *names)
+        marks = Marks.of(Face(moved, _BEHIND, 1.0), *names)
         image = Marks.of(*seen_texts(projection.trace([name.point for name in names]), names))
     buffer = buffer_of(projection, settings)
     if isinstance(buffer, Phrase):
@@ -256,6 +265,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"depth"}),
     own_mesh=True,
     names=("surface-1", "surface-2"),
-    shot=Shot(63.0, 35.0),
-    leaves_out=frozenset({"near-picture"}),
+    shot=Shot(-22.0, 26.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -266,7 +266,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             _circle(angles, bool((depths > 0.0).any())),
         ),
         warning=warning,
-        grips=(Grip("start", a), Grip("end", b)),
+        grips=(Grip("start", a, name="A"), Grip("end", b, name="B")),
     )
 
 
@@ -528,7 +528,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
-    shot=Shot(-17.0, 62.0),
+    shot=Shot(12.0, 30.0),
     pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

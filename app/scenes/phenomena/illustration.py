@@ -132,7 +132,7 @@ class Shot(NamedTuple):
     about: Literal["scene", "camera"] = "scene"
 
 
-FIRST_SHOT = Shot(-71.0, 14.0, "camera")
+FIRST_SHOT = Shot(-66.0, 18.0, "camera")
 """From beside the camera, so that near and far stand apart."""
 
 

@@ -248,6 +248,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=("l", "r", "b", "t", "eye", "window"),
-    shot=Shot(40.0, 35.0),
+    shot=Shot(50.0, 30.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

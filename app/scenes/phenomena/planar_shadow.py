@@ -157,6 +157,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     measured = None if met is None else shadow
     off = None if measured is None else float(np.linalg.norm(measured - met))
     of_all = WORDS.phrase("of-all", str(len(subject.points)))
+    world = _world_marks(settings, subject, light, marked)
     return Illustration(
         (
             Reading(
@@ -167,7 +168,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Reading.or_why(WORDS["off"], off, why=note),
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
-        world=_world_marks(settings, subject, light, marked),
+        world=world,
         image=Marks.of(
             *(
                 named(name, at, size=1.2)
@@ -177,7 +178,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ),
         copies=tuple(copies),
         warning=warning,
-        grips=(_grip(light, subject),),
+        grips=(_grip(light, subject), _grip_of_ground(world)),
     )
 
 
@@ -193,6 +194,9 @@ def _middle_and_distances(place: Array | None) -> tuple[float, ...] | None:
     return None if place is None else tuple(place.tolist())
 
 
+_MOST = 2.5  # of the reach below, from the object's middle to the plane's sides
+
+
 def _reach(subject: Subject) -> tuple[Array, float]:
     """The object's middle, and the distances from it at which plane and sun are drawn."""
     low, high = np.array(subject.lower), np.array(subject.upper)
@@ -202,9 +206,18 @@ def _reach(subject: Subject) -> tuple[Array, float]:
 def _grip(light: Array, subject: Subject) -> Grip:
     """The lamp where it is; the sun where its direction is drawn."""
     if light[3] == 1.0:
-        return Grip("light", light[:3])
+        return Grip("light", light[:3], name="light")
     middle, reach = _reach(subject)
-    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), vector(middle))
+    away = light[:3] / np.linalg.norm(light[:3])
+    return Grip("light", middle + reach * away, vector(middle), name="light")
+
+
+def _grip_of_ground(world: Marks) -> Grip:
+    """The plane by its front edge: a drag on all of it would be a turn of the view as a rule."""
+    edge = world.faces[0].points[2:]
+    x, y, z = edge.mean(axis=0).tolist()
+    up = (0.0, 1.0, 0.0)
+    return Grip("height", np.array([x, y, z]), (x, 0.0, z), up, "ground", "muted", edge)
 
 
 def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:
@@ -214,8 +227,6 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     """
     height = number(settings, "height")
     middle, reach = _reach(subject)
-    sides = np.array([(-1.0, 0.0, -1.0), (1.0, 0.0, -1.0), (1.0, 0.0, 1.0), (-1.0, 0.0, 1.0)])
-    corners = (middle[0], height, middle[2]) + reach * sides
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
@@ -223,11 +234,21 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
-    y = Text("ground", corners[3], text=f"y = {figure(height, 4)}")
-    world: list[Mark] = [plate(corners, "muted", 1.0, 0.2), y]
     which = np.array([(x, 1, z) for x in (0, 1) for z in (0, 1)], dtype=bool)
     tops = np.where(which, subject.upper, subject.lower)
     ends = cast(shadow_matrix(light, height), tops)
+    # The plane is as large as object, shadow and lamp ask for.
+    cast_to = ends.places[(ends.w > 0.0) & np.isfinite(ends.places).all(axis=1)]
+    spots = np.vstack([cast_to, tops, *([] if sun else [light[:3]])])
+    room = np.array([middle - _MOST * reach, middle + _MOST * reach])
+    (left, _, back), (right, _, front) = np.clip([spots.min(axis=0), spots.max(axis=0)], *room)
+    rim = 0.1 * subject.size
+    corners = np.array([(x, height, z) for x, z in (
+        (left - rim, back - rim), (right + rim, back - rim),
+        (right + rim, front + rim), (left - rim, front + rim),
+    )])  # fmt: skip
+    y = Text("ground", corners[3], text=f"y = {figure(height, 4)}")
+    world: list[Mark] = [plate(corners, "muted", 1.0, 0.2, (), "ground"), y]
     for top, end, w in zip(tops, ends.places, ends.w, strict=True):
         if w > 0.0:
             world.append(ray(top, end if np.isfinite(end).all() else top, "muted", 1.0))
@@ -260,7 +281,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(fov_y_deg=32.0, near=4.0, far=24.0)
     ),
-    geometry=partial(letter_f_on_grid, (-8.0, -8.0), (8.0, 8.0)),
+    geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)),
     show=_show,
     adjustable=(
         Parameter("kind", "point"),
@@ -272,6 +293,6 @@ PHENOMENON = Phenomenon(
     check=_check,
     own_mesh=True,
     names=("light", "P", "P'", "ground"),
-    shot=Shot(-53.0, 20.0),
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
+    shot=Shot(-18.0, 24.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -319,4 +319,5 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"fog", "levels"}),
     names=("far", "next-tree"),
     shot=Shot(41.0, 25.0),
+    upright=Shot(30.0, 45.0),
 )

@@ -19,13 +19,14 @@ from app.model.parameter import CLOSE, Parameter
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, segment
+from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
     SIDES,
     box_edges,
     cut_in_picture,
     image_from_clip,
     rectangle,
+    section,
 )
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
@@ -324,7 +325,8 @@ def _world_marks(
     """Rays from the eye parallel to the box's edges, and where they meet the near plane."""
     eye = np.array(projection.camera.eye)
     longest = _LONGEST * subject.size
-    marks: list[Mark] = []
+    # Of the frustum, whose walls would hide the rays, only the plane is drawn.
+    marks: list[Mark] = [plate(section(projection, projection.lens.near), "near", 1.5, 0.15)]
     for axis, (point, colour) in enumerate(zip(points, _COLOURS, strict=True)):
         if not point.is_finite:
             continue
@@ -418,6 +420,7 @@ PHENOMENON = Phenomenon(
     follow=_follow,
     implied=_implied,
     own_mesh=True,
-    names=("V_x", "V_y", "V_z", "P", "horizon"),
-    shot=Shot(0.0, 35.0),
+    names=("V_x", "V_y", "V_z", "P", "horizon", "eye"),
+    shot=Shot(-14.0, 42.0),
+    leaves_out=frozenset({"frustum"}),
 )

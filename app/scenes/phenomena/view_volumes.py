@@ -37,9 +37,6 @@ POINTS = {
     "C": (7.0, 3.0, -4.0),
     "D": (-4.0, 3.0, 0.0),
     "E": (-2.0, 1.2, -4.0),
-    "F": (0.0, 6.5, 4.0),
-    "G": (-1.0, 3.5, 6.0),
-    "H": (1.0, 3.5, -6.5),
 }
 """The world coordinates of the test points."""
 _PLACES = np.array(list(POINTS.values()))
@@ -52,8 +49,7 @@ _CIRCLE = np.stack([np.cos(_TURN), np.sin(_TURN)], axis=1)
 
 def _geometry() -> tuple[Coloured, Coloured]:
     hues = (
-        (230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66),
-        (0, 114, 178), (213, 94, 0), (204, 121, 167), (150, 150, 150),
+        (230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (0, 114, 178),
     )  # fmt: skip
     quads, rgb = [], []
     for place, hue in zip(_PLACES, hues, strict=True):
@@ -101,7 +97,7 @@ def volume(projection: Projection, cone: bool) -> float | None:
 
 
 def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:
-    """Which of `POINTS` are in the volume or on its surface, (8,)."""
+    """Which of `POINTS` are in the volume or on its surface, (5,)."""
     trace = projection.trace(_PLACES)
     if not cone:
         return ~np.asarray(trace.outside.any(axis=1))
@@ -194,6 +190,6 @@ PHENOMENON = Phenomenon(
     numbers=4,
     follow=_follow,
     implied=_implied,
-    names=("A", "B", "C", "D", "E"),
-    shot=Shot(75.0, 30.0),
+    names=("A", "B", "C", "D", "E", NEAR.name, FAR.name),
+    shot=Shot(55.0, 27.0),
 )

@@ -1,0 +1,102 @@
+"""Labels that stay set between runs, because to start matplotlib takes a sixth of a window's start.
+
+The file is a copy of what `app.lecture.typesetting` and `app.drawings.label` make. Without it, or
+if it is damaged or of other versions, everything is set anew.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import json
+import logging
+import os
+from base64 import b64decode, b64encode
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from app.document.files import write_bytes_atomically
+from app.drawings import label
+from app.lecture import typesetting
+from app.lecture.typesetting import Outline
+
+LARGEST_BYTES = 2**23
+"""A larger file is not read."""
+_log = logging.getLogger(__name__)
+
+
+def load(path: Path) -> None:
+    """Take over the labels in a file; a file that cannot be read is no error."""
+    try:
+        if path.stat().st_size > LARGEST_BYTES:
+            return
+        tree = json.loads(path.read_text(encoding="utf-8"))
+        if tree["made_by"] != _made_by():
+            return
+        outlines = {key: _outline(*parts) for key, parts in tree["outlines"].items()}
+        tiles = {key: _tile(*parts) for key, parts in tree["tiles"].items()}
+    except FileNotFoundError:
+        return
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        _log.info("%s: labels are set anew: %s", path, error)
+        return
+    typesetting.SET.update(outlines)
+    label.TILES.update(tiles)
+
+
+def save(path: Path) -> None:
+    """Write all labels that are set, unless the file has them; one that cannot be is no error."""
+    tree = {
+        "made_by": _made_by(),
+        "outlines": {
+            key: [each.width, each.ascent, each.descent, _text(each.vertices), _text(each.codes),
+                  each.letters]
+            for key, each in typesetting.SET.items()
+        },
+        "tiles": {
+            key: [*letters.shape, _text(letters), _text(halo), first, top]
+            for key, (letters, halo, first, top) in label.TILES.items()
+        },
+    }  # fmt: skip
+    content = json.dumps(tree)
+    try:
+        if not os.path.exists(path) or path.read_text(encoding="utf-8") != content:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            write_bytes_atomically(path, content.encode())
+    except (OSError, ValueError) as error:
+        _log.info("%s: labels are not kept: %s", path, error)
+
+
+def _made_by() -> list[str]:
+    """What the labels depend on: the modules that set them, by size and time."""
+    specs = map(importlib.util.find_spec, ("matplotlib", typesetting.__name__, label.__name__))
+    files = [(path, path.stat()) for path in (Path(spec.origin or "") for spec in specs if spec)]
+    return [f"{path} {stat.st_size} {stat.st_mtime_ns}" for path, stat in files]
+
+
+def _text(array: NDArray[Any]) -> str:
+    return b64encode(array.tobytes()).decode()
+
+
+def _bytes(text: str) -> NDArray[np.uint8]:
+    return np.frombuffer(b64decode(text, validate=True), dtype=np.uint8)
+
+
+def _outline(
+    width: float, ascent: float, descent: float, vertices: str, codes: str, letters: list[Any]
+) -> Outline:
+    places = _bytes(vertices).view(np.float64).reshape(-1, 2)
+    kinds = _bytes(codes)
+    named = tuple((str(name), int(begin), int(end)) for name, begin, end in letters)
+    if len(places) != len(kinds) or not np.isfinite([width, ascent, descent, *places.flat]).all():
+        raise ValueError("outlines without a place")
+    return Outline(float(width), float(ascent), float(descent), places, kinds, named)
+
+
+def _tile(height: int, width: int, letters: str, halo: str, first: int, top: int) -> label.Tile:
+    shape = height, width
+    if min(shape) < 0:
+        raise ValueError("a tile of less than no pixels")
+    return _bytes(letters).reshape(shape), _bytes(halo).reshape(shape), int(first), int(top)

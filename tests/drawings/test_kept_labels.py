@@ -1,0 +1,112 @@
+"""Labels that stay set between runs: the same pixels, and any other file is as good as none."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.drawings import kept_labels, label
+from app.lecture import typesetting
+
+TEXTS = ("near n = 4", "y_p", "P'", "u\u2192", "½ in the world", "")
+
+
+@pytest.fixture(autouse=True)
+def _afresh() -> Iterator[None]:
+    """Nothing is set, before and afterwards."""
+    forget()
+    yield
+    forget()
+
+
+def drawn() -> list[np.ndarray]:
+    return [label.drawn(text, 15.5, "#8a5a00", "#ffffff") for text in TEXTS]
+
+
+def forget() -> None:
+    typesetting.SET.clear()
+    label.TILES.clear()
+    for module in (typesetting, label):
+        for each in vars(module).values():
+            if hasattr(each, "cache_clear"):
+                each.cache_clear()
+
+
+def test_kept_labels_are_the_same_pixels_without_matplotlib(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path, before = tmp_path / "new" / "labels.json", drawn()
+    letters = typesetting.outline("y_{p}").letters
+    kept_labels.save(path)
+    forget()
+    kept_labels.load(path)
+    for name in ("matplotlib.textpath", "matplotlib.backends.backend_agg"):
+        monkeypatch.setitem(sys.modules, name, None)
+    for one, other in zip(before, drawn(), strict=True):
+        assert np.array_equal(one, other)
+    assert typesetting.outline("y_{p}").letters == letters == (("y_p", 0, letters[0][2]),)
+    written = path.stat().st_mtime_ns
+    kept_labels.save(path)
+    assert path.stat().st_mtime_ns == written, "nothing is new"
+
+
+def _change(key: str, value: Any) -> Callable[[dict[str, Any]], Any]:
+    return lambda tree: {**tree, key: value}
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda _: None,
+        lambda _: [],
+        lambda tree: {"made_by": tree["made_by"]},
+        _change("made_by", ["another matplotlib 1 2"]),
+        _change("outlines", []),
+        _change("outlines", {"y": [1.0, 1.0, 0.0, "AAAA", "", []]}),
+        _change("outlines", {"y": [1.0, 1.0, 0.0, "AAAAAAAA8D8AAAAAAADwPw==", "", []]}),
+        _change("outlines", {"y": [float("nan"), 1.0, 0.0, "", "", []]}),
+        _change("outlines", {"y": [1.0, 1.0, 0.0, "?", "", []]}),
+        _change("tiles", {"y": [10**9, 10**9, "", "", 0, 0]}),
+        _change("tiles", {"y": [-1, 1, "", "", 0, 0]}),
+        _change("tiles", {"y": 3}),
+    ],
+)
+def test_a_damaged_file_is_as_good_as_none(
+    change: Callable[[dict[str, Any]], Any], tmp_path: Path
+) -> None:
+    path, before = tmp_path / "labels.json", drawn()
+    kept_labels.save(path)
+    path.write_text(json.dumps(change(json.loads(path.read_text(encoding="utf-8")))))
+    forget()
+    kept_labels.load(path)
+    assert not typesetting.SET and not label.TILES
+    assert all(map(np.array_equal, before, drawn()))
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b"\xff\xfe", b"[" * 100_000])
+def test_a_file_that_is_no_text_is_as_good_as_none(content: bytes, tmp_path: Path) -> None:
+    path = tmp_path / "labels.json"
+    path.write_bytes(content)
+    kept_labels.load(path)
+    kept_labels.load(tmp_path)
+    kept_labels.load(tmp_path / "missing")
+    assert not typesetting.SET and not label.TILES
+
+
+def test_labels_that_cannot_be_written_are_no_error(tmp_path: Path) -> None:
+    drawn()
+    kept_labels.save(tmp_path)
+    (tmp_path / "file").write_bytes(b"")
+    kept_labels.save(tmp_path / "file" / "labels.json")
+
+
+def test_what_is_kept_has_a_bound() -> None:
+    for number in range(typesetting.MOST_SET + 20):
+        typesetting.piece_of(f"word{number}", False)
+    assert len(typesetting.SET) == typesetting.MOST_SET
