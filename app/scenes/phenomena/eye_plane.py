@@ -266,7 +266,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             _circle(angles, bool((depths > 0.0).any())),
         ),
         warning=warning,
-        grips=(Grip("start", a), Grip("end", b)),
+        grips=(Grip("start", a, name="A"), Grip("end", b, name="B")),
     )
 
 
