@@ -50,7 +50,6 @@ def spread(count: int) -> Array:
 
 _SPREAD = spread(MOST)
 _OPENING, _EYES = (FIRST, MOST, 0.03), (1, 8, 0.0)  # at least, at most, seconds of one call
-_LUMA = np.array([0.2126, 0.7152, 0.0722])
 
 
 def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
@@ -59,7 +58,8 @@ def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
     Red-cyan pictures are the luma of Rec. 709: red glass shows the left one and cyan the right one.
     """
     if eyes.pictures == "red-cyan":
-        red, cyan = (np.rint(each[..., :3] @ _LUMA).astype(np.uint8) for each in (left, right))
+        parts = (np.moveaxis(each, -1, 0).astype(np.uint16) for each in (left, right))
+        red, cyan = ((54 * r + 183 * g + 19 * b >> 8).astype(np.uint8) for r, g, b, _ in parts)
         return np.stack([red, cyan, cyan, left[..., 3]], axis=-1)
     one, other = (left, right) if eyes.shares[0] < 0.0 else (right, left)
     width = left.shape[1]

@@ -431,7 +431,7 @@ class StageBox(Layer):
         for name, ends in zip(AXES, self.axes[:3, 1:], strict=True):
             start, tip = _spots(ends, pane)
             segments.append((frozenset((name,)), start, tip))
-        return Targets(points, segments + volume_edges(corners), corners)
+        return Targets(points, segments + volume_edges(corners))
 
     def _corners_seen(self) -> Array:
         """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""

@@ -176,10 +176,14 @@ class Panels(QWidget):
     def wanted_px(self, most_px: int) -> int:
         """Return the height of the open panel's content, at most so much."""
         panel = self.open_panel
-        if panel is None or any(_grows(each, panel) for each in panel.findChildren(QWidget)):
+        if panel is None:
             return most_px
-        areas = panel.findChildren(QAbstractScrollArea)
-        lacking = [_content_px(each) - each.height() for each in areas if each.isVisibleTo(panel)]
+        seen = [each for each in panel.findChildren(QWidget) if each.isVisibleTo(panel)]
+        areas = [each for each in seen if isinstance(each, QAbstractScrollArea)]
+        policies = {each.sizePolicy().verticalPolicy() for each in seen if each not in areas}
+        if QSizePolicy.Policy.Expanding in policies:  # a diagram uses all the height that it gets
+            return most_px
+        lacking = [_content_px(each) - each.height() for each in areas]
         wanted = panel.height() + max(lacking) if lacking else panel.sizeHint().height()
         return min(most_px, max(wanted, panel.minimumSizeHint().height()) + 2)
 
@@ -195,13 +199,6 @@ class Panels(QWidget):
             self.chosen.emit(panel)
 
 
-def _grows(widget: QWidget, panel: Panel) -> bool:
-    """Whether a widget uses all the height that it gets: a diagram, not a list."""
-    is_area = isinstance(widget, QAbstractScrollArea)
-    expands = widget.sizePolicy().verticalPolicy() == QSizePolicy.Policy.Expanding
-    return expands and not is_area and widget.isVisibleTo(panel)
-
-
 def _content_px(area: QAbstractScrollArea) -> int:
     """Return the height at which an area needs not scroll up or down."""
     bar = area.horizontalScrollBar()
@@ -209,11 +206,10 @@ def _content_px(area: QAbstractScrollArea) -> int:
     if isinstance(area, QTableView):
         return area.horizontalHeader().height() + area.verticalHeader().length() + beside
     inside = area.widget() if isinstance(area, QScrollArea) else None
-    if inside is None:
+    if inside is None:  # a list, or the head of a table
         return 0
-    if inside.hasHeightForWidth():
-        return inside.heightForWidth(area.viewport().width()) + beside
-    return inside.sizeHint().height() + beside
+    high = inside.heightForWidth(area.viewport().width())
+    return beside + (high if high >= 0 else inside.sizeHint().height())
 
 
 class Drawer(QSplitter):
