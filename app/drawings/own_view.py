@@ -205,14 +205,14 @@ class OwnView(PaneCamera):
         about = (points.min(axis=0) + points.max(axis=0)) / 2.0
         axes, turns = self._shot_axes(moments[0].shot), [_turn(turn_deg) for turn_deg in turns_deg]
         mirror = np.eye(3) - 2.0 * np.outer(axes[0], axes[0])
-        ways = [turn @ side for turn in turns for side in (np.eye(3), mirror)]
+        moves = [turn @ side for turn in turns for side in (np.eye(3), mirror)]
         turned = [
             one._replace(
-                eye=(one.eye - about) @ way,
-                points=(one.points - about) @ way,
-                parts=one.parts @ way,
+                eye=(one.eye - about) @ move,
+                points=(one.points - about) @ move,
+                parts=one.parts @ move,
             )
-            for way, one in product(ways if len(turns) > 1 else turns, moments)
+            for move, one in product(moves if len(turns) > 1 else turns, moments)
         ]
         stand = place, focus = self._stand(axes, turned)
         if len(turns) > 1:  # with the mirror images it looks at the vertical, about which it turns
