@@ -260,10 +260,8 @@ class Board:
 def _is_outside(wish: Wish, ground: Ground) -> bool:
     """Whether a wish is for a single point, and that lies beyond the pane's border."""
     left, low, right, high = ground.limits
-    if len(wish.spots) != 1:
-        return False
-    (x, y), rim = wish.spots[0], ground.em
-    return not (left - rim <= x <= right + rim and low - rim <= y <= high + rim)
+    x, y = wish.spots[0] if len(wish.spots) == 1 else (left, low)
+    return max(left - x, x - right, low - y, y - high) > ground.em
 
 
 def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:
