@@ -62,8 +62,7 @@ def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
         red, cyan = ((54 * r + 183 * g + 19 * b >> 8).astype(np.uint8) for r, g, b, _ in parts)
         return np.stack([red, cyan, cyan, left[..., 3]], axis=-1)
     one, other = (left, right) if eyes.shares[0] < 0.0 else (right, left)
-    width = left.shape[1]
-    half, quarter = width // 2, width // 4
+    width, half, quarter = (left.shape[1] // part for part in (1, 2, 4))
     middles = one[:, quarter : quarter + half], other[:, half - quarter : width - quarter]
     return np.concatenate(middles, axis=1)
 
@@ -173,9 +172,8 @@ class Blurring:
             for actor in self._model.actors:
                 renderer.AddViewProp(actor)
         renderer, window = self._screen.renderer, self._screen.render_window
-        is_clear = self._transparent
-        renderer.SetBackground(*((0.0,) * 3 if is_clear else rgb(self._style.background)))
-        renderer.SetBackgroundAlpha(0.0 if is_clear else 1.0)
+        renderer.SetBackground(*((0.0,) * 3 if self._transparent else rgb(self._style.background)))
+        renderer.SetBackgroundAlpha(0.0 if self._transparent else 1.0)
         if window.GetSize() != self._size:
             window.SetSize(*self._size)
         return window

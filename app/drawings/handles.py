@@ -50,8 +50,8 @@ APART_EM = 0.95
 POINT_EM, EDGE_EM = 0.65, 0.42
 """Greatest distance at which a point and an edge are taken."""
 
-_RADIUS_EM, _RIM_EM, _RING_EM = 0.34, 0.1, 0.1
-_LAYERS = 3  # ring, rim and fill
+_RADIUS_EM, _RING_EM = 0.34, 0.1
+_LAYERS = 2  # ring and fill
 _POINTS = 24  # of each outline
 _POINTED_OUT = 1.4  # times as large
 _MOST = 24  # eye, target, up, near, far, sides, corners, five of the object, two of a scene's
@@ -85,11 +85,11 @@ class HandleMarks(Handles, Layer):
         self._at_rest: tuple[Sequence[Handle], frozenset[Handle]] = (), frozenset()
         self._last: tuple[Spot, Taken | None] | None = None
         """The pixel that was asked for last, and what is there."""
-        sizes = _RADIUS_EM + np.array([_RING_EM, 0.0, -_RIM_EM])
+        sizes = _RADIUS_EM + np.array([_RING_EM, 0.0])
         turns = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
         unit = np.column_stack([np.cos(turns), np.sin(turns)])
         self._outline: Array = state.style.font_size * sizes[:, None, None] * unit
-        # Ring, rim, fill, ring, ...: the later ones lie on top.
+        # Ring, fill, ring, ...: the later ones lie on top.
         self._cells = ScreenCells(_MOST * _LAYERS, _POINTS)
         self._places = self._cells.px.reshape(_MOST, _LAYERS, _POINTS, 3)
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
@@ -144,7 +144,7 @@ class HandleMarks(Handles, Layer):
         if listed != self._at_rest[0]:
             self._at_rest = listed, self._resting(listed)
         self._places[..., :2] = _AWAY_PX
-        ring, ink = _bytes(self._style.background), _bytes(self._style.ink)
+        ring = _bytes(self._style.background)
         for i, (handle, spot) in enumerate(self.shown):
             if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
                 continue
@@ -152,7 +152,7 @@ class HandleMarks(Handles, Layer):
             larger = _POINTED_OUT if out else 1.0
             self._places[i, ..., :2] = larger * self._outline + self._in_renderer(spot)
             fill = _bytes(self._style.accent) if out else self._colour(handle)
-            self._colours[i] = ring, ink if out else fill, fill
+            self._colours[i] = ring, fill
         self._cells.changed()
         self._scalars.Modified()
 

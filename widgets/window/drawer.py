@@ -68,8 +68,6 @@ class Panels(QWidget):
 
     opened = Signal()
     """A panel was opened, or the last one folded."""
-    changed = Signal()
-    """The content of the open panel has another size."""
     chosen = Signal(object)
     """The user has opened this `Panel` by its name."""
 
@@ -89,8 +87,7 @@ class Panels(QWidget):
         """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self.changed)
+        self.rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._stack = QStackedWidget()
         in_column(self._stack, on=self, margins=(0, 2, 0, 0))
         self.hide()
@@ -189,7 +186,7 @@ class Panels(QWidget):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest and watched is self.open_panel:
-            self._rest.start()
+            self.rest.start()
         return super().eventFilter(watched, event)
 
     def _clicked(self, panel: Panel) -> None:
@@ -228,7 +225,7 @@ class Drawer(QSplitter):
             self.setStretchFactor(place, stretch)
             self.setCollapsible(place, False)
         panels.opened.connect(self.fit)
-        panels.changed.connect(self._fit_content)
+        panels.rest.timeout.connect(self._fit_content)
         self.splitterMoved.connect(self._dragged)
 
     def set_presenting(self, on: bool, *, alone: bool = False) -> None:

@@ -66,13 +66,8 @@ def _geometry() -> tuple[Coloured, Coloured]:
     letter, rgb = letter_f()
     boxes = (((0.2, 0.0, 2.2), (1.0, 0.8, 3.0)), ((1.7, 0.0, -5.0), (2.7, 3.4, -4.0)))
     faces = np.concatenate([0.8 * letter + (-0.3, 0.0, -0.4), *(box_faces(*box) for box in boxes)])
-    colours = np.concatenate([rgb, *([SIDE_RGB] * len(boxes))])
     lines = joined(ground_grid((-4.0, -6.0), (4.0, 4.0), (1.0, 1.0), 0.0), edges_of(faces))
-    return (faces, colours), lines
-
-
-def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {"screen": projection.camera.distance}
+    return (faces, np.concatenate([rgb, SIDE_RGB, SIDE_RGB])), lines
 
 
 def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
@@ -183,7 +178,7 @@ PHENOMENON = Phenomenon(
     ),
     numbers=4,
     follow=_follow,
-    implied=_implied,
+    implied=lambda projection, _: {"screen": projection.camera.distance},
     own_mesh=True,
     names=("left-eye", "right-eye", "screen", "P", "P_l", "P_r"),
     shot=Shot(35.0, 35.0),
