@@ -272,8 +272,10 @@ class CameraDrawing(Layer):
         ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
 
     def targets(self) -> Targets:
-        (arrows, offsets), eye = self.arrows, self._state.standing.eye
-        start, *tips = self._state.own.pane.pointed(np.vstack([eye, eye + offsets]))
+        (arrows, offsets), state = self.arrows, self._state
+        eye = state.standing.eye + state.origin
+        spots = state.sight.seen(np.vstack([eye, eye + offsets])).tolist()
+        start, *tips = [(x, y, 0.0) for x, y in spots]
         segments: list[Segment] = [
             (frozenset(("target" if name == "look" else name,)), start, tip)
             for name, tip in zip(arrows, tips, strict=True)

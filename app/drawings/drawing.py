@@ -44,10 +44,11 @@ class Rectangle(NamedTuple):
 
 
 class Taken(NamedTuple):
-    """What the pointer takes hold of: a handle, by the world point (3,) that stays under it."""
+    """What the pointer takes: a handle, the world point (3,) that it grabs, and what lights up."""
 
     handle: Handle
     point: Array
+    about: Highlight
 
 
 class Handles:
@@ -76,14 +77,6 @@ class Handles:
     def at(self, pixel: Spot) -> Taken | None:
         """What the pointer would take at a pixel: a point, an edge, a label, or a face."""
         return None
-
-    def taken(self, handle: Handle) -> Taken:
-        """What is taken by the grip of a handle."""
-        raise NotImplementedError
-
-    def about(self, handle: Handle) -> Highlight:
-        """What lights up with a handle."""
-        raise NotImplementedError
 
 
 class Drawing:
@@ -147,7 +140,7 @@ class Drawing:
         """Return the things at a pixel, counted from the pane's top left: first, what it takes."""
         taken = self.handles.at((x_px, y_px))
         if taken is not None:
-            return self.handles.about(taken.handle)
+            return taken.about
         return self.layers.at(x_px, y_px)
 
     @property

@@ -50,8 +50,8 @@ APART_EM = 0.95
 POINT_EM, EDGE_EM = 0.65, 0.42
 """Greatest distance at which a point and an edge are taken."""
 
-_RADIUS_EM, _RIM_EM, _RING_EM = 0.34, 0.1, 0.1
-_LAYERS = 3  # ring, rim and fill
+_RADIUS_EM, _RING_EM = 0.34, 0.1
+_LAYERS = 2  # ring and fill
 _POINTS = 24  # of each outline
 _POINTED_OUT = 1.4  # times as large
 _MOST = 24  # eye, target, up, near, far, sides, corners, five of the object, two of a scene's
@@ -85,11 +85,11 @@ class HandleMarks(Handles, Layer):
         self._at_rest: tuple[Sequence[Handle], frozenset[Handle]] = (), frozenset()
         self._last: tuple[Spot, Taken | None] | None = None
         """The pixel that was asked for last, and what is there."""
-        sizes = _RADIUS_EM + np.array([_RING_EM, 0.0, -_RIM_EM])
+        sizes = _RADIUS_EM + np.array([_RING_EM, 0.0])
         turns = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
         unit = np.column_stack([np.cos(turns), np.sin(turns)])
         self._outline: Array = state.style.font_size * sizes[:, None, None] * unit
-        # Ring, rim, fill, ring, ...: the later ones lie on top.
+        # Ring, fill, ring, ...: the later ones lie on top.
         self._cells = ScreenCells(_MOST * _LAYERS, _POINTS)
         self._places = self._cells.px.reshape(_MOST, _LAYERS, _POINTS, 3)
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
@@ -144,7 +144,7 @@ class HandleMarks(Handles, Layer):
         if listed != self._at_rest[0]:
             self._at_rest = listed, self._resting(listed)
         self._places[..., :2] = _AWAY_PX
-        ring, ink = _bytes(self._style.background), _bytes(self._style.ink)
+        ring = _bytes(self._style.background)
         for i, (handle, spot) in enumerate(self.shown):
             if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
                 continue
@@ -152,7 +152,7 @@ class HandleMarks(Handles, Layer):
             larger = _POINTED_OUT if out else 1.0
             self._places[i, ..., :2] = larger * self._outline + self._in_renderer(spot)
             fill = _bytes(self._style.accent) if out else self._colour(handle)
-            self._colours[i] = ring, ink if out else fill, fill
+            self._colours[i] = ring, fill
         self._cells.changed()
         self._scalars.Modified()
 
@@ -189,21 +189,24 @@ class HandleMarks(Handles, Layer):
 
     def _at(self, pixel: Spot) -> Taken | None:
         if self.held is not None and dict(self.shown).get(self.held) == pixel:  # by the keyboard
-            return self.taken(self.held)
+            return self._taken(self.held)
         handle = nearest(self.shown, pixel, POINT_EM * self._state.em)
         if handle is not None:
-            return self.taken(handle)
+            return self._taken(handle)
         if "handles" in self._state.canvas.hidden:
             return None
         return self._edge_at(pixel) or self._label_at(pixel) or self._face_at(pixel)
 
-    def taken(self, handle: Handle) -> Taken:
+    def _taken(self, handle: Handle, point: Array | None = None) -> Taken:
+        """What is taken by a point of the world, or else by the handle's grip."""
         grip = self._state.grips.get(handle.setting)
-        if grip is not None:
-            return Taken(handle, np.array(grip.point))
-        return Taken(handle, place(self._state.projection, handle, self.planes_drawn))
+        if point is None and grip is not None:
+            point = np.array(grip.point)
+        elif point is None:
+            point = place(self._state.projection, handle, self.planes_drawn)
+        return Taken(handle, point, self._about(handle))
 
-    def about(self, handle: Handle) -> Highlight:
+    def _about(self, handle: Handle) -> Highlight:
         kind = {"grip": "settings.", "object": "object_"}.get(handle.name)
         name = _NAMED.get(handle, handle.name) if kind is None else kind + handle.setting
         return frozenset((name,))
@@ -213,12 +216,12 @@ class HandleMarks(Handles, Layer):
         name = WINDOW.get(name, name)
         for setting, grip in self._state.grips.items():
             if name and name == grip.name:
-                return self.taken(Handle("grip", setting=setting))
+                return self._taken(Handle("grip", setting=setting))
         handles = [handle for handle, _ in self.shown if handle.name != "grip"]
-        exact = [handle for handle in handles if name in self.about(handle)]
+        exact = [handle for handle in handles if name in self._about(handle)]
         # A lens with an angle has no sides, but corners that move them.
         beside = [each for each in handles if name in SIDES and name in _NAMED.get(each, "")]
-        return next((self.taken(handle) for handle in (*exact, *beside)), None)
+        return next((self._taken(handle) for handle in (*exact, *beside)), None)
 
     def _edge_at(self, pixel: Spot) -> Taken | None:
         edges = self._edges()
@@ -227,7 +230,7 @@ class HandleMarks(Handles, Layer):
         lines, state = Lines([ends for _, ends in edges]), self._state
         for *_, spot, hit, number in lines.near(state.sight, pixel, 0.0, EDGE_EM * state.em):
             if not self._is_hidden(spot, hit.order):
-                return Taken(edges[number][0], np.array(hit.point))
+                return self._taken(edges[number][0], np.array(hit.point))
         return None
 
     def _face_at(self, pixel: Spot) -> Taken | None:
@@ -242,7 +245,7 @@ class HandleMarks(Handles, Layer):
             if w > 0.0 and order / w < first:  # never for NaN
                 sides = np.cross(across, point - corners) @ normal
                 if (sides >= 0.0).all() or (sides <= 0.0).all():
-                    first, taken = order / w, Taken(handle, point)
+                    first, taken = order / w, self._taken(handle, point)
         return None if taken is None or self._is_hidden(pixel, first) else taken
 
     def _is_hidden(self, pixel: Spot, order: float) -> bool:
@@ -261,8 +264,8 @@ class HandleMarks(Handles, Layer):
 
     def _faces(self) -> list[tuple[Handle, Array]]:
         """The faces that can be dragged, (k, 3) each, in the world."""
-        grips = self._state.grips.items()
-        return [(Handle("grip", setting=name), grip.face) for name, grip in grips if grip.is_plane]
+        planes = [(n, grip.face) for n, grip in self._state.grips.items() if len(grip.face) > 2]
+        return [(Handle("grip", setting=name), face) for name, face in planes]
 
 
 class WorldHandles(HandleMarks):

@@ -241,7 +241,11 @@ class Layers:
         ground = Ground(state.room, state.em, self._ink)
         for layer in self._layers:
             layer.want(ground)
-        return state.board.settle(ground, afresh=afresh)
+        has_moved = state.board.settle(ground, afresh=afresh)
+        if len(state.objects):
+            box = state.seen(state.objects)
+            state.board.spots += [(x, y) for x, y, depth in box if depth > 0.0]
+        return has_moved
 
     def _ink(self, ground: Ground) -> None:
         for layer in self._layers:

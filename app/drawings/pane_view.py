@@ -81,16 +81,6 @@ class PaneView(NamedTuple):
         beyond = np.abs(self.spots(points) - middle) - middle
         return max(0.0, float(np.where(np.isnan(beyond), np.inf, beyond).max()))
 
-    def pointed(self, points: Array) -> list[Spot]:
-        """Where points are from the pane's top left, with an order that is linear there."""
-        height_px = self.size_px[1]
-        return [
-            (x, height_px - y, depth if self.flat else -1.0 / depth)
-            if depth > 0.0
-            else (math.nan, math.nan, math.nan)
-            for x, y, depth in self.seen(points)
-        ]
-
     def covered(self, face: Array) -> list[Spot]:
         """Return the evenly spread places of the pane that show a parallelogram, (4, 3)."""
         middle = (face[0] + face[2]) / 2.0 - self.eye

@@ -161,8 +161,8 @@ class PictureFrame(Layer):
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
-        self._x_label = label(words["x"], anchor=(-1, 1), colour=style.u)
-        self._y_label = label(words["y"], anchor=(1, 1), colour=style.v)
+        self._x_label = label(words.get("{pixel_x}", "x"), anchor=(-1, 1), colour=style.u)
+        self._y_label = label(words.get("{pixel_y}", "y"), anchor=(1, 1), colour=style.v)
         self._axis_labels = (
             self._zero, self._width_label, self._height_label, self._x_label, self._y_label
         )  # fmt: skip

@@ -202,12 +202,13 @@ class StageDrawing(Drawing):
     def _framed(self, stop: float) -> Array:
         """What has to be in view at a position up to the view's stop, (n, 3): display space.
 
-        These are the objects, the eye, the named axes and the near plane. Far belongs to them if it
-        is named; else it may leave the pane, as the grid does.
+        These are the objects, the probes, the eye, the named axes and the near plane. Far belongs
+        to them if it is named; else it may leave the pane, as the grid does.
         """
         state, origin, morph = self.state, self.state.origin, self.state.morph
         objects = state.projection.placement.placed(state.scene.objects_box).world - origin
-        local = np.vstack([objects, np.array(state.projection.camera.eye) - origin])
+        probes = [probe.point for probe in state.probes if probe.point is not None]
+        local = np.vstack([objects, np.array([state.projection.camera.eye, *probes]) - origin])
         shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
         points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
         if morph.has_volume(stop):

@@ -116,20 +116,9 @@ def shown(
     `apart_px` from the others, if it can be. There are corners of the far face, and of the near
     face unless that is small, then also sides of a window that is given in numbers.
 
-    Parameters
-    ----------
-    drawn : (float, float)
-        Distances from the eye plane at which near and far are drawn.
-    sight : Sight
-        How the pane looks at the world.
-    kept : Handle, optional
-        The handle that is being dragged: it is always kept.
-    grips : mapping of setting to (3,) array, optional
-        World points of the scene settings that can be dragged.
-    without : frozenset of str, optional
-        Names of handles to omit because their part of the world is not drawn.
-    object_reach, up_reach : float, optional
-        Drawn lengths of the object's axes and of the arrow up; 0 if they are not drawn.
+    Near and far are drawn at the distances `drawn`. The `kept` handle is being dragged. `grips` are
+    world points of the scene's settings, by name. Handles with a name in `without` are omitted. The
+    reaches are drawn lengths of the object's axes and of the arrow up; 0 if they are not drawn.
     """
     has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
     free: dict[Handle, Array] = {Handle("grip", setting=name): at for name, at in grips.items()}

@@ -140,14 +140,14 @@ def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, 
     return near + [(30 + 0.4 * x, 20 + 0.4 * y, 1.0) for x, y, _ in near]
 
 
-def test_the_nearest_point_then_line_then_face() -> None:
+def test_the_nearest_point_then_line_and_no_face() -> None:
     corners = box()
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-    targets = Targets(points, volume_edges(corners), corners)
+    targets = Targets(points, volume_edges(corners))
     for place, named in (
         ((101.0, 58.0), {"near_right_bottom"}),
         ((50.0, 61.0), {"near"}),  # its lower edge
-        ((15.0, 30.0), {"near"}),  # the foremost face
+        ((15.0, 30.0), set()),  # on a face
         ((85.0, 10.0), {"right", "top"}),
         ((200.0, 200.0), set()),
     ):
@@ -163,15 +163,7 @@ def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
 def test_a_point_without_a_place_is_not_highlighted() -> None:
     nowhere = [(math.nan, math.nan, math.nan)] * 8
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
-    assert (
-        pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere), nowhere)]) == NOTHING
-    )
-
-
-def test_the_frontmost_face_by_its_depth_there() -> None:
-    corners = box()
-    behind = [(x, y, 2.0 - order) for x, y, order in corners]  # now the far face is in front
-    assert pointed_at((50.0, 30.0), 13.0, [Targets(corners=behind)]) == {"far"}
+    assert pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere))]) == NOTHING
 
 
 # -- from a control to the panes
@@ -291,8 +283,12 @@ def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted)
         label = drawing.board.label(text)
         canvas = window.panes["world"].canvas
         left, right, bottom, top = label.box_px
-        point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)
-        assert highlighted.now == {text} and text in marked(window)
+        y_px = canvas.height() - (bottom + top) / 2
+        seen = []
+        for x_px in np.linspace(left + 1.0, right - 1.0, 9).tolist():  # an edge may lie over it
+            point_at(window, "world", x_px, y_px)
+            seen.append((highlighted.now, text in marked(window)))
+        assert (frozenset((text,)), True) in seen
 
 
 def test_the_cube_knows_what_is_under_the_mouse(
@@ -314,12 +310,11 @@ def test_the_cube_knows_what_is_under_the_mouse(
         window.store.set_projection(replace(window.store.document.projection, depth=depth))
         settle()
         before = pictures(window)
+        assert at((1, 0.4, 0.1)) == set()  # a face that cannot be dragged
         assert at((1, -1, -1)) == {"near_right_bottom"}
         assert at((-1, 1, 1)) == {"far_left_top"} or at((1, 1, 1)) == {"far_right_top"}
         assert at((0.5, 1, -1)) == {"near"}
         assert at((1, -1, 0.3)) == {"right", "bottom"}
-        assert at((0.3, -0.4, -1)) == {"near"}
-        assert at((1, 0.4, 0.1)) == {"right"}
         assert changed(before, pictures(window)) == {"world", "ndc", "image"}
         leave(window)
         assert changed(before, pictures(window)) == set()

@@ -198,7 +198,8 @@ def drag_from(window: MainWindow, place: tuple[float, float], way: tuple[int, in
     settle()
     if window.store.document != before:
         window.store.undo()
-        settle()
+    window.panes["world"].reset_view()  # a drag may have framed it anew
+    settle()
     return moved
 
 
@@ -235,3 +236,27 @@ def test_each_free_place_drags_what_it_is_on(make_window: MakeWindow, name: str)
     counts = shares(window)
     assert name not in SAMPLE or sum(tried for tried, _, _ in counts.values()) >= 5 * PLACES
     assert not {thing: count for thing, count in counts.items() if count[0] != count[1]}
+
+
+@pytest.mark.parametrize("by", ["face", "edge", "label"])
+def test_near_is_moved_at_the_first_try(make_window: MakeWindow, by: str) -> None:
+    """As by someone who has never seen the program: press on it, and drag it to the scene."""
+    window = show_scene(make_window(), "letter-f")
+    settle()
+    drawing, before = world(window), window.store.document.projection.lens.near
+    corners = drawing.sight.seen(drawing.state.volume.corners + drawing.state.origin)
+    left, right, bottom, top = drawing.state.board.label("near").box_px
+    low = drawing.state.size_px[1] - (bottom + top) / 2.0
+    place = {
+        "face": corners[:4].mean(axis=0),
+        "edge": corners[:2].mean(axis=0),
+        "label": np.array([(left + right) / 2.0, low]),
+    }[by]
+    way = corners[4:].mean(axis=0) - corners[:4].mean(axis=0)
+    way *= 30.0 / np.linalg.norm(way)
+    canvas, at = window.panes["world"].canvas, QPoint(*map(math.floor, place))
+    QTest.mousePress(canvas, LEFT, pos=at)
+    for part in (0.2, 0.5, 1.0):
+        move_mouse(canvas, at + QPoint(*np.round(part * way).astype(int).tolist()), LEFT)
+    QTest.mouseRelease(canvas, LEFT, pos=at)
+    assert window.store.document.projection.lens.near > 1.05 * before

@@ -217,7 +217,7 @@ class Manipulation(Gestures, QObject):
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
             if grip is not None and grip.along is not None:
-                return (), self.tr("Drag the plane") if grip.is_plane else self.tr("Drag to move")
+                return (), self.tr("Drag along its way")
             return (), self.tr("Drag this point (Shift: up and down)")
         moved = moved_by(self._projection, handle)
         return tuple(each.name for each in moved), parameter_text(moved[0], moved[0].drag)
@@ -323,12 +323,10 @@ class Manipulation(Gestures, QObject):
         if not self._escape.is_watched:
             return
         self._escape.leave()
-        pane = self._drag.pane if self._drag is not None else self._pane
         self._drop()
-        self._image.canvas.unsetCursor()
+        if self._pointed is None:
+            self._image.canvas.unsetCursor()
         self._finish()
-        if self._pointed is not None and pane.drawing is not None:
-            self._show_pointer(pane, pane.drawing.handles.taken(self._pointed))
 
     def _drop(self) -> None:
         """Forget the drag, and tell the hand."""

@@ -158,12 +158,16 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     return {"preset": name if holds else None, "distance": camera.distance / view.distance}
 
 
-def _angles(projection: Projection) -> tuple[Reading, ...]:
+def _angles(projection: Projection, settings: Settings) -> tuple[Reading, ...]:
     angles = projection.lens.angles(Fraction(*projection.image_size))
     values: tuple[float | None, ...] = (None, None, None)
     if angles is not None:
         values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
     note = WORDS.of_parallel(projection)
+    preset, away = _implied(projection, settings).values()
+    is_preset = preset == "tele" and isinstance(away, float) and abs(away - 1.0) < CLOSE
+    if values[2] is not None and is_preset and settings["enlarged"]:
+        note = WORDS.phrase("enlarged", values[2] / _TELE_MM)
     lines = zip(("vertical", "horizontal", "focal"), values, ("°", "°", "mm"), strict=True)
     return tuple(Reading(WORDS[key], value, unit, note) for key, value, unit in lines)
 
@@ -216,7 +220,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Reading(WORDS["distance"], distance),
             Reading(WORDS["height"], size, "px", why),
             Reading.or_why(WORDS["foreshortening"], ratio, "×", WORDS.phrase("behind-eye")),
-            *_angles(projection),
+            *_angles(projection, settings),
         ),
         world=Marks.of(
             Polyline(ends, "accent", name="d"),

@@ -188,10 +188,6 @@ class Grip:
     colour: str = "accent"
     face: Array = field(default_factory=lambda: np.empty((0, 3)))
 
-    @property
-    def is_plane(self) -> bool:
-        return len(self.face) > 2
-
 
 @dataclass(frozen=True, eq=False)
 class Length:
