@@ -149,13 +149,11 @@ class Parser(argparse.ArgumentParser):
         self.add_argument(option, metavar=value, help=text, type=read, **more)
 
     def add_flag(self, option: str, text: str) -> None:
-        """Add an option that takes no value."""
         self.add_argument(option, action="store_true", help=text)
 
     def add_choice(
         self, option: str, values: Sequence[str], text: str, default: str | None = None, **more: Any
     ) -> None:
-        """Add an option that takes one of several values."""
         self.add(
             option, "|".join(values), text, lambda value: one_of(option, value, values),
             default=default, **more,

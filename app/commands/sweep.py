@@ -46,7 +46,6 @@ _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 
 def motions(options: argparse.Namespace) -> list[str]:
-    """Return which of `MOTIONS` are asked for."""
     return [name for name in MOTIONS if is_given(options, name)]
 
 
@@ -125,7 +124,6 @@ def check_stages(options: argparse.Namespace) -> None:
 
 
 def panes(options: argparse.Namespace) -> list[str]:
-    """Return the panes of ``--panes``, in their order."""
     return re.split("[,/]", options.panes)
 
 

@@ -47,7 +47,6 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
-    """Return the faults of a talk, and its warnings and summary."""
     report, composed, left = CheckReport(), Composed(), ""
     try:
         course = report.take(read(path))

@@ -119,7 +119,6 @@ class Store(QObject):
 
     @property
     def can_redo(self) -> bool:
-        """Whether an undone step can be redone."""
         return bool(self._redo)
 
     @property

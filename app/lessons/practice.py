@@ -104,7 +104,6 @@ class Sheet(Course):
 
 
 def exercises_of(course: Course) -> Iterator[PlacedExercise]:
-    """Yield the exercises of a lesson in order."""
     for place, step in enumerate(course.lesson.steps):
         for part in step.asked:
             if part.varies:

@@ -389,7 +389,6 @@ class Controls(Dock, RowHolder):
     # -- the sections
 
     def _emit_object_unfolded(self) -> None:
-        """Report whether the numbers of a movable object are unfolded."""
         if self._matches is None:
             is_open = self.sections["object"].is_open
             self.object_unfolded.emit(is_open and not self._has_fixed_objects)

@@ -227,7 +227,6 @@ class SceneCard(QWidget, RowHolder):
             self.readable.settle()
 
     def _highlight_subject(self, names: Iterable[str]) -> None:
-        """Highlight what the scene is about."""
         about = frozenset(names)
         if about != self._about:
             self._about = about
@@ -437,7 +436,6 @@ class SceneCard(QWidget, RowHolder):
 
 
 def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
-    """Remove widgets from a layout and delete them."""
     for widget in widgets:
         layout.removeWidget(widget)
         widget.hide()
