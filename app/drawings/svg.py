@@ -94,8 +94,10 @@ def _faint(what: str, opacity: float) -> str:
 
 
 def _path(points: Sequence[tuple[float, float]]) -> str:
-    """A path in tenths of a pixel, which are 8 micrometres on paper."""
-    tenths = [(round(10.0 * x), round(10.0 * y)) for x, y in points]
+    """A path in tenths of a pixel, which are 8 micrometres on paper; empty for a point."""
+    tenths = [place for place, _ in groupby((round(10.0 * x), round(10.0 * y)) for x, y in points)]
+    if len(tenths) == 1:
+        return ""
     x, y = tenths[0]
     data = f"M{_tenth(x)}{_tenth(y, ' ')}l"
     for number, (to_x, to_y) in enumerate(tenths[1:]):

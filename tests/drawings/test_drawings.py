@@ -313,7 +313,9 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
     drawing.show_names(None)
     drawing.show_projection(replace(scene.start, depth=depth))
     texts = [
-        prop.label().text for prop in screen.renderer.GetViewProps() if isinstance(prop, LabelActor)
+        prop.label().text
+        for prop in screen.renderer.GetViewProps()
+        if isinstance(prop, LabelActor) and prop.GetVisibility()
     ]
     signs = {-1.0: "−1", 0.0: "0", 1.0: "+1"}
     near, far = (signs[z] for z in DEPTH_RANGES[depth])

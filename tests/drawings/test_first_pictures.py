@@ -210,10 +210,10 @@ def test_the_frustum_is_broken_beyond_half_again_the_objects_depth(
     assert reach.far == pytest.approx(min(far, reach.high))
 
 
-def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
+def test_every_handle_is_at_least_ten_pixels_across_and_larger_when_held(
     off_screen: MakeScreen,
 ) -> None:
-    """The mark includes the ring round it; it is measured by the pixels that it changes."""
+    """It is measured by the pixels that it changes: on paper its ring is not seen."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, "letter-f")
     with_marks = screen.pixels().astype(int)
@@ -225,7 +225,7 @@ def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
     assert {handle.name for handle in shown} == {"eye", "target", "near", "far", "corner"}
     for handle, (x, y) in shown.items():
         around = changed[int(y) - 9 : int(y) + 10, int(x) - 9 : int(x) + 10]
-        assert max(extent_px(around)) >= 12, handle
+        assert max(extent_px(around)) >= 10, handle
     far = next(handle for handle in shown if handle.name == "far")
     sizes = []
     for held in (None, far):
@@ -237,7 +237,7 @@ def test_every_handle_is_at_least_twelve_pixels_across_and_larger_when_held(
 
 
 def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> None:
-    """From inside: the plane's colour, a rim in ink, and a ring in the background's colour."""
+    """From inside: the plane's colour, and a ring in the background's colour."""
     screen = off_screen(*LARGE)
     drawing = opened(screen, "letter-f")
     image = screen.pixels()
@@ -246,8 +246,8 @@ def test_a_handle_is_set_off_from_what_lies_under_it(off_screen: MakeScreen) -> 
     runs = [
         tuple(int(part) for part in colour) for colour, _ in itertools.groupby(map(tuple, line))
     ]
-    expected = [tuple(to_bytes(colour)) for colour in (LIGHT.near, LIGHT.ink, LIGHT.background)]
-    assert [run for run in runs if run in expected][:3] == expected
+    expected = [tuple(to_bytes(colour)) for colour in (LIGHT.near, LIGHT.background)]
+    assert [run for run in runs if run in expected][:2] == expected
 
 
 @pytest.mark.parametrize("name", BUILT_IN)

@@ -373,7 +373,7 @@ def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
     """From the side a plane is a line; dimensions and the planes' own names stay off it."""
     screen = off_screen(*SIZE_PX)
     drawing = made(screen)
-    for near, far in ((4.0, 18.0), (2.0, 14.0), (6.0, 40.0)):
+    for near, far in ((5.0, 18.0), (2.0, 14.0), (6.0, 40.0)):
         drawing.show_projection(with_lens(near=near, far=far))
         drawing.show_fixed("")
         drawing.show_fixed(view)
@@ -540,9 +540,8 @@ def test_a_point_is_dragged_in_a_flat_view(off_screen: MakeScreen) -> None:
     drawing = made(off_screen(*SIZE_PX))
     drawing.show_fixed("side")
     x, y = dict(drawing.handles.shown)[TARGET]
-    change = dragged(
-        START, TARGET, drawing.handles.planes_drawn, drawing.sight, (x + 30.0, y - 20.0)
-    )
+    drawn, grabbed = drawing.handles.planes_drawn, np.array(START.camera.target)
+    change = dragged(START, TARGET, grabbed, drawn, drawing.sight, (x + 30.0, y - 20.0))
     target = np.array(change["target"])
     (spot,) = pixel_of(drawing, [target])
     assert spot == pytest.approx((x + 30.0, y - 20.0), abs=0.2)
@@ -630,11 +629,12 @@ def test_names_and_handles_go_with_what_they_are_of(
 def test_no_handle_can_be_held_that_is_not_seen(off_screen: MakeScreen) -> None:
     drawing = made(off_screen(*SIZE_PX))
     (handle, spot), *_ = drawing.handles.shown
-    assert drawing.handle_at(spot, 5.0) == handle
+    taken = drawing.handles.at(spot)
+    assert taken is not None and taken.handle == handle
     drawing.show_layers(frozenset({"handles"}))
-    assert drawing.handle_at(spot, 5.0) is None
+    assert drawing.handles.at(spot) is None
     drawing.show_projection(with_lens(near=3.0))
-    assert drawing.handle_at(spot, 5.0) is None
+    assert drawing.handles.at(spot) is None
 
 
 @pytest.mark.parametrize("tolerance_px", [math.inf, 1e-4])

@@ -80,9 +80,17 @@ def test_a_plane_that_is_not_named_is_quiet_until_it_is_pointed_at(off_screen: M
     assert line.GetLineWidth() == width and np.allclose(line.GetColor(), colour)
 
 
-def test_only_the_handle_in_the_hand_is_drawn(off_screen: MakeScreen) -> None:
+def test_at_rest_the_controls_have_grips_and_else_the_handle_in_the_hand(
+    off_screen: MakeScreen,
+) -> None:
     screen = off_screen(*PANE_PX)
     drawing = opened(screen, live=True)
+    resting = {
+        handle.name for handle, _ in drawing.handles.shown if drawing.handles.is_drawn(handle)
+    }
+    assert resting == {"eye", "target", "near", "far"}
+    drawing.handles.rest(())
+    drawing.show_layers(frozenset())  # which places the labels afresh
     untouched = screen.pixels()
     near = next(handle for handle, _ in drawing.handles.shown if handle.name == "near")
     assert len(drawing.handles.shown) > 4  # they can be found

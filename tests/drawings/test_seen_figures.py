@@ -67,7 +67,8 @@ def usual() -> dict[str, np.ndarray]:
         (View(panes={"second-screen": ABOVE}), set()),
         (View(frame_step="n", panel="matrices"), set()),
         (View(layout="columns", large="image", panel="probe"), set()),
-        (View(letters=LETTERS[3]), {"world"}),  # the letters of near and far
+        # The letters of near and far, and the sign of 002's depth.
+        (View(letters=LETTERS[3]), {"world", "ndc"}),
     ],
 )
 def test_a_value_of_the_view_changes_the_panes_that_show_it_and_no_other(
