@@ -116,6 +116,8 @@ class Verdict(NamedTuple):
         Which numbers of a matrix are right, row after row.
     beside : Document, optional
         A state that shows the idea's number beside the model's own one.
+    title : str
+        The idea in the student's words.
     """
 
     right: bool
@@ -126,6 +128,7 @@ class Verdict(NamedTuple):
     remark: Refusal | None = None
     cells: tuple[bool, ...] = ()
     beside: Document | None = None
+    title: str = ""
 
     @property
     def word(self) -> str:
@@ -370,9 +373,9 @@ class Asked(ReadBlock):
         """Return a student's answer as Markdown."""
         return f"**{escaped(typed)}**"
 
-    def response_to(self, idea: str) -> str:
-        """Return the lesson's own response to a wrong idea, as Markdown; empty if it has none."""
-        return ""
+    def response_to(self, here: Here, idea: str) -> Verdict:
+        """Return the response to a wrong idea, whatever the answer was."""
+        return Verdict(False, idea)
 
     # -- the right answer
 

@@ -9,7 +9,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial, Verdict
-from app.lessons.blocks.question import Reply
+from app.lessons.blocks.question import Reply, response_of
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
@@ -110,8 +110,8 @@ class Task(Asked):
     def can_be_told(self) -> bool:
         return bool(self.why) or self.right is not None
 
-    def response_to(self, idea: str) -> str:
-        return next((each.says for each in self.replies if each.idea == idea), "")
+    def response_to(self, here: Here, idea: str) -> Verdict:
+        return response_of(self.replies, here, idea)
 
     def right_sample(self, here: Here) -> str:
         return ", ".join(condition.text for _, condition in self.until)
