@@ -306,7 +306,7 @@ class StageBox(Layer):
                 self._camera.set(_placed(start, _BODY * axes.T))
             starts = inner = np.tile(start, (3, 1))
         for part in self._body:
-            part.SetVisibility(stop <= VIEW and morph.projection.has_camera)
+            self._canvas.set_visible(part, stop <= VIEW and morph.projection.has_camera)
         moves = position < VIEW and (morph.projection.has_camera or position == WORLD)
         origin = np.tile(morph.origin_at(position) if moves else np.zeros(3), (3, 1))
         starts, inner = np.concatenate([starts, origin]), np.concatenate([inner, origin])
