@@ -19,6 +19,8 @@ from app.scenes.scene import Scene
 FRAMES = {"frame-o": "O", "frame-w": "W", "frame-e": "E"}
 """The frames of the object, the world and the eye, which a world picture shows if it names them,
 and their letters."""
+PROBE_LETTER = "probe-"
+"""Before a letter: ``probe-A`` gives the first probe the letter A in place of its number."""
 _CUBE = frozenset(ENDS)
 """What the cube beside a scene's own picture is named by."""
 
@@ -61,15 +63,16 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
     view, projection = document.view, document.projection
     shown = scene.illustration(projection, document.settings) or Illustration(())
     planes = frozenset(ENDS if projection.lens.planes is not None else ())
+    probes = frozenset(f"{PROBE_LETTER}{letter}" for letter in "ABCDEFGH"[: len(view.probes)])
     if pane == "image":
-        return frozenset({"pixels"}).union(text.name for text in shown.image.texts)
+        return probes.union({"pixels"}, (text.name for text in shown.image.texts))
     if pane == "ndc":
-        axes = (*(AXES if view.stage <= VIEW else ()), *("xyz" if view.stage != VIEW else ""))
+        axes = (*"xyz", *(AXES if view.stage <= VIEW else ()))
         stop = planes if view.stage != IMAGE else frozenset[str]()
         numbers = ("numbers",) if view.stage > VIEW else ()
         texts = shown.ndc.texts if view.stage == NDC else ()
-        return stop.union(axes, numbers, (text.name for text in texts))
-    names = planes.union(AXES, FRAMES, ("eye", "target"))
+        return stop.union(axes, numbers, probes, (text.name for text in texts))
+    names = planes.union(AXES, FRAMES, probes, ("eye", "target"))
     names |= {text.name for text in shown.world.texts}
     if planes:
         names |= WINDOW.keys()
@@ -79,7 +82,7 @@ def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
         names |= {"x", "y", "z"}
     fixed = seen_from(view, scene)
     if fixed in ("side", "top"):
-        names |= {"d", "e", "height", "angle", *(name for name, _ in shown.measured)}
+        names |= {"d", "e", "height", "angle", "degrees", *(name for name, _ in shown.measured)}
         names |= {length.name for length in shown.lengths if length.view == fixed}
     if fixed == "axis":
         names |= {"height", "width", *(("interval",) if planes else ())}

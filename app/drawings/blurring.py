@@ -50,7 +50,6 @@ def spread(count: int) -> Array:
 
 _SPREAD = spread(MOST)
 _OPENING, _EYES = (FIRST, MOST, 0.03), (1, 8, 0.0)  # at least, at most, seconds of one call
-_LUMA = np.array([0.2126, 0.7152, 0.0722])
 
 
 def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
@@ -59,11 +58,11 @@ def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
     Red-cyan pictures are the luma of Rec. 709: red glass shows the left one and cyan the right one.
     """
     if eyes.pictures == "red-cyan":
-        red, cyan = (np.rint(each[..., :3] @ _LUMA).astype(np.uint8) for each in (left, right))
+        parts = (np.moveaxis(each, -1, 0).astype(np.uint16) for each in (left, right))
+        red, cyan = ((54 * r + 183 * g + 19 * b >> 8).astype(np.uint8) for r, g, b, _ in parts)
         return np.stack([red, cyan, cyan, left[..., 3]], axis=-1)
     one, other = (left, right) if eyes.shares[0] < 0.0 else (right, left)
-    width = left.shape[1]
-    half, quarter = width // 2, width // 4
+    width, half, quarter = (left.shape[1] // part for part in (1, 2, 4))
     middles = one[:, quarter : quarter + half], other[:, half - quarter : width - quarter]
     return np.concatenate(middles, axis=1)
 
@@ -173,9 +172,8 @@ class Blurring:
             for actor in self._model.actors:
                 renderer.AddViewProp(actor)
         renderer, window = self._screen.renderer, self._screen.render_window
-        is_clear = self._transparent
-        renderer.SetBackground(*((0.0,) * 3 if is_clear else rgb(self._style.background)))
-        renderer.SetBackgroundAlpha(0.0 if is_clear else 1.0)
+        renderer.SetBackground(*((0.0,) * 3 if self._transparent else rgb(self._style.background)))
+        renderer.SetBackgroundAlpha(0.0 if self._transparent else 1.0)
         if window.GetSize() != self._size:
             window.SetSize(*self._size)
         return window

@@ -272,18 +272,15 @@ class CameraDrawing(Layer):
         ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
 
     def targets(self) -> Targets:
-        state, (arrows, offsets) = self._state, self.arrows
-        at = state.standing
-        points = np.vstack([at.eye, at.target, at.eye + offsets])
-        eye, target, *tips = state.own.pane.pointed(points)
-        points_at = [(frozenset(("eye",)), eye)]
-        if self.shows_target or state.is_live:  # a hand takes hold of it there
-            points_at.append((frozenset(("target",)), target))
+        (arrows, offsets), state = self.arrows, self._state
+        eye = state.standing.eye + state.origin
+        spots = state.sight.seen(np.vstack([eye, eye + offsets])).tolist()
+        start, *tips = [(x, y, 0.0) for x, y in spots]
         segments: list[Segment] = [
-            (frozenset(("target" if name == "look" else name,)), eye, tip)
+            (frozenset(("target" if name == "look" else name,)), start, tip)
             for name, tip in zip(arrows, tips, strict=True)
         ]
-        return Targets(points_at, segments)
+        return Targets((), segments)
 
     def reach(self) -> Array:
         return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS

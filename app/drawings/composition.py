@@ -26,7 +26,6 @@ from app.drawings.one_pane import PanePicture
 from app.drawings.side_by_side import places_of
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
-from app.lecture.highlight import ENDS, WINDOW
 from app.lecture.typesetting import pieces_of
 from app.model.projection import Array
 from app.scenes.scene import Scene
@@ -45,9 +44,7 @@ CAPITAL = 0.729
 _INK = 60
 """Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
 _LEAVES = frozenset({"grid", "frustum"})
-"""Layers that may leave the pane, and do not decide what fills it."""
-_OF_PLANES = *ENDS, "angle", "height", "width"
-"""Names for whose sake the world pane shows the whole frustum."""
+"""Layers that decide only by what has to be inside whether they fill the pane."""
 
 
 class PlacedText(NamedTuple):
@@ -186,11 +183,11 @@ def _measured(
             place = drawing.picture_rectangle_px
             fill = place.width / size_px[0], place.height / size_px[1]
         else:
-            is_of_planes = pane == "world" and any(name in drawing.names for name in _OF_PLANES)
-            drawing.show_layers(view.layers | (_LEAVES - {"frustum"} if is_of_planes else _LEAVES))
+            spots = _inside(drawing)
+            drawing.show_layers(view.layers | _LEAVES)
             drawing.show_projection(of.projection, illustration)
             window.Render()
-            fill = _fill(_ink(pixels_of(window)), labels, _window_in(drawing, scene))
+            fill = _fill(_ink(pixels_of(window)), labels, spots)
         needs_area = not drawing.fixed and (pane != "world" or view.step is None)
     return ComposedPicture(
         pane, size_px, tuple(labels), fill, left_out, points, needs_area, outside
@@ -214,15 +211,13 @@ def _ink(pixels: Pixels) -> NDArray[np.bool_]:
     return ink
 
 
-def _window_in(drawing: Drawing, scene: Scene) -> Array:
-    """The corners of the window, (4, 2) from the pane's top left, if its sides are named."""
-    if not isinstance(drawing, WorldDrawing) or drawing.names.wanted is None:
+def _inside(drawing: Drawing) -> Array:
+    """Where the world pane shows what has to be inside it, (n, 2) from its top left."""
+    if not isinstance(drawing, WorldDrawing):
         return np.empty((0, 2))
-    if not drawing.names.wanted & WINDOW.keys():
-        return np.empty((0, 2))
-    corners = drawing.state.volume.corners[:4] + np.array(scene.origin)
-    spots = drawing.spots_of(corners)
-    return spots[np.isfinite(spots).all(axis=1)]
+    spots = drawing.own.pane.spots(np.concatenate(list(drawing.layers.inside().values())))
+    spots = spots[np.isfinite(spots).all(axis=1)]
+    return np.array([0.0, drawing.state.size_px[1]]) + spots * (1.0, -1.0)
 
 
 def _fill(ink: NDArray[np.bool_], labels: list[PlacedText], spots: Array) -> tuple[float, float]:

@@ -31,7 +31,7 @@ from app.drawings.lengths import Half, distances, half_of, has_interval, lengths
 from app.drawings.pane_view import Spot
 from app.drawings.world_state import WorldState
 from app.model.projection import Array
-from app.scenes.phenomena.readout import digits_apart
+from app.scenes.phenomena.readout import digits_apart, figure
 
 _SEGMENTS = 64  # capacity
 _ARC = 12  # pieces of the angle's arc
@@ -214,7 +214,9 @@ class Dimensions(Layer):
             for start, stop in zip(arc[:-1].tolist(), arc[1:].tolist(), strict=True):
                 self._lines.add((start[0], start[1]), (stop[0], stop[1]))
             self._thin.add((float(eye[0]), float(eye[1])), (float(far_edge[0]), float(eye[1])))
-            self._write("angle", f"{self._angle(axis)}/2")
+            is_number = "degrees" in (state.names.wanted or ())
+            number = f" = {figure(half.angle_deg, 4)}°" if is_number else ""
+            self._write("angle", f"{self._angle(axis)}/2{number}")
             x, y = arc[_ARC // 2].tolist()
             way = x - float(eye[0]), y - float(eye[1])
             key, size = (_KEY, "angle"), self._board.label((_KEY, "angle")).size_px

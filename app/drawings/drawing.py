@@ -43,13 +43,21 @@ class Rectangle(NamedTuple):
     height: int
 
 
-class Handles:
-    """The handles of a pane: only a live world pane has any.
+class Taken(NamedTuple):
+    """What the pointer takes: a handle, the world point (3,) that it grabs, and what lights up."""
 
-    `held` is highlighted, and stays visible while it moves. `shown` are those that can be taken,
-    with their pixels from the pane's top left. `planes_drawn` are the distances from the eye plane
-    at which near and far are drawn; (0, 1) without planes. `has_object` if the object shows its
-    axes, which have handles.
+    handle: Handle
+    point: Array
+    about: Highlight
+
+
+class Handles:
+    """The handles of a pane: only a live pane has any.
+
+    `held` is highlighted, and stays visible while it moves. `shown` are those with a grip, with
+    their pixels from the pane's top left. `planes_drawn` are the distances from the eye plane at
+    which near and far are drawn; (0, 1) without planes. `has_object` if the object shows its axes,
+    which have handles.
     """
 
     held: Handle | None = None
@@ -59,6 +67,16 @@ class Handles:
 
     def call(self, names: frozenset[str]) -> None:
         """Show the handles with these names or settings, though nothing is on them."""
+
+    def rest(self, paths: tuple[str, ...] | None) -> None:
+        """Show the handles of these values of a document at rest; None for the scene's controls."""
+
+    def hold(self, handle: Handle | None) -> None:
+        """Highlight a handle, and no other one."""
+
+    def at(self, pixel: Spot) -> Taken | None:
+        """What the pointer would take at a pixel: a point, an edge, a label, or a face."""
+        return None
 
 
 class Drawing:
@@ -119,7 +137,10 @@ class Drawing:
         """Show what is named now, and place its labels."""
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """Return the things at a pixel, counted from the pane's top left."""
+        """Return the things at a pixel, counted from the pane's top left: first, what it takes."""
+        taken = self.handles.at((x_px, y_px))
+        if taken is not None:
+            return taken.about
         return self.layers.at(x_px, y_px)
 
     @property
@@ -195,6 +216,10 @@ class Drawing:
     def show_stage(self, position: float) -> None:
         """Move to a position of the stage strip, 0 to 5."""
 
+    def hold(self, handle: Handle | None) -> None:
+        """Highlight a handle, and keep it visible while it moves."""
+        self.handles.hold(handle)
+
     # -- the world
 
     @property
@@ -210,13 +235,6 @@ class Drawing:
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes even where they coincide with the world's."""
-
-    def hold(self, handle: Handle | None) -> None:
-        """Highlight a handle, and keep it visible while it moves."""
-
-    def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
-        """Return the handle at a pixel, counted from the pane's top left."""
-        return None
 
     # -- the image
 

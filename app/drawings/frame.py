@@ -37,8 +37,6 @@ BODY_BOX = actors.CUBE_CORNERS * (0.6, 0.58, 0.7) + (0.0, 0.16, 0.7)
 BALL = 2.0 * float(np.linalg.norm((0.6, 0.58, 0.7)))
 BEFORE = BALL / 2.0 + float(np.linalg.norm((0.0, 0.16, 0.7)))
 AROUND = 3.1  # body and axes are within this distance of the eye
-AROUND_PX = AROUND / BALL * PART_OF_PANE
-"""How far body and axes reach from the eye, of the pane's shorter side."""
 
 _RIGHT_ANGLES = {"u": ("up-u", "u-n"), "v": ("v-n", "v-u"), "view": ("u-n", "v-n", "v-u")}
 """The right angles that a step shows, between the arrows that it is about."""

@@ -27,12 +27,12 @@ from app.drawings.label_placement import NOWHERE, SQUARE_EM, Ground, flanking
 from app.drawings.labels import DOT_EM, SIDE, want_plane, written_distance
 from app.drawings.layer import Layer
 from app.drawings.names import QUIET
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Targets, outline, volume_edges
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
 from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolume, WorldState
-from app.lecture.highlight import CORNERS, ENDS, SIDES, WINDOW
+from app.lecture.highlight import ENDS, SIDES, WINDOW
 from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Lens, Projection
-from app.scenes.phenomena.readout import FEW, digits_apart
+from app.scenes.phenomena.readout import digits_apart
 
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""
@@ -215,7 +215,7 @@ class FrustumDrawing(Layer):
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
-        offsets = [point - standing.camera.eye for point in self._state.grips.values()]
+        offsets = [grip.point - standing.camera.eye for grip in self._state.grips.values()]
         largest = _HELD_NEAR * self._state.scene.size
         near = [offset for offset in offsets if math.hypot(*offset) <= largest]
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)
@@ -310,7 +310,10 @@ class FrustumDrawing(Layer):
         ):
             if not is_named:
                 continue
-            board.label(letter).set_text(self.side_text(letter, value, many))
+            word = state.words.get(f"{{{letter}}}", letter)
+            asked = getattr(state.projection.lens, side, value)  # proportions may change it
+            both = dict.fromkeys(written_distance(each, many) for each in (asked, value))
+            board.label(letter).set_text(f"{word} = {' → '.join(both)}")
             first = SIDES.index(side) * len(_ON_SIDE)
             beside = spots[first : first + len(_ON_SIDE)]
             marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
@@ -319,30 +322,17 @@ class FrustumDrawing(Layer):
             places = partial(flanking, marks, out, size, state.em, rim)
             board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
 
-    def side_text(self, letter: str, value: float, digits: int = FEW) -> str:
-        word = self._state.words.get(f"{{{letter}}}", letter)
-        return f"{word} = {written_distance(value, digits)}"
-
     def ink(self, ground: Ground) -> None:
         corners, own = self._state.corners_seen, self._state.own
         if corners is not None:
             edges = own.pane.spots(corners[_EDGES])
+            if self.apex.GetVisibility():
+                eyes = np.broadcast_to(self._state.standing.eye, (4, 3))
+                ground.ink_lines(own.pane.spots(np.stack([eyes, corners[:4]], axis=1)))
             # In a flat view a plane is one upright line: letters keep a square away from it.
             aside = SQUARE_EM * self._state.em if own.fixed in ("side", "top") else 0.0
             for shift in {-aside, 0.0, aside}:
                 ground.ink_lines(edges + np.array([shift, 0.0]))
-
-    def targets(self) -> Targets:
-        state = self._state
-        *corners, eye = state.own.pane.pointed(
-            np.vstack([state.volume.corners, state.standing.eye])
-        )
-        points = [(frozenset((name,)), spot) for name, spot in zip(CORNERS, corners, strict=True)]
-        segments = volume_edges(corners)
-        if state.projection.lens.central:
-            segments += [(frozenset(("fov",)), eye, corner) for corner in corners[:4]]
-        # A flat view looks along the faces: one of them would be all of the picture.
-        return Targets(points, segments, () if state.own.fixed else corners)
 
     def reach(self) -> Array:
         return self._state.volume.corners

@@ -1,134 +1,338 @@
-"""The marks of the handles of a live pane; figures have none.
+"""The marks of the handles of a live pane, and what is under the pointer; figures have none.
 
-One actor holds all marks: a disc for a point, a diamond for a plane, a square for a corner. Each
-has a rim, and a ring in the background's colour around it. A step writes one small array of pixels.
-The highlighted mark is larger as well as in the accent's colour: colour is never alone.
+One actor holds all marks: round grips with a ring in the background's colour. A step writes one
+small array of pixels. The highlighted grip is larger as well as in the accent's colour: colour is
+never alone.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 
 from app.drawings.actors import ScreenCells
-from app.drawings.drawing import Handles
+from app.drawings.camera import CameraDrawing
+from app.drawings.drawing import Handles, Taken
 from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM
-from app.drawings.layer import Layer
+from app.drawings.layer import Layer, PaneState
+from app.drawings.pointing import FACES
+from app.drawings.probes import order_at
 from app.drawings.style import rgb
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
-from app.lecture.highlight import ENDS
-from app.picking.handles import Handle, Spot, shown
+from app.lecture.highlight import CORNERS, ENDS, SIDES, WINDOW, Highlight
+from app.model.parameters import FAR, NEAR, PARAMETERS, UP
+from app.model.projection import Array
+from app.picking.handles import (
+    CORNER,
+    EYE,
+    FAR_CORNERS,
+    NEAR_CORNERS,
+    NEAR_SIDES,
+    PLANES,
+    TARGET,
+    Handle,
+    Spot,
+    moved_by,
+    nearest,
+    place,
+    shown,
+)
+from app.picking.picking import Lines
 
 APART_EM = 0.95
-"""Least distance of two marks; they may overlap a little, as few are drawn at a time."""
+"""Least distance of a plane's grip from the others, if there is room."""
+POINT_EM, EDGE_EM = 0.65, 0.42
+"""Greatest distance at which a point and an edge are taken."""
 
-_SHAPES = {
-    "eye": (16, 0.52),
-    "target": (16, 0.52),
-    **dict.fromkeys(ENDS, (4, 0.68)),
-    "grip": (16, 0.52),
-    "origin": (16, 0.52),
-    "turn": (16, 0.42),
-    **dict.fromkeys("xyz", (4, 0.6)),
-}
-_CORNER = 4, 0.72  # corners of the mark, and its radius in em
-_RIM_EM = _RING_EM = 0.12
-_LAYERS = 3  # ring, rim and fill
-_POINTS = 16  # of each outline
+_RADIUS_EM, _RING_EM = 0.34, 0.1
+_LAYERS = 2  # ring and fill
+_POINTS = 24  # of each outline
 _POINTED_OUT = 1.4  # times as large
-_MOST = 15  # eye, target, near, far, four corners, five of the object, or two of a scene's
+_MOST = 24  # eye, target, up, near, far, sides, corners, five of the object, two of a scene's
+_MOST_AT_REST = 4
 _AWAY_PX = -1e4
+_NO_WORLD = frozenset({EYE.name, TARGET.name, UP.handle, *ENDS, CORNER})
+_OF_ANY_SCENE = "camera.eye", "camera.target", "lens.near", "lens.far"
+"""What is moved in a scene without controls of its own."""
+_NAMED = dict(zip((*NEAR_CORNERS, *FAR_CORNERS, *NEAR_SIDES), (*CORNERS, *SIDES), strict=True))
 
 
 class HandleMarks(Handles, Layer):
-    """The marks of the handles of a live pane.
+    """The grips of a scene's settings; those of the world have more.
 
-    Only the mark that is `held`, under the pointer or with the keyboard's focus, is drawn, and
-    those that are `called`; in a picture that names everything all are.
+    Drawn are the one that is `held`, under the pointer or with the keyboard's focus, those of the
+    controls at rest, and those that are `called`; in a picture that names everything all are.
     """
 
-    def __init__(self, state: WorldState, axes: WorldAxes) -> None:
-        self._state, self._axes = state, axes
+    _without = _NO_WORLD
+
+    def __init__(self, state: PaneState) -> None:
+        self._state, self._style, phenomenon = state, state.style, state.scene.phenomenon
+        self._controls: tuple[str, ...] = _OF_ANY_SCENE
+        if phenomenon is not None:
+            settings = (each.path for each in phenomenon.settings)
+            self._controls = *settings, *phenomenon.controls
+        self._paths = self._controls
         self.held = None
         self.called = frozenset[str]()
         self.shown = []
-        style = state.style
-        fills = dict.fromkeys(("eye", "corner", "grip", "turn"), style.background)
-        fills |= {name: getattr(style, name) for name in ("target", *ENDS)}
-        fills |= {"origin": style.ink, "x": style.u, "y": style.v, "z": style.n}
-        self._fills = {name: _bytes(colour) for name, colour in fills.items()}
-        self._accent, self._ink = _bytes(style.accent), _bytes(style.ink)
-        self._ring = _bytes(style.background)
-        em = style.font_size
-        self._outlines = {
-            (name, out): em * _outline(*_SHAPES.get(name, _CORNER), _POINTED_OUT if out else 1.0)
-            for name in fills
-            for out in (False, True)
-        }
-        # Ring, rim, fill, ring, ...: the later ones lie on top.
+        self._at_rest: tuple[Sequence[Handle], frozenset[Handle]] = (), frozenset()
+        self._last: tuple[Spot, Taken | None] | None = None
+        """The pixel that was asked for last, and what is there."""
+        sizes = _RADIUS_EM + np.array([_RING_EM, 0.0])
+        turns = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
+        unit = np.column_stack([np.cos(turns), np.sin(turns)])
+        self._outline: Array = state.style.font_size * sizes[:, None, None] * unit
+        # Ring, fill, ring, ...: the later ones lie on top.
         self._cells = ScreenCells(_MOST * _LAYERS, _POINTS)
         self._places = self._cells.px.reshape(_MOST, _LAYERS, _POINTS, 3)
         self._colours = np.zeros((_MOST, _LAYERS, 3), dtype=np.uint8)
         self._scalars = numpy_to_vtk(self._colours.reshape(-1, 3))  # type: ignore[no-untyped-call]
         self._cells.mesh.GetCellData().SetScalars(self._scalars)
-        state.canvas.add(self._cells.actor, layer="handles")
+        state.canvas.add(self._cells.actor, renderer=state.renderer, layer="handles")
 
     def call(self, names: frozenset[str]) -> None:
         self.called = names
-        self.follow()
+        self.settle()
 
-    def follow(self) -> None:
+    def rest(self, paths: tuple[str, ...] | None) -> None:
+        self._paths = self._controls if paths is None else paths
+        self._at_rest = (), frozenset()
+        self.settle()
+
+    def hold(self, handle: Handle | None) -> None:
+        self.held = handle
+        self.settle()
+
+    def settle(self) -> None:
         """Find the visible handles, and mark them."""
-        state, axes = self._state, self._axes.of_object
-        size_px, self.planes_drawn = state.size_px, state.planes_drawn
-        self.has_object = axes is not None
-        handles: Sequence[tuple[Handle, Spot]] = ()
-        if "handles" not in state.canvas.hidden:
-            handles = shown(
-                state.projection, self.planes_drawn, state.sight, size_px, APART_EM * state.em,
-                self.held, state.grips, state.unseen, 0.0 if axes is None else axes.reach,
-            )  # fmt: skip
-        self._mark(handles, size_px[1])
+        self._last = None
+        self._mark([] if "handles" in self._state.canvas.hidden else self._visible())
+
+    def _visible(self, *reaches: float) -> list[tuple[Handle, Spot]]:
+        state = self._state
+        points = {name: grip.point for name, grip in state.grips.items()}
+        return shown(
+            state.projection, self.planes_drawn, state.sight, state.canvas.window.GetSize(),
+            APART_EM * state.em, self.held, points, self._without, *reaches,
+        )  # fmt: skip
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        height_px = self._state.size_px[1]
-        for handle, (x, y) in self.shown:
-            if self._state.names.all or handle == self.held:
-                ground.keep([(x, height_px - y)], DOT_EM * self._state.em)
+        for handle, spot in self.shown:
+            if self.is_drawn(handle):
+                ground.keep([self._in_renderer(spot)], DOT_EM * self._state.em)
 
-    def _mark(self, handles: Sequence[tuple[Handle, Spot]], height_px: int) -> None:
-        draws_all = self._state.names.all
-        self.shown = list(handles)[:_MOST]
-        self._places[len(self.shown) :, ..., :2] = _AWAY_PX
-        for i, (handle, (x, y)) in enumerate(self.shown):
+    def is_drawn(self, handle: Handle) -> bool:
+        is_called = bool({handle.name, handle.setting} & self.called)
+        is_drawn = is_called or self._state.names.all or handle == self.held
+        return is_drawn or handle in self._at_rest[1]
+
+    def _in_renderer(self, spot: Spot) -> Spot:
+        left, top = self._state.corner_px
+        return spot[0] - left, self._state.size_px[1] - (spot[1] - top)
+
+    def _mark(self, handles: list[tuple[Handle, Spot]]) -> None:
+        self.shown = handles[:_MOST]
+        listed = [handle for handle, _ in self.shown]
+        if listed != self._at_rest[0]:
+            self._at_rest = listed, self._resting(listed)
+        self._places[..., :2] = _AWAY_PX
+        ring = _bytes(self._style.background)
+        for i, (handle, spot) in enumerate(self.shown):
+            if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
+                continue
             out = handle == self.held
-            is_drawn = out or draws_all or bool({handle.name, handle.setting} & self.called)
-            if not (math.isfinite(x) and math.isfinite(y) and is_drawn):
-                x, y = _AWAY_PX, _AWAY_PX
-            kind = handle.setting if handle.name == "object" else handle.name
-            self._places[i, ..., :2] = self._outlines[kind, out] + (x, height_px - y)
-            fill = self._accent if out else self._fills[kind]
-            self._colours[i] = self._ring, self._ink, fill
+            larger = _POINTED_OUT if out else 1.0
+            self._places[i, ..., :2] = larger * self._outline + self._in_renderer(spot)
+            fill = _bytes(self._style.accent) if out else self._colour(handle)
+            self._colours[i] = ring, fill
         self._cells.changed()
         self._scalars.Modified()
 
+    def _resting(self, handles: Sequence[Handle]) -> frozenset[Handle]:
+        """The handles of the controls, one for each and few in all."""
+        resting: dict[Handle, None] = {}
+        for section, _, name in (path.partition(".") for path in self._paths):
+            fields = set(PARAMETERS[name].fields) if name in PARAMETERS else set[str]()
+            for handle in handles:
+                moved = {each.name for each in moved_by(self._state.projection, handle)}
+                if handle.setting == name if section == "settings" else moved & fields:
+                    resting[handle] = None
+                    break
+        return frozenset(list(resting)[:_MOST_AT_REST])
 
-def _outline(corners: int, radius: float, factor: float) -> NDArray[np.float32]:
-    """The outlines of a mark's ring, rim and fill in em, as regular polygons: (3, 16, 2)."""
-    standing = corners == 4 and radius == _CORNER[1]  # the square on its side, not on its corner
-    turns = np.repeat(np.arange(corners), _POINTS // corners) / corners + 0.125 * standing
-    angles = 2.0 * math.pi * turns
-    unit = np.column_stack([np.cos(angles), np.sin(angles)])
-    sizes = factor * radius + np.array([_RING_EM, 0.0, -_RIM_EM])
-    outlines: NDArray[np.float32] = (sizes[:, None, None] * unit).astype(np.float32)
-    return outlines
+    def _colour(self, handle: Handle) -> tuple[int, ...]:
+        """The colour of the concept that a handle is about."""
+        style, name = self._style, handle.name
+        if name == "grip":
+            colour = self._state.grips[handle.setting].colour
+            return _bytes(colour if colour.startswith("#") else getattr(style, colour))
+        if name == CORNER:
+            has_angle = self._state.projection.lens.fov_y_deg is not None
+            return _bytes(style.frustum if has_angle else style.near)
+        name = {"x": "u", "y": "v", "z": "n"}.get(handle.setting, name)
+        return _bytes(getattr(style, name, style.ink))
+
+    # -- what is under the pointer
+
+    def at(self, pixel: Spot) -> Taken | None:
+        if self._last is None or self._last[0] != pixel:
+            self._last = pixel, self._at(pixel)
+        return self._last[1]
+
+    def _at(self, pixel: Spot) -> Taken | None:
+        if self.held is not None and dict(self.shown).get(self.held) == pixel:  # by the keyboard
+            return self._taken(self.held)
+        handle = nearest(self.shown, pixel, POINT_EM * self._state.em)
+        if handle is not None:
+            return self._taken(handle)
+        if "handles" in self._state.canvas.hidden:
+            return None
+        return self._edge_at(pixel) or self._label_at(pixel) or self._face_at(pixel)
+
+    def _taken(self, handle: Handle, point: Array | None = None) -> Taken:
+        """What is taken by a point of the world, or else by the handle's grip."""
+        grip = self._state.grips.get(handle.setting)
+        if point is None and grip is not None:
+            point = np.array(grip.point)
+        elif point is None:
+            point = place(self._state.projection, handle, self.planes_drawn)
+        return Taken(handle, point, self._about(handle))
+
+    def _about(self, handle: Handle) -> Highlight:
+        kind = {"grip": "settings.", "object": "object_"}.get(handle.name)
+        name = _NAMED.get(handle, handle.name) if kind is None else kind + handle.setting
+        return frozenset((name,))
+
+    def _label_at(self, pixel: Spot) -> Taken | None:
+        name = self._state.board.name_at(*self._in_renderer(pixel))
+        name = WINDOW.get(name, name)
+        for setting, grip in self._state.grips.items():
+            if name and name == grip.name:
+                return self._taken(Handle("grip", setting=setting))
+        handles = [handle for handle, _ in self.shown if handle.name != "grip"]
+        exact = [handle for handle in handles if name in self._about(handle)]
+        # A lens with an angle has no sides, but corners that move them.
+        beside = [each for each in handles if name in SIDES and name in _NAMED.get(each, "")]
+        return next((self._taken(handle) for handle in (*exact, *beside)), None)
+
+    def _edge_at(self, pixel: Spot) -> Taken | None:
+        edges = self._edges()
+        if not edges:
+            return None
+        lines, state = Lines([ends for _, ends in edges]), self._state
+        for *_, spot, hit, number in lines.near(state.sight, pixel, 0.0, EDGE_EM * state.em):
+            if not self._is_hidden(spot, hit.order):
+                return self._taken(edges[number][0], np.array(hit.point))
+        return None
+
+    def _face_at(self, pixel: Spot) -> Taken | None:
+        """The foremost face at a pixel."""
+        sight, first = self._state.sight, math.inf
+        taken = None
+        for handle, corners in self._faces():
+            across = np.roll(corners, -1, axis=0) - corners
+            normal = np.cross(across[0], across[1])
+            point = sight.meets(pixel, normal, corners[0])
+            order, w = sight.rows[2:] @ np.append(point - sight.eye, 1.0)
+            if w > 0.0 and order / w < first:  # never for NaN
+                sides = np.cross(across, point - corners) @ normal
+                if (sides >= 0.0).all() or (sides <= 0.0).all():
+                    first, taken = order / w, self._taken(handle, point)
+        return None if taken is None or self._is_hidden(pixel, first) else taken
+
+    def _is_hidden(self, pixel: Spot, order: float) -> bool:
+        """Whether a face of the scene is before what has this order."""
+        state = self._state
+        first = order_at(state.scene, state.projection, state.sight, pixel)
+        return first < order - 1e-6 * abs(order)
+
+    def _edges(self) -> list[tuple[Handle, Array]]:
+        """The edges that can be dragged, (2, 3) each, in the world."""
+        outlines = [
+            (Handle("grip", setting=name), np.stack([grip.face, np.roll(grip.face, -1, axis=0)], 1))
+            for name, grip in self._state.grips.items()
+        ]
+        return [(handle, ends) for handle, outline in outlines for ends in outline]
+
+    def _faces(self) -> list[tuple[Handle, Array]]:
+        """The faces that can be dragged, (k, 3) each, in the world."""
+        planes = [(n, grip.face) for n, grip in self._state.grips.items() if len(grip.face) > 2]
+        return [(Handle("grip", setting=name), face) for name, face in planes]
+
+
+class WorldHandles(HandleMarks):
+    """The handles of camera, lens, object and settings in the world."""
+
+    _state: WorldState
+
+    def __init__(self, state: WorldState, axes: WorldAxes, camera: CameraDrawing) -> None:
+        super().__init__(state)
+        self._axes, self._camera = axes, camera
+        self._has_sides = any(f"lens.{side}" in self._controls for side in SIDES)
+        """Whether the scene draws the window's sides, though perhaps not its frustum."""
+        self._own = [name for name in ENDS if f"lens.{name}" in self._controls]
+
+    def _visible(self, *reaches: float) -> list[tuple[Handle, Spot]]:
+        state, axes = self._state, self._axes.of_object
+        self.planes_drawn, self.has_object = state.planes_drawn, axes is not None
+        self._without = state.unseen
+        if "frustum" in state.canvas.hidden:
+            self._without |= {*ENDS} if self._has_sides else {*ENDS, CORNER}
+        reach = dict(zip(*self._camera.arrows, strict=True)).get("up")
+        return super()._visible(
+            0.0 if axes is None else axes.reach,
+            0.0 if reach is None else float(np.linalg.norm(reach)),
+        )
+
+    @property
+    def _planes(self) -> dict[str, Handle]:
+        """The handles of near and far that are drawn, if their planes are."""
+        state = self._state
+        if state.corners_seen is None or state.projection.lens.planes is None:
+            return {}
+        drawn = {handle.name: handle for handle, _ in self.shown}
+        every = {name: drawn.get(name, PLANES[name][0]) for name in ENDS}
+        return {name: handle for name, handle in every.items() if name not in self._without}
+
+    def _edges(self) -> list[tuple[Handle, Array]]:
+        state, planes, axes = self._state, self._planes, self._axes.of_object
+        eye, corners, edges = state.standing.eye, state.volume.corners, super()._edges()
+        local: list[tuple[Handle, Any]] = []
+        lens = state.projection.lens
+        for i, j in ((0, 1), (1, 2), (2, 3), (3, 0)):
+            if lens.planes is not None and lens.fov_y_deg is None and CORNER not in self._without:
+                local.append((NEAR_SIDES[i], corners[[i, j]]))
+            elif planes:
+                local.append((planes[NEAR.name], corners[[i, j]]))
+            if planes:
+                local += [(planes[FAR.name], corners[[i + 4, j + 4]])]
+                local.append((NEAR_CORNERS[i], corners[[i, i + 4]]))
+            if planes and lens.central:
+                local.append((NEAR_CORNERS[i], [eye, corners[i]]))
+        arrows = dict(zip(*self._camera.arrows, strict=True))
+        for handle, _ in self.shown:
+            if handle.name == UP.handle:
+                local.append((handle, [eye, eye + arrows[UP.name]]))
+            elif axes is not None and handle.setting in ("x", "y", "z"):
+                local.append((handle, [axes.origin, axes.ends["xyz".index(handle.setting)]]))
+        return [*edges, *((handle, np.array(ends) + state.origin) for handle, ends in local)]
+
+    def _faces(self) -> list[tuple[Handle, Array]]:
+        """Those of the scene's own planes, unless the pane looks along the view direction."""
+        state, faces = self._state, super()._faces()
+        if state.own.fixed or state.own.sees_from_eye:
+            return faces
+        named = [(self._planes[name], FACES[name]) for name in self._own if name in self._planes]
+        corners = state.volume.corners + state.origin
+        return faces + [(handle, corners[list(face)]) for handle, face in named]
 
 
 def _bytes(colour: str) -> tuple[int, ...]:

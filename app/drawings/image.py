@@ -18,6 +18,7 @@ from app.drawings import AXES
 from app.drawings.actors import identity_camera
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
+from app.drawings.handles import HandleMarks
 from app.drawings.label_placement import Ground
 from app.drawings.layer import Layer, Layers
 from app.drawings.marks import MarksDrawing
@@ -177,6 +178,8 @@ class ImageDrawing(Drawing):
         tolerance_px: float = DRAWING_TOLERANCE_PX,
         quality: Quality = AUTOMATIC,
         options: PictureOptions = FRAMED,
+        *,
+        live: bool = False,
     ) -> None:
         canvas, self._picture = PropGroup(screen, style, self._layout), vtkRenderer()
         self.state = state = ImageState(canvas, scene, words, self._picture)
@@ -195,6 +198,9 @@ class ImageDrawing(Drawing):
             self._frame = PictureFrame(state)
             self.show_layers(frozenset())
             layers.append(self._frame)
+        if live:
+            self.handles = HandleMarks(state)
+            layers.append(self.handles)
         self.layers = Layers(state, *layers)
 
     def _add_picture(self, style: Style) -> None:

@@ -76,7 +76,7 @@ class Board:
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
         self.spots: list[tuple[float, float]] = []
-        """All that is named: points, and the corners of planes."""
+        """All that is named: points, and the corners of planes; and the box of the objects."""
 
     @property
     def boxes(self) -> list[tuple[float, float, float, float]]:
@@ -91,6 +91,12 @@ class Board:
                 boxes.append((left, low, right, high))
         boxes += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
         return boxes
+
+    def name_at(self, x_px: float, y_px: float) -> str:
+        """What the label at a pixel, from the left and the bottom, is the name of."""
+        keys = (key for key, (label, _) in self._labels.items() if label.covers(x_px, y_px))
+        key = next(keys, "")
+        return str(key[1]) if isinstance(key, tuple) else str(key)
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
@@ -134,6 +140,7 @@ class Board:
 
         If not `afresh`, labels stay where they are as long as possible.
         """
+        self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         self._asked = self._wishes, ground, len(ground.taken)
         placed = self._place(None if afresh else self._kept)
         goals = dict[Hashable, KeptSpot | None]()
@@ -248,6 +255,13 @@ class Board:
         for key in self._fades:
             self._fade(key, 1.0)
         self._fades = {}
+
+
+def _is_outside(wish: Wish, ground: Ground) -> bool:
+    """Whether a wish is for a single point, and that lies beyond the pane's border."""
+    left, low, right, high = ground.limits
+    x, y = wish.spots[0] if len(wish.spots) == 1 else (left, low)
+    return max(left - x, x - right, low - y, y - high) > ground.em
 
 
 def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:

@@ -37,6 +37,7 @@ from app.model.projection import Array, Projection
 from app.picking.picking import Probe
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
+from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
 NO_POINTS = np.empty((0, 3))
@@ -95,6 +96,20 @@ class PaneState:
     def marked(self) -> Illustration | None:
         """The illustration, if its marks are shown."""
         return self.illustration
+
+    @property
+    def grips(self) -> dict[str, Grip]:
+        """The scene's settings that can be dragged in this pane, by name."""
+        if self.marked is None:
+            return {}
+        drawn = {dot.name for dot in getattr(self.marked, self.pane).dots}
+        grips = [g for g in self.marked.grips if self.pane == "world" or g.name in drawn]
+        return {grip.setting: grip for grip in grips}
+
+    @property
+    def corner_px(self) -> tuple[int, int]:
+        """Where the renderer begins in the pane, from its top left."""
+        return 0, 0
 
     @property
     def seen_projection(self) -> Projection:
@@ -226,7 +241,11 @@ class Layers:
         ground = Ground(state.room, state.em, self._ink)
         for layer in self._layers:
             layer.want(ground)
-        return state.board.settle(ground, afresh=afresh)
+        has_moved = state.board.settle(ground, afresh=afresh)
+        if len(state.objects):
+            box = state.seen(state.objects)
+            state.board.spots += [(x, y) for x, y, depth in box if depth > 0.0]
+        return has_moved
 
     def _ink(self, ground: Ground) -> None:
         for layer in self._layers:

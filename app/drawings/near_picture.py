@@ -76,7 +76,7 @@ class NearPicture(FacesLayer):
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
         toward = SLAB * thick * toward_viewer(pane, corners[:4].mean(axis=0))
-        self.actors.show_slope(state.own.slope_of_depth(corners[:4]), pane.size_px)
+        self.actors.show_slope(pane.slope_of_depth(corners[:4], *state.own.depths), pane.size_px)
         if reach is None:
             film = flatten_free(projection, state.origin, toward)
         else:

@@ -12,11 +12,13 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings.actors import axes_of
 from app.drawings.prop_group import PropGroup
 from app.model.projection import Array
+from app.picking.sight import Sight
 
 # Where in the pane a plane is looked for, from -1 to 1; what is near the bottom left first.
 _ACROSS = 9
 _SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
 _ONES = np.ones(len(_SAMPLES))
+_LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
 _YZX, _ZXY = [1, 2, 0], [2, 0, 1]
 
 Spot: TypeAlias = tuple[float, float, float]
@@ -79,16 +81,6 @@ class PaneView(NamedTuple):
         beyond = np.abs(self.spots(points) - middle) - middle
         return max(0.0, float(np.where(np.isnan(beyond), np.inf, beyond).max()))
 
-    def pointed(self, points: Array) -> list[Spot]:
-        """Where points are from the pane's top left, with an order that is linear there."""
-        height_px = self.size_px[1]
-        return [
-            (x, height_px - y, depth if self.flat else -1.0 / depth)
-            if depth > 0.0
-            else (math.nan, math.nan, math.nan)
-            for x, y, depth in self.seen(points)
-        ]
-
     def covered(self, face: Array) -> list[Spot]:
         """Return the evenly spread places of the pane that show a parallelogram, (4, 3)."""
         middle = (face[0] + face[2]) / 2.0 - self.eye
@@ -139,6 +131,47 @@ class PaneView(NamedTuple):
             parts.append(part if part >= least else 0.0)
         return parts
 
+    def slope_of_depth(self, face: Array, nearest: float, farthest: float) -> tuple[float, float]:
+        """How depth in NDC changes along x and y of NDC on a plane, of which a face is (4, 3)."""
+        normal = self.axes @ np.cross(face[1] - face[0], face[3] - face[0])
+        wide, high = self.size_px
+        per_ndc = normal[:2] * (self.slope or self.flat) * (wide / high, 1.0)
+        if self.flat:
+            per_ndc *= 2.0 / (farthest - nearest) / normal[2]
+        else:
+            away = normal @ self.axes @ (face.mean(axis=0) - self.eye)
+            per_ndc *= 2.0 / (1.0 / nearest - 1.0 / farthest) / away
+        x, y = (-per_ndc).tolist()
+        return x, y
+
+    def lifted(self, times: float) -> Array:
+        """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""
+        lift = np.eye(4)
+        if self.flat:
+            lift[:3, 3] = -times * _LINES_LIFT * 2.0 * self.flat * self.axes[2]
+            return lift
+        lift[:3, :3] *= 1.0 - times * _LINES_LIFT
+        lift[:3, 3] = times * _LINES_LIFT * self.eye
+        return lift
+
+    def sight(self, origin: Array, nearest: float) -> Sight:
+        """How it looks at the world, of which this is the scene's origin, from a depth on."""
+        width_px, height_px = self.size_px
+        right, up, toward = self.axes
+        rows = np.zeros((4, 4))
+        px = height_px / (2.0 * (self.flat or self.slope))
+        if self.flat:
+            rows[3, 3] = 1.0
+            rows[2, :3] = toward
+        else:
+            rows[3, :3] = toward
+            rows[2, 3] = -1.0
+        rows[0] = width_px / 2.0 * rows[3]
+        rows[1] = height_px / 2.0 * rows[3]
+        rows[0, :3] += px * right
+        rows[1, :3] -= px * up
+        return Sight(self.eye + origin, rows, np.array([(*toward, -nearest)]))
+
 
 class Pose(NamedTuple):
     """Where a pane's own camera stands: what two states of a drawing have between them."""
@@ -172,6 +205,7 @@ class Pose(NamedTuple):
         return Pose(focus, axes, half, half / slope if slope else distance, slope)
 
 
+_LEAST_PART = 1e-12  # of the focus' coordinates, for the distance to it
 _FLATTEST = 0.01
 """Slope of a camera that is hardly different from a parallel one."""
 
@@ -229,8 +263,14 @@ class PaneCamera:
         return Pose(focus, axes_of(camera), half or slope * distance, distance, slope)
 
     def begin_glide(self, start: Pose) -> None:
-        """Keep the present place as the goal of a way that begins at another pose."""
-        self._glide_from = start
+        """Keep the present place as the goal of a way that begins at another pose.
+
+        From a place so far away that rounding would put the eye on the focus, there is no way.
+        """
+        poses = (start, self.pose)
+        farthest = max(float(np.abs(pose.focus).max()) for pose in poses)
+        is_lost = min(pose.distance for pose in poses) < _LEAST_PART * farthest
+        self._glide_from = self.pose if is_lost else start
         self.is_turned = self.was_moved
         self.keep_goal()
 

@@ -15,7 +15,8 @@ from app.drawings.layer import Layer, PaneState, Placing
 from app.drawings.pointing import Segment, Spot, Targets
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
-from app.lecture.highlight import SIDES, Highlight, corner_at
+from app.lecture.highlight import SIDES, corner_at
+from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.picking.sight import Sight
 from app.scenes.phenomena.marks import Eyes
@@ -83,6 +84,10 @@ class ImageState(PaneState):
     @property
     def size_px(self) -> tuple[int, int]:
         return self.rectangle[2:]
+
+    @property
+    def corner_px(self) -> tuple[int, int]:
+        return self.rectangle[:2]
 
     @property
     def room(self) -> tuple[float, float, float, float]:
@@ -156,8 +161,8 @@ class PictureFrame(Layer):
         self._zero = label("0, 0", anchor=(-1, -1))
         self._width_label = label("", anchor=(1, -1))
         self._height_label = label("", anchor=(-1, 1))
-        self._x_label = label(words["x"], anchor=(-1, 1), colour=style.u)
-        self._y_label = label(words["y"], anchor=(1, 1), colour=style.v)
+        self._x_label = label(words.get("{pixel_x}", "x"), anchor=(-1, 1), colour=style.u)
+        self._y_label = label(words.get("{pixel_y}", "y"), anchor=(1, 1), colour=style.v)
         self._axis_labels = (
             self._zero, self._width_label, self._height_label, self._x_label, self._y_label
         )  # fmt: skip
@@ -169,7 +174,7 @@ class PictureFrame(Layer):
             names = (side, "fov") if side in ("top", "bottom") else (side,)
             hidden(self._add_face(side, accent), *names)
         for i in range(4):
-            hidden(self._add_face(f"corner {i}", accent), *_at_corner(i))
+            hidden(self._add_face(f"corner {i}", accent), *corner_at(SIDES[i - 1], SIDES[i]))
         for name, label in (("u", self._x_label), ("v", self._y_label)):
             hidden(self._add_face(name, getattr(self._style, name)), name)
             self._state.emphasis.label(label, name)
@@ -246,13 +251,9 @@ class PictureFrame(Layer):
         corners: list[Spot] = [
             (left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0),
         ]  # fmt: skip
-        points = [(_at_corner(i), corner) for i, corner in enumerate(corners)]
+        # Near's corner alone: two things would light up for one corner.
+        points = [(corner_at(NEAR.name, SIDES[i - 1], SIDES[i]), corners[i]) for i in range(4)]
         segments: list[Segment] = [
             (frozenset((side,)), corners[i], corners[(i + 1) % 4]) for i, side in enumerate(SIDES)
         ]
         return Targets(points, segments)
-
-
-def _at_corner(i: int) -> Highlight:
-    """The corners of the view volume that are seen in a corner of the picture."""
-    return corner_at(SIDES[i - 1], SIDES[i])

@@ -180,15 +180,14 @@ def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
 
 
 class Targets(NamedTuple):
-    """What can be pointed at; `corners` are a view volume's, for its faces. NaN is ignored."""
+    """What can be pointed at; NaN is ignored. Of faces, only those light up that can be taken."""
 
     points: Sequence[tuple[Highlight, Spot]] = ()
     segments: Sequence[Segment] = ()
-    corners: Sequence[Spot] = ()
 
 
 def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]) -> Highlight:
-    """Return what is at a pixel: the nearest point, else the nearest line, else the foremost face.
+    """Return what is at a pixel: the nearest point, else the nearest line.
 
     `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
     the hand's precision. Of equally near things the first counts.
@@ -205,14 +204,6 @@ def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]
         away = _from_segment(place, start, end)
         if away < best:
             best, pointed = away, names
-    if pointed:
-        return pointed
-    foremost = math.inf
-    for corners in (each.corners for each in targets if each.corners):
-        for name, face in FACES.items():
-            order = _order_in(place, [corners[i] for i in face])
-            if order < foremost:
-                foremost, pointed = order, frozenset((name,))
     return pointed
 
 
@@ -224,20 +215,3 @@ def _from_segment(place: tuple[float, float], start: Spot, end: Spot) -> float:
         to_x, to_y = place[0] - start[0], place[1] - start[1]
         part = min(1.0, max(0.0, (to_x * along_x + to_y * along_y) / square))
     return math.dist(place, (start[0] + part * along_x, start[1] + part * along_y))
-
-
-def _order_in(place: tuple[float, float], corners: Sequence[Spot]) -> float:
-    """The order of a convex polygon at a pixel; infinity beside it, and if it is seen edge-on."""
-    x, y = place
-    turns = []
-    for (ax, ay, _), (bx, by, _) in zip(corners, (*corners[1:], corners[0]), strict=True):
-        turns.append((bx - ax) * (y - ay) - (by - ay) * (x - ax))
-    if not (all(turn > 0.0 for turn in turns) or all(turn < 0.0 for turn in turns)):
-        return math.inf
-    (ax, ay, a), (bx, by, b), (cx, cy, c) = corners[:3]
-    area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
-    if abs(area) < 1.0:
-        return math.inf
-    to_b = ((x - ax) * (cy - ay) - (y - ay) * (cx - ax)) / area
-    to_c = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) / area
-    return a + to_b * (b - a) + to_c * (c - a)

@@ -22,6 +22,7 @@ import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
+from app.document.naming import PROBE_LETTER
 from app.drawings.actors import Space, actor_2d, lift_lines, line_actor
 from app.drawings.label_placement import Ground
 from app.drawings.labels import PROBE
@@ -79,12 +80,14 @@ class Probes(Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the discs, and ask for a place for each number."""
-        board = self._state.board
+        board, named = self._state.board, self._state.names.wanted or ()
         for number, x, y in self._spots:
             ground.keep([(x, y)], _RIM_EM * board.em)
             if number:
                 key = "probe", number
-                board.label(key, str(number), self._state.style.accent)
+                letter = chr(ord("A") + number - 1)
+                text = letter if f"{PROBE_LETTER}{letter}" in named else str(number)
+                board.label(key, "", self._state.style.accent).set_text(text)
                 board.want_beside(key, (x, y, 1.0), PROBE)
 
     def _traced(self, projection: Projection) -> list[tuple[Probe, Trace | None]]:
@@ -322,6 +325,16 @@ def pick_in(
         return behind
     ((x, y, z),) = placement.placed(np.array([hit.point])).world.tolist()
     return hit._replace(point=(x, y, z))
+
+
+def order_at(
+    scene: Scene, projection: Projection, sight: Sight, pixel: tuple[float, float]
+) -> float:
+    """The order of the foremost face at a pixel; infinity beside them all."""
+    sort_ahead(scene)
+    placed = sight.of_object(projection, scene.origin)
+    hit = _sorted[scene][0].result().pick(placed, pixel, 0.0)
+    return math.inf if hit is None else hit.order
 
 
 def _lines_of(scene: Scene) -> Lines:

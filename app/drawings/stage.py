@@ -26,8 +26,9 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings.actors import fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, light_of_labels
+from app.drawings.handles import HandleMarks
 from app.drawings.label_placement import Ground
-from app.drawings.layer import FacesLayer, Layers
+from app.drawings.layer import FacesLayer, Layer, Layers
 from app.drawings.marks import MarksDrawing
 from app.drawings.pane_view import Pose
 from app.drawings.precision import ModelActors, least_tolerance
@@ -111,6 +112,8 @@ class StageDrawing(Drawing):
         words: Mapping[str, str],
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
+        *,
+        live: bool = False,
     ) -> None:
         canvas = PropGroup(screen, style, self._layout)
         self.state = state = StageState(canvas, scene, words)
@@ -119,7 +122,11 @@ class StageDrawing(Drawing):
         self.box = StageBox(state)
         self._marks = MarksDrawing(state, clip=self._scene.planes, lifts_copies=True)
         # The scene stands in the box.
-        self.layers = Layers(state, StageProbes(state), self.box, self._scene, self._marks)
+        layers: list[Layer] = [StageProbes(state), self.box, self._scene, self._marks]
+        if live:
+            self.handles = HandleMarks(state)
+            layers.append(self.handles)
+        self.layers = Layers(state, *layers)
         self._show()
         self.reset_view()
 
@@ -195,12 +202,13 @@ class StageDrawing(Drawing):
     def _framed(self, stop: float) -> Array:
         """What has to be in view at a position up to the view's stop, (n, 3): display space.
 
-        These are the objects, the eye, the named axes and the near plane. Far belongs to them if it
-        is named; else it may leave the pane, as the grid does.
+        These are the objects, the probes, the eye, the named axes and the near plane. Far belongs
+        to them if it is named; else it may leave the pane, as the grid does.
         """
         state, origin, morph = self.state, self.state.origin, self.state.morph
         objects = state.projection.placement.placed(state.scene.objects_box).world - origin
-        local = np.vstack([objects, np.array(state.projection.camera.eye) - origin])
+        probes = [probe.point for probe in state.probes if probe.point is not None]
+        local = np.vstack([objects, np.array([state.projection.camera.eye, *probes]) - origin])
         shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
         points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
         if morph.has_volume(stop):

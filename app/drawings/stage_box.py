@@ -285,7 +285,7 @@ class StageBox(Layer):
         if stop == NDC:  # along the edges at a corner of near, z the way it grows
             starts, ends = np.moveaxis(self._shown(_AT_CORNER), 1, 0)
             tips = starts + _SHORT * (ends - starts)
-            z_near, z_far = morph.projection.depth_range
+            z_near, z_far = self._limits(morph)
             if z_near > z_far:
                 tips[2] = 2.0 * starts[2] - tips[2]
             inner = starts
@@ -336,6 +336,12 @@ class StageBox(Layer):
             if not is_shown:
                 self.axes[i] = np.nan
 
+    def _limits(self, morph: Morph) -> tuple[float, float]:
+        """The cube's z at near and at far in the lecture's signs: 002 has 1 at near."""
+        near, far = morph.projection.depth_range
+        is_turned = self._words.get("{near_in_cube}") == "1" and near == -far
+        return (far, near) if is_turned else (near, far)
+
     def _shown(self, points: object) -> Array:
         points = np.asarray(points, dtype=np.float64)
         box = self._state.display_from_box
@@ -362,7 +368,7 @@ class StageBox(Layer):
             near_text = f"{near_text} {figure(at, digits_apart(at, -1.0, least=3))}"
             self._numbers["z"][0].set_visible(False)  # on the plate of near, which is small here
         elif stop == NDC:
-            z_near, z_far = (_signed(z) for z in morph.projection.depth_range)
+            z_near, z_far = map(_signed, self._limits(morph))
             near_text, far_text = f"{near_text} {z_near}", f"{far_text} {z_far}"
             z = ("", "")  # they stand beside near and far
         elif stop == IMAGE:
@@ -425,7 +431,7 @@ class StageBox(Layer):
         for name, ends in zip(AXES, self.axes[:3, 1:], strict=True):
             start, tip = _spots(ends, pane)
             segments.append((frozenset((name,)), start, tip))
-        return Targets(points, segments + volume_edges(corners), corners)
+        return Targets(points, segments + volume_edges(corners))
 
     def _corners_seen(self) -> Array:
         """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""

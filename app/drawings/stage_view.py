@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import TypeAlias
 
 import numpy as np
 
@@ -38,6 +39,7 @@ _LOOKED_FROM_DEG = {
 _MARGIN_EM = 2.1  # on each side, for the labels
 _CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
 _MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
+_Places: TypeAlias = Callable[[float], Array]  # in display space, at a position of the strip
 
 
 class StageView(PaneCamera):
@@ -74,8 +76,8 @@ class StageView(PaneCamera):
         self,
         position: float,
         projection: Projection,
-        framed: Callable[[float], Array],
-        origin: Callable[[float], Array] | None = None,
+        framed: _Places,
+        origin: _Places | None = None,
     ) -> None:
         """Show all of a stop from the best direction; between two stops, from a mixture.
 
@@ -101,9 +103,7 @@ class StageView(PaneCamera):
         camera.SetParallelScale(scale)
         self._placed = self._now
 
-    def _framing(
-        self, stop: float, projection: Projection, framed: Callable[[float], Array]
-    ) -> Array:
+    def _framing(self, stop: float, projection: Projection, framed: _Places) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
         right, up, _ = self.axes(stop)

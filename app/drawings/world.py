@@ -1,7 +1,7 @@
 """The world pane: the scene, the camera in it, and the camera's frustum.
 
 Its layers are `SceneInWorld`, `CameraDrawing`, `WorldAxes`, `FrustumDrawing`, `NearPicture`,
-`Dimensions`, `MarksDrawing`, `WorldProbes` and `HandleMarks`; `own_view` is the camera from which
+`Dimensions`, `MarksDrawing`, `WorldProbes` and `WorldHandles`; `own_view` is the camera from which
 the pane looks. No part computes a projection: the frustum is the NDC cube's own edges and faces
 under ``world_from_clip``, and a slider step sets matrices alone.
 """
@@ -16,12 +16,12 @@ import numpy as np
 from app.drawings.actors import SceneActors, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
-from app.drawings.drawing import Drawing, Handles, light_of_labels
+from app.drawings.drawing import Drawing, light_of_labels
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import FrustumDrawing
-from app.drawings.handles import HandleMarks
+from app.drawings.handles import WorldHandles
 from app.drawings.label_placement import Ground
-from app.drawings.layer import NO_POINTS, FacesLayer, Layers
+from app.drawings.layer import NO_POINTS, FacesLayer, Layer, Layers
 from app.drawings.marks import MarksDrawing
 from app.drawings.near_picture import NearPicture
 from app.drawings.own_view import Framed, OwnView
@@ -30,9 +30,9 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
-from app.lecture.highlight import AXES, ENDS, WINDOW, made_of
+from app.lecture.highlight import AXES, ENDS, WINDOW
 from app.model.projection import Array, Camera, Projection
-from app.picking.handles import Handle, nearest
+from app.picking.handles import Handle
 from app.scenes.phenomena.illustration import Illustration, Shot
 from app.scenes.scene import Scene
 
@@ -67,7 +67,7 @@ class SceneInWorld(FacesLayer):
 
     def lift_lines(self) -> None:
         """Lift dots and lines towards the pane's own camera."""
-        lifted = self._state.own.lifted(1.0)
+        lifted = self._state.own.pane.lifted(1.0)
         for space in self._line_spaces:
             space.set(lifted @ self._state.local_from_object)
         self._ground_space.set(lifted)
@@ -107,19 +107,20 @@ class WorldDrawing(Drawing):
         self._canvas = PropGroup(screen, style, self._lay_out)
         self.state = state = WorldState(self._canvas, scene, words)
         self.names, self.board, self.own = state.names, state.board, state.own
-        state.is_live = live
         self._scene = SceneInWorld(state)
         self.picture = NearPicture(state)
         self.camera = CameraDrawing(state)
         self.frustum = FrustumDrawing(state)
         self.axes = WorldAxes(state, self._scene.actors)
         self._lengths, self._marks = Dimensions(state), MarksDrawing(state)
-        grips = [HandleMarks(state, self.axes)] if live else []
-        self.handles = grips[0] if live else Handles()
-        self.layers = Layers(
-            state, WorldProbes(state), self._scene, self.camera, self.axes, self.frustum,
-            self.picture, self._lengths, self._marks, *grips,
-        )  # fmt: skip
+        layers: list[Layer] = [
+            WorldProbes(state), self._scene, self.camera, self.axes, self.frustum,
+            self.picture, self._lengths, self._marks,
+        ]  # fmt: skip
+        if live:
+            self.handles = WorldHandles(state, self.axes, self.camera)
+            layers.append(self.handles)
+        self.layers = Layers(state, *layers)
         self._dimmable = [
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
@@ -214,22 +215,12 @@ class WorldDrawing(Drawing):
             self._follow_pane(afresh=False)
 
     def hold(self, handle: Handle | None) -> None:
-        if isinstance(self.handles, HandleMarks):
-            is_named = handle is None or handle.name in self.names
-            self.handles.held = self.names.held = handle
-            self.handles.follow()
-            if not is_named or handle is None:
-                self._name()
-                self.layers.place_labels()
-
-    def handle_at(self, pixel: tuple[float, float], within_px: float) -> Handle | None:
-        handles = self.handles.shown
-        at = nearest(handles, pixel, within_px)
-        if at is None and self.own.fixed in ("side", "top") and handles:
-            # Of a plane that is a line here, all of the line can be dragged, and its letter.
-            names = made_of(self.highlight_at(*pixel))
-            at = next((each for each, _ in handles if each.name in names), None)
-        return at
+        is_named = handle is None or handle.name in self.names
+        self.names.held = handle
+        super().hold(handle)
+        if not is_named or handle is None:
+            self._name()
+            self.layers.place_labels()
 
     # -- the pane's own camera
 

@@ -16,9 +16,7 @@ from app.drawings.frame import ObjectAxes
 from app.drawings.label_placement import Ground
 from app.drawings.labels import EYE
 from app.drawings.layer import Layer
-from app.drawings.pointing import Segment, Targets
 from app.drawings.world_state import WorldState
-from app.lecture.highlight import OBJECT_AXES
 from app.model.projection import Array
 
 
@@ -104,17 +102,6 @@ class WorldAxes(Layer):
         arrows, ends = self._named
         if arrows:
             ground.ink_lines(self._state.own.pane.spots(ends))
-
-    def targets(self) -> Targets:
-        axes = self.of_object
-        if axes is None:
-            return Targets()
-        pane = self._state.own.pane
-        origin, *ends = pane.pointed(np.vstack([axes.origin, axes.ends]))
-        segments: list[Segment] = [
-            (frozenset((name,)), origin, end) for name, end in zip(axes.shafts, ends, strict=True)
-        ]
-        return Targets([(frozenset((OBJECT_AXES[3],)), origin)], segments)
 
     @property
     def _named(self) -> tuple[tuple[str, ...], Array]:

@@ -87,8 +87,6 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.is_live = False
-        """Whether a hand can take hold of the handles."""
         self.nearest = 0.0
         """The depth from which on the pane's own camera sees."""
         self._place(scene.start.placement)
@@ -136,7 +134,7 @@ class WorldState(PaneState):
         return Placing(np.ones(3), -self.origin, limit)
 
     def copies_from_local(self, times: float) -> Array:
-        return self.own.lifted(times)
+        return self.own.pane.lifted(times)
 
     @property
     def size_px(self) -> tuple[int, int]:
@@ -144,7 +142,7 @@ class WorldState(PaneState):
 
     @property
     def sight(self) -> Sight:
-        return self.own.sight
+        return self.own.pane.sight(self.origin, self.own.depths[0])
 
     @property
     def places_labels(self) -> bool:
@@ -214,12 +212,6 @@ class WorldState(PaneState):
         elif "camera" in self.canvas.hidden:  # the pane looks through it, or from right behind it
             unseen |= {"eye"}
         return frozenset(unseen)
-
-    @property
-    def grips(self) -> dict[str, Array]:
-        """The points of the scene's settings that can be dragged, in the world."""
-        grips = () if self.illustration is None else self.illustration.grips
-        return {grip.setting: np.array(grip.point) for grip in grips}
 
     def names_point(self, name: str) -> bool:
         """Whether a thing has a name in the picture."""

@@ -27,7 +27,7 @@ _OURS = {
     **{f"size_{x}": f"s_{x}" for x in "xyz"},
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
     "near_distance": "n", "far_distance": "f", "divided_z": "\u2212A \u2212 B / z",
-    "eye_plane": "w = 0",
+    "eye_plane": "w = 0", "pixel_x": "x", "pixel_y": "y", "near_in_cube": "\u22121",
 }  # fmt: skip
 _EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
 _SYMBOLS: dict[str, dict[str, str]] = {
@@ -44,7 +44,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "002": {
         **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
         "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
-        "divided_z": "A + B / z",
+        "divided_z": "A + B / z", "near_in_cube": "1",
     },
     "003": {  # e is its focal length
         **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
@@ -53,7 +53,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
     "004": {
         **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
         "eye_point": "T\u2080", "target_point": "T\u2081",
-        "eye_plane": "z = 0",
+        "eye_plane": "z = 0", "pixel_x": "u", "pixel_y": "v",
     },
 }  # fmt: skip
 

@@ -214,7 +214,7 @@ EYE = _vector("eye", unit="units", letter="eye", formula="eye", makes=_AXES, han
 TARGET = _vector(
     "target", unit="units", letter="target", formula="target", makes=_AXES, handle="target"
 )
-UP = _vector("up", span=(-1.0, 1.0), step=0.01, formula="up", shows=("up", "u", "v"))
+UP = _vector("up", span=(-1.0, 1.0), step=0.01, formula="up", shows=("up", "u", "v"), handle="up")
 
 WIDTH = _side_px(
     "width", formula="width", read=lambda p: p.image_size[0], write=partial(_with_side, 0)

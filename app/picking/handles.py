@@ -4,7 +4,10 @@ Everything follows from one `Sight`, which turns a pixel into a ray. A handle ei
 a plane (eye, target, a corner of the window), where the ray meets it, or on a rail: a line in the
 world along which one number of the model moves it (near, far, a field of view). The rail's picture
 is a straight line too, so the point nearest to the pixel solves one linear equation. Beyond the
-vanishing point the solution is infinite, and the model decides whether it accepts that.
+vanishing point the solution is infinite, and the model decides whether it accepts that. A rail that
+is seen end-on has no picture: then up on the screen is outwards.
+
+Whatever point of a plane or an edge was grabbed stays under the pointer: the rail runs through it.
 
 A drag depends on its start and on the mouse's position, not on the path between them.
 """
@@ -34,6 +37,7 @@ from app.model.parameters import (
     SCALE,
     TOP,
     TRANSLATE,
+    UP,
 )  # fmt: skip
 from app.model.projection import LENSES, ONE_OF, Array, ObjectTransform, Projection, Vector
 from app.model.refusal import Refusal
@@ -55,7 +59,8 @@ class Handle(NamedTuple):
     face : str
         The plane of the view volume that it lies on, if any.
     at : (float, float)
-        Position on that face, from -1 to 1. For the object: the drawn length of its axes, twice.
+        Position on that face, from -1 to 1: a corner, or a side of the window if one part is 0. For
+        the object and up: the drawn length of the axes, twice.
     setting : str
         For a grip: the scene setting that it moves. For the object: one of `OBJECT_POINTS`.
     """
@@ -71,21 +76,26 @@ CORNER = LEFT.handle
 # A plane's handle is at the middle of an edge, or in its own middle if no edge is in the pane.
 _MIDDLES = ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0))
 _CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
+_SIDES = ((0.0, -1.0), (1.0, 0.0), (0.0, 1.0), (-1.0, 0.0))
 _NEAR = [Handle(NEAR.handle, NEAR.name, at) for at in _MIDDLES]
 _FAR = [Handle(FAR.handle, FAR.name, at) for at in _MIDDLES]
-_NEAR_CORNERS = [Handle(CORNER, NEAR.name, at) for at in _CORNERS]
-_FAR_CORNERS = [Handle(CORNER, FAR.name, at) for at in _CORNERS]
-_ALL = [EYE, TARGET, *_NEAR, *_FAR, *_NEAR_CORNERS, *_FAR_CORNERS]
+NEAR_CORNERS = [Handle(CORNER, NEAR.name, at) for at in _CORNERS]
+FAR_CORNERS = [Handle(CORNER, FAR.name, at) for at in _CORNERS]
+NEAR_SIDES = [Handle(CORNER, NEAR.name, at) for at in _SIDES]
+_ALL = [EYE, TARGET, *_NEAR, *_FAR, *NEAR_CORNERS, *FAR_CORNERS, *NEAR_SIDES]
 _ON_FACES = _ALL[2:]
 _AT = np.array([handle.at for handle in _ON_FACES])
 _IS_FAR = np.array([handle.face == FAR.name for handle in _ON_FACES])
 
+PLANES = {NEAR.handle: _NEAR, FAR.handle: _FAR}
 OBJECT_POINTS = ("origin", "x", "y", "z", "turn")
 """The object's handles: one to move it, three to stretch it along an axis, one to turn it."""
 _TURN_OUT = 0.75  # of the axes' length, between x and z
 _CAMERA = (EYE.name, TARGET.name)
 _OF_OBJECT = {each.handle: each for each in (TRANSLATE, ROTATE, SCALE)}
 _PER_PX = 0.1  # values are rounded to this part of a pixel: no hand is steadier
+_END_ON = 30.0  # times as far is a pixel on a rail that is seen end-on
+_UPWARDS = 1.005  # times as far away for each pixel upwards
 
 
 def shown(
@@ -98,85 +108,77 @@ def shown(
     grips: Mapping[str, Array] = MappingProxyType({}),
     without: frozenset[str] = frozenset(),
     object_reach: float = 0.0,
+    up_reach: float = 0.0,
 ) -> list[tuple[Handle, Spot]]:
     """Return the handles that fit into a pane, with their positions.
 
-    A handle is omitted if it is outside the pane or closer than `apart_px` to an earlier one. The
-    order is grips, object, eye, target, near, far, corners. The corners are those of the near face,
-    or of the far face where the near face is small.
+    The order is grips, object, eye, target, up, sides, near, far, corners. A plane's handle is
+    `apart_px` from the others, if it can be. There are corners of the far face, and of the near
+    face unless that is small, then also sides of a window that is given in numbers.
 
-    Parameters
-    ----------
-    drawn : (float, float)
-        Distances from the eye plane at which near and far are drawn.
-    sight : Sight
-        How the pane looks at the world.
-    kept : Handle, optional
-        The handle that is being dragged: it is always kept.
-    grips : mapping of setting to (3,) array, optional
-        World points of the scene settings that can be dragged.
-    without : frozenset of str, optional
-        Names of handles to omit because their part of the world is not drawn.
-    object_reach : float, optional
-        Drawn length of the object's axes; 0 if they are not drawn.
+    Near and far are drawn at the distances `drawn`. The `kept` handle is being dragged. `grips` are
+    world points of the scene's settings, by name. Handles with a name in `without` are omitted. The
+    reaches are drawn lengths of the object's axes and of the arrow up; 0 if they are not drawn.
     """
     has_faces = projection.lens.planes is not None  # a free matrix has no planes, no window
-    held = [Handle("grip", setting=name) for name in grips]
-    held_at = sight.seen(np.array(list(grips.values())).reshape(-1, 3)).tolist()
-    spots = dict(zip(held, map(tuple, held_at), strict=True))
+    free: dict[Handle, Array] = {Handle("grip", setting=name): at for name, at in grips.items()}
     if object_reach:
+        reach = object_reach, object_reach
         points = object_points(projection.placement, object_reach)
-        placed = [Handle("object", "", (object_reach, object_reach), name) for name in points]
-        placed_at = sight.seen(np.array(list(points.values()))).tolist()
-        spots |= zip(placed, map(tuple, placed_at), strict=True)
-        held += placed
-    cameras = [EYE, TARGET] if projection.has_camera else []
-    cameras = [handle for handle in cameras if handle.name not in without]
-    places = np.array([projection.camera.eye, projection.camera.target])
+        free |= {Handle("object", "", reach, name): point for name, point in points.items()}
+    if projection.has_camera:
+        free |= {handle: place(projection, handle, drawn) for handle in (EYE, TARGET)}
+        if up_reach:
+            up = Handle(UP.handle, "", (up_reach, up_reach))
+            free[up] = place(projection, up, drawn)
+    free = {handle: at for handle, at in free.items() if handle.name not in without}
+    places = np.array(list(free.values())).reshape(-1, 3)
     if has_faces:
         places = np.vstack([places, _places(projection, drawn)])
-    spots |= zip(_ALL, map(tuple, sight.seen(places).tolist()), strict=False)
+    seen = map(tuple, sight.seen(places).tolist())
+    spots: dict[Handle, Any] = dict(zip((*free, *_ON_FACES), seen, strict=False))
     width_px, height_px = size_px
-    visible: list[tuple[Handle, Spot]] = []
+    visible: dict[Handle, Spot] = {}
 
-    def take(handle: Handle) -> bool:
+    def take(handle: Handle, least_px: float = 0.0) -> bool:
         x, y = spot = spots[handle]
         if not (0.0 <= x < width_px and 0.0 <= y < height_px):  # nor NaN, behind the pane's camera
             return False
-        if any(math.dist(spot, other) < apart_px for _, other in visible):
+        if any(math.dist(spot, other) < least_px for other in visible.values()):
             return False
-        visible.append((handle, (x, y)))
+        visible[handle] = x, y
         return True
 
-    if kept is not None and kept.name in without:
-        kept = None
-    if kept is not None and kept in spots:
-        visible.append((kept, spots[kept]))
-    single = [[handle] for handle in (*held, *cameras)]
-    planes = [plane for plane in (_NEAR, _FAR) if plane[0].name not in without]
-    for alternatives in (*single, *planes) if has_faces else single:
-        several = ("grip", "object")
-        same = kept is not None and alternatives[0].name == kept.name and kept.name not in several
-        if not same and alternatives[0] != kept:
-            any(take(handle) for handle in alternatives)
-    if not has_faces or CORNER in without:
-        return visible
-    corners = [spots[handle] for handle in _NEAR_CORNERS]
-    sides = [math.dist(corners[i], corners[i - 1]) for i in range(4)]
-    face = _NEAR_CORNERS if min(sides) >= 2.0 * apart_px else _FAR_CORNERS
-    if kept is not None and kept.name == CORNER:
-        face = _FAR_CORNERS if kept.face == FAR.name else _NEAR_CORNERS
-    for handle in face:
-        if handle != kept:
-            take(handle)
-    return visible
+    for handle in free:
+        take(handle)
+    has_window, side_px = has_faces and CORNER not in without, 0.0
+    if has_window:
+        corners = [spots[handle] for handle in NEAR_CORNERS]
+        side_px = min(math.dist(corners[i], corners[i - 1]) for i in range(4))
+    has_sides = projection.lens.fov_y_deg is None and side_px >= 4.0 * apart_px
+    for handle in NEAR_SIDES if has_sides else ():
+        take(handle)
+    for name, alternatives in PLANES.items():
+        if not has_faces or name in without:
+            continue
+        if kept is not None and kept.name == name:
+            alternatives = [kept]
+        for least_px in (apart_px, 0.0):
+            if any(take(handle, least_px) for handle in alternatives):
+                break
+    near_corners = NEAR_CORNERS if side_px >= 2.0 * apart_px else []
+    for handle in (*near_corners, *FAR_CORNERS) if has_window else ():
+        take(handle)
+    if kept is not None and kept in spots and kept.name not in without:
+        visible[kept] = spots[kept]
+    return list(visible.items())
 
 
 def nearest(handles: Sequence[tuple[Handle, Spot]], pixel: Spot, within_px: float) -> Handle | None:
     away, best = within_px, None
     for handle, spot in handles:
         distance = math.dist(spot, pixel)
-        if distance <= away:  # never for NaN
+        if distance < away:  # never for NaN
             away, best = distance, handle
     return best
 
@@ -185,6 +187,9 @@ def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) ->
     """World position (3,) of a handle."""
     if handle.name in _CAMERA:
         return np.array(getattr(projection.camera, handle.name))
+    if handle.name == UP.handle:
+        up = np.array(projection.camera.up)
+        return np.asarray(projection.camera.eye + handle.at[0] * up / np.linalg.norm(up))
     if handle.name == "object":
         return object_points(projection.placement, handle.at[0])[handle.setting]
     return np.asarray(_places(projection, drawn)[_ON_FACES.index(handle)])
@@ -193,6 +198,7 @@ def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) ->
 def dragged(
     projection: Projection,
     handle: Handle,
+    grabbed: Array,
     drawn: tuple[float, float],
     sight: Sight,
     pixel: Spot,
@@ -202,8 +208,9 @@ def dragged(
     """New field values when a handle is dragged to a pixel; `changed` checks them.
 
     The projection is that when the drag began, when near and far were drawn at the two distances
-    `drawn`. `shift` moves the eye or the target along the world's vertical instead of in the plane
-    that faces the pane, and a window's corner symmetrically about the window's middle.
+    `drawn`; `grabbed` is the world point (3,) that shall be at the pixel. `shift` moves the eye or
+    the target along the world's vertical instead of in the plane that faces the pane, and a
+    window's corner symmetrically about the window's middle.
 
     Near keeps its window: it moves towards the eye for a `Perspective` lens, and straight along the
     view direction for lenses whose window is given in numbers. If a plane is drawn at a break,
@@ -213,21 +220,40 @@ def dragged(
     if handle.name in _CAMERA:
         before = getattr(projection.camera, handle.name)
         return {handle.name: moved_point(before, sight, pixel, shift)}
+    if handle.name == UP.handle:
+        camera = projection.camera
+        moved = moved_point(vector(grabbed), sight, pixel, shift) - np.array(camera.eye)
+        longer = np.linalg.norm(camera.up) / max(float(np.linalg.norm(moved)), 1e-300)
+        return {UP.name: vector(np.round(longer * moved, 4))}
     if handle.name == "object":
-        return _moved_object(projection.placement, handle, sight, pixel, shift)
-    if handle.name in (NEAR.handle, FAR.handle):
-        return {handle.name: _moved_plane(projection, handle, drawn, sight, pixel)}
+        return _moved_object(projection.placement, handle, grabbed, sight, pixel, shift)
+    if handle.name in PLANES:
+        return {handle.name: _moved_plane(projection, handle, grabbed, drawn, sight, pixel)}
     before = projection.lens.fov_y_deg
     if before is not None:
-        return {FOV_Y.name: _opened(projection, before, handle, drawn, sight, pixel)}
-    return _resized(projection, handle, drawn, sight, pixel, shift)
+        return {FOV_Y.name: _opened(projection, before, handle, grabbed, sight, pixel)}
+    return _resized(projection, handle, grabbed, sight, pixel, shift)
+
+
+def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
+    """The direction (3,) in the world in which a handle can go; None if it has a choice."""
+    if handle.name in PLANES:
+        return _rail(projection, handle, grabbed)[1]
+    if handle.name == CORNER and projection.lens.fov_y_deg is not None:
+        return _across(projection, handle, grabbed)
+    if handle.name == CORNER and 0.0 in handle.at:
+        return np.array(projection.camera.frame[int(handle.at[0] == 0.0)])
+    if handle.name == "object" and handle.setting in "xyz":
+        return _turned(projection.placement)[:, "xyz".index(handle.setting)]
+    return None
 
 
 def slid_grip(
-    start: Vector, along: Vector, before: float, sight: Sight, pixel: Spot
+    start: Vector, along: Vector, before: float, grabbed: Array, sight: Sight, pixel: Spot
 ) -> float | None:
-    """The new number of a grip on the rail ``start + t along``; None if it is seen end-on."""
-    value, per_px = sight.slide(np.array(start), np.array(along), pixel)
+    """The new number of a grip on the rail ``start + t along``; None if it is seen end-on at 0."""
+    rail = np.array(start), np.array(along)
+    value, per_px = _slid(*rail, before, grabbed, sight, pixel)
     return _tidy(value, before, per_px) if math.isfinite(value) else None
 
 
@@ -281,6 +307,8 @@ def present(projection: Projection, names: Iterable[str]) -> Change:
 
 def moved_by(projection: Projection, handle: Handle) -> tuple[Parameter, ...]:
     """The parameters that a handle changes; none for a grip."""
+    if handle.name == "grip":
+        return ()
     if handle.name == "object":
         return (_OF_OBJECT.get(handle.setting, SCALE),)
     if handle.name != CORNER:
@@ -288,7 +316,8 @@ def moved_by(projection: Projection, handle: Handle) -> tuple[Parameter, ...]:
     if projection.lens.fov_y_deg is not None:
         return (FOV_Y,)
     right, up = handle.at
-    return RIGHT if right > 0.0 else LEFT, TOP if up > 0.0 else BOTTOM
+    across, upwards = RIGHT if right > 0.0 else LEFT, TOP if up > 0.0 else BOTTOM
+    return (across,) if up == 0.0 else (upwards,) if right == 0.0 else (across, upwards)
 
 
 # --------------------------------------------------------------------------- the object
@@ -312,7 +341,12 @@ def _turned(placement: ObjectTransform) -> Array:
 
 
 def _moved_object(
-    placement: ObjectTransform, handle: Handle, sight: Sight, pixel: Spot, shift: bool
+    placement: ObjectTransform,
+    handle: Handle,
+    grabbed: Array,
+    sight: Sight,
+    pixel: Spot,
+    shift: bool,
 ) -> Change:
     """Move the origin to the pixel, stretch an axis to it, or turn the object."""
     reach, turned = handle.at[0], _turned(placement)
@@ -327,6 +361,8 @@ def _moved_object(
         return {ROTATE.name: _turned_as_seen(placement, points, sight, pixel)}
     axis = "xyz".index(handle.setting)
     before = placement.scale[axis]
+    if before:  # somewhere on the axis
+        reach = float(turned[:, axis] @ (grabbed - origin)) / before
     along, per_px = sight.slide(origin, reach * turned[:, axis], pixel)
     scale = list(placement.scale)
     scale[axis] = _tidy(along, before, per_px)
@@ -385,31 +421,42 @@ def _outwards(projection: Projection, on_near: Array, distances: Array) -> Array
     return np.concatenate([x, y], axis=-1)
 
 
-def _rail(
-    projection: Projection, handle: Handle, drawn: tuple[float, float]
-) -> tuple[Array, Array]:
-    """World point (3,) of a plane's handle at distance 0, and its step (3,) per unit distance."""
+def _rail(projection: Projection, handle: Handle, grabbed: Array) -> tuple[Array, Array]:
+    """World point (3,) of a plane's grabbed point at distance 0, and its step (3,) per distance."""
     lens = projection.lens
-    distance = drawn[handle.face == FAR.name]
-    x, y, _ = projection.camera.frame @ (place(projection, handle, drawn) - projection.camera.eye)
+    x, y, z = projection.camera.frame @ (grabbed - projection.camera.eye)
     along = np.array([0.0, 0.0, -1.0])
     if handle.face == FAR.name or not lens.window_stays:
-        along[:2] = lens.along(x, y, distance)
-    start = np.array([x, y, -distance]) - distance * along
+        along[:2] = lens.along(x, y, -z)
+    start = np.array([x, y, z]) + z * along
     world_from_view = projection.camera.frame.T
     return world_from_view @ start + projection.camera.eye, world_from_view @ along
+
+
+def _slid(
+    start: Array, along: Array, before: float, grabbed: Array, sight: Sight, pixel: Spot
+) -> tuple[float, float]:
+    """`Sight.slide`; on a rail that is seen end-on, up on the screen is outwards."""
+    across = min(sight.per_px(grabbed, axis) for axis in np.eye(3))
+    if sight.per_px(grabbed, along) * float(np.linalg.norm(along)) < _END_ON * across or not before:
+        return sight.slide(start, along, pixel)
+    up_px = float(sight.seen([grabbed])[0, 1]) - pixel[1]
+    value = before * _UPWARDS ** min(up_px, 1e4)
+    return value, abs(value) * (_UPWARDS - 1.0)
 
 
 def _moved_plane(
     projection: Projection,
     handle: Handle,
+    grabbed: Array,
     drawn: tuple[float, float],
     sight: Sight,
     pixel: Spot,
 ) -> float:
     before: float = getattr(projection.lens, handle.name)
     drawn_at = drawn[handle.name == FAR.handle]
-    distance, per_px = sight.slide(*_rail(projection, handle, drawn), pixel)
+    rail = _rail(projection, handle, grabbed)
+    distance, per_px = _slid(*rail, drawn_at, grabbed, sight, pixel)
     if projection.lens.central and distance <= 0.0:  # at the eye or behind it
         distance = 0.0 if handle.name == NEAR.handle else projection.lens.near
     if abs(before) > (1.0 + 1e-9) * abs(drawn_at) and abs(distance) >= abs(drawn_at):
@@ -417,20 +464,24 @@ def _moved_plane(
     return _tidy(distance, before, per_px)
 
 
+def _across(projection: Projection, handle: Handle, grabbed: Array) -> Array:
+    """From the axis to a point of the frustum's border, for a half angle of 45 degrees."""
+    frame, (right, up) = projection.camera.frame, handle.at
+    distance = -float(frame[2] @ (grabbed - projection.camera.eye))
+    return np.asarray(distance * (right * projection.aspect * frame[0] + up * frame[1]))
+
+
 def _opened(
     projection: Projection,
     before: float,
     handle: Handle,
-    drawn: tuple[float, float],
+    grabbed: Array,
     sight: Sight,
     pixel: Spot,
 ) -> float:
     """Field of view that puts a corner at a pixel; the rail is the diagonal of its face."""
-    distance = drawn[handle.face == FAR.name]
-    frame, (right, up) = projection.camera.frame, handle.at
-    middle = np.array(projection.camera.eye) - distance * frame[2]
-    along = distance * (right * projection.aspect * frame[0] + up * frame[1])
-    slope, per_px = sight.slide(middle, along, pixel)
+    along, slope = _across(projection, handle, grabbed), math.tan(math.radians(before) / 2.0)
+    slope, per_px = sight.slide(grabbed - slope * along, along, pixel)
     slope = max(slope, 0.0)
     fov_y_deg = math.degrees(2.0 * math.atan(slope))
     return _tidy(fov_y_deg, before, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
@@ -439,43 +490,47 @@ def _opened(
 def _resized(
     projection: Projection,
     handle: Handle,
-    drawn: tuple[float, float],
+    grabbed: Array,
     sight: Sight,
     pixel: Spot,
     symmetric: bool,
 ) -> Change:
-    """Window with one corner at a pixel, the opposite corner fixed or mirrored.
+    """Window with one corner or side at a pixel, the opposite one fixed or mirrored.
 
-    If the window keeps the image's proportions, the corner runs on its diagonal, and the fields
-    become those of the visible window.
+    If the window keeps the image's proportions, the grabbed point runs on its diagonal, and the
+    fields become those of the visible window.
     """
     camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
-    distance = drawn[handle.face == FAR.name]
     window = projection.window
-    x, y = handle.at
-    corner = np.array([window[1] if x > 0.0 else window[0], window[3] if y > 0.0 else window[2]])
-    opposite = np.array([window[0] if x > 0.0 else window[1], window[2] if y > 0.0 else window[3]])
+    distance = -float(camera.frame[2] @ (grabbed - camera.eye))
+    moves = np.array(handle.at) != 0.0
+    corner = np.array([window[1] if handle.at[0] > 0.0 else window[0],
+                       window[3] if handle.at[1] > 0.0 else window[2]])  # fmt: skip
+    opposite = np.array([window[0], window[2]]) + np.array([window[1], window[3]]) - corner
     fixed = (corner + opposite) / 2.0 if symmetric else opposite
-
-    def in_world(on_near: Array) -> Array:
-        view = np.append(_outwards(projection, on_near, np.array(distance)), -distance)
-        return np.asarray(camera.frame.T @ view + camera.eye)
-
     if keep != "stretch":
+        on_near = np.where(moves, corner, fixed)
+
+        def in_world(on_near: Array) -> Array:
+            view = np.append(_outwards(projection, on_near, np.array(distance)), -distance)
+            return np.asarray(camera.frame.T @ view + camera.eye)
+
         start = in_world(fixed)
-        part, per_px = sight.slide(start, in_world(corner) - start, pixel)
+        part, per_px = sight.slide(start, in_world(on_near) - start, pixel)
         axis = 0 if keep == "x" else 1  # the other axis follows
         length = float(corner[axis] - fixed[axis])
         value = float(fixed[axis]) + length * part
         kept = _tidy(value, float(corner[axis]), abs(length) * per_px)
         moved = fixed + (corner - fixed) * ((kept - fixed[axis]) / length)
-        moved[axis], per_px = kept, 0.0
+        moved[axis], per_px, moves[:] = kept, 0.0, True
     else:
         moved, per_px = _on_window(projection, sight, distance, pixel)
         if not np.isfinite(moved).all():  # beyond the horizon of the plane
             moved = np.array(handle.at) * math.inf
     change: Change = {}
     for axis, (low, high) in enumerate(((LEFT, RIGHT), (BOTTOM, TOP))):
+        if not moves[axis]:
+            continue
         side, other = (high, low) if handle.at[axis] > 0.0 else (low, high)
         value = _tidy(float(moved[axis]), float(corner[axis]), per_px)
         change[side.name] = value
@@ -508,8 +563,9 @@ def moved_point(before: Vector, sight: Sight, pixel: Spot, shift: bool) -> Vecto
     if shift:
         up, per_px = sight.slide(point, np.array([0.0, 1.0, 0.0]), pixel)
         return before[0], _tidy(before[1] + up, before[1], per_px), before[2]
-    # The pane's view direction: w grows along it, or for a parallel pane the order does.
-    facing = sight.rows[3, :3] if sight.rows[3, :3].any() else sight.rows[2, :3]
+    # The plane of one order, which faces the pane even where the pane shows another space.
+    depth, w = sight.rows[2:] @ np.append(point - sight.eye, 1.0)
+    facing = w * sight.rows[2, :3] - depth * sight.rows[3, :3]
     moved = sight.meets(pixel, facing, point)
     per_px = min(sight.per_px(moved, axis) for axis in np.eye(3))
     x, y, z = (_tidy(new, old, per_px) for new, old in zip(moved.tolist(), before, strict=True))

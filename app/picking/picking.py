@@ -342,8 +342,10 @@ class Lines:
 
     def near(
         self, sight: Sight, pixel: tuple[float, float], end_px: float, line_px: float
-    ) -> list[tuple[bool, tuple[float, float], Hit]]:
-        """Points of the lines near a pixel, hidden or not: whether it is an end, pixel, and point.
+    ) -> list[tuple[bool, tuple[float, float], Hit, int]]:
+        """Points of the lines near a pixel, hidden or not.
+
+        For each: whether it is an end, its pixel, the point, and the number of its line.
 
         Ends are at most `end_px` away, other points `line_px`. Ends come first, then the nearest
         point of each line; both by distance.
@@ -352,7 +354,8 @@ class Lines:
         tests = _tests(sight, pixel, max(end_px, line_px))
         most = (self._middles + offset) @ tests[:, :3].T + tests[:, 3]
         most += self._halves @ np.abs(tests[:, :3]).T
-        ends = self._ends[np.all(most >= 0.0, axis=1)[self._chunk]]
+        numbers = np.flatnonzero(np.all(most >= 0.0, axis=1)[self._chunk])
+        ends = self._ends[numbers]
         local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))
@@ -399,7 +402,8 @@ class Lines:
                 point = end if there[i] == 1.0 else start + there[i] * (end - start)
                 hit = Hit(vector(point + self._origin), None, float(order[i] / w[i]))
                 spot = float(x[i] / w[i]), float(y[i] / w[i])
-                hits.append((not is_end, float(away[i]), hit.order, is_end, spot, hit))
+                number = int(numbers[which[i]])
+                hits.append((not is_end, float(away[i]), hit.order, is_end, spot, hit, number))
         hits.sort(key=lambda place: place[:3])
         return [place[3:] for place in hits]
 
@@ -426,8 +430,8 @@ def pick(
         at_vertex = x, y
         # Test at the vertex: an edge from the vertex to the eye is in front of it only beside it.
         over = lines.near(sight, at_vertex, 0.0, _COVERS_PX * pixel_ratio)
-        is_covered = any(_in_front(place.order, hit.order) for _, _, place in over)
-    for is_end, spot, place in lines.near(sight, pixel, vertex_px, line_px)[:_TRIED]:
+        is_covered = any(_in_front(place.order, hit.order) for *_, place, _ in over)
+    for is_end, spot, place, _ in lines.near(sight, pixel, vertex_px, line_px)[:_TRIED]:
         if hit is not None and hit.vertex is not None:
             nearer = math.dist(spot, pixel) < math.dist(at_vertex, pixel)
             covers = is_covered and _in_front(place.order, hit.order)

@@ -86,6 +86,10 @@ class Sight(NamedTuple):
         length = math.hypot(*way)
         return float(one[2]) ** 2 / length if length > 0.0 else math.inf
 
+    def way_px(self, point: Array, along: Array) -> tuple[float, float]:
+        """The direction on the screen in which a point goes: right and down, of any length."""
+        return self._line(point, along)[2]
+
     def slide(self, start: Array, along: Array, pixel: tuple[float, float]) -> tuple[float, float]:
         """t of the point ``start + t along`` whose image is nearest, and its change per pixel.
 

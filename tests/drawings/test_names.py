@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.document.naming import named_in
-from app.drawings import WORDS
+from app.document.document import Document
+from app.document.naming import nameable, named_in
+from app.document.view import View
+from app.drawings import WORDS, DrawingWords
 from app.drawings.frame import axes_reach
 from app.drawings.image import ImageDrawing
 from app.drawings.names import QUIET, QUIET_WIDTH
@@ -17,10 +19,13 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import AXES, WINDOW
+from app.lecture.letters import Letters
 from app.model.object_transform import ObjectTransform
+from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
+from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, drawn, off_screen, to_bytes
+from tests.support.drawings import MakeScreen, drawn, off_screen, texts_of, to_bytes
 
 __all__ = ["off_screen"]
 
@@ -235,3 +240,65 @@ def test_the_picture_fills_its_pane_unless_its_pixels_are_named(off_screen: Make
     assert bare.width >= 0.9 * 480 or bare.height >= 0.9 * 300
     drawing.show_names(frozenset({"pixels"}))
     assert drawing.picture_rectangle_px.width < bare.width
+
+
+def test_a_point_outside_the_pane_has_no_letter(off_screen: MakeScreen) -> None:
+    """The pane looks at probe 1 from nearby; probe 2 is far beyond the border."""
+    screen, scene = off_screen(*PANE_PX), load("letter-f")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    drawing.show_names(frozenset({"probe-A"}))
+    drawing.show_probes([Probe(1, (0.0, 1.0, 0.0)), Probe(2, (60.0, 1.0, 0.0))])
+    drawing.own.show(Camera((0.0, 1.0, 6.0), (0.0, 1.0, 0.0)))
+    drawing.reset_clipping_range()
+    assert {"A"} == {text for text in texts_of(screen) if text in ("1", "2", "A", "B")}
+    drawing.show_names(frozenset())
+    assert "1" in texts_of(screen) and "A" not in texts_of(screen)
+
+
+def test_probes_have_letters_in_every_pane_that_the_view_names(off_screen: MakeScreen) -> None:
+    screen, scene = off_screen(*PANE_PX), load("letter-f")
+    drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    drawing.show_names(frozenset({"probe-B"}))
+    drawing.show_probes([Probe(1, (0.0, 1.0, 0.0)), Probe(2, (1.0, 3.0, 0.0))])
+    assert {"1", "B"} == {text for text in texts_of(screen) if text in ("1", "2", "A", "B")}
+    document = Document("letter-f", scene.start)
+    two = replace(document, view=View(probes=(Probe(1, (0, 1, 0)), Probe(2, (1, 3, 0)))))
+    for pane in ("world", "ndc", "image"):
+        assert {"probe-A", "probe-B"} <= nameable(pane, two, scene)
+        assert "probe-A" not in nameable(pane, document, scene)
+
+
+@pytest.mark.parametrize(("letters", "near", "far"), [("002", "+1", "−1"), ("003", "−1", "+1")])
+def test_lecture_002_has_its_own_sign_of_depth_in_the_cube(
+    off_screen: MakeScreen, letters: Letters, near: str, far: str
+) -> None:
+    """002: z' = A + B/z with A = -(z_f + z_n)/(z_f - z_n), B = 2 z_n z_f/(z_f - z_n): 1 at near."""
+    z_n, z_f = -4.0, -18.0
+    a, b = -(z_f + z_n) / (z_f - z_n), 2.0 * z_n * z_f / (z_f - z_n)
+    assert (a + b / z_n, a + b / z_f) == pytest.approx((1.0, -1.0))
+    screen = off_screen(*PANE_PX)
+    drawing = StageDrawing(screen, load("letter-f"), DrawingWords(letters), LIGHT)
+    drawing.show_names(frozenset({"near", "far"}))
+    assert {f"near {near}", f"far {far}"} <= texts_of(screen).keys()
+
+
+def test_an_angle_is_written_in_degrees_if_the_view_asks_for_it(off_screen: MakeScreen) -> None:
+    """By hand: 16:9 and 60 degrees high: half the width is atan(16/9 tan 30) = 45.75 degrees."""
+    screen, scene = off_screen(*PANE_PX), load("letter-f")
+    drawing = WorldDrawing(screen, scene, DrawingWords("001"), LIGHT, live=True)
+    drawing.show_names(frozenset({"angle", "degrees"}))
+    drawing.show_projection(replace(scene.start, lens=Perspective(60.0, 4.0, 18.0)))
+    drawing.show_fixed("top")
+    screen.pixels()
+    assert "θ_h/2 = 45.75°" in texts_of(screen)
+    drawing.show_names(frozenset({"angle"}))
+    screen.pixels()
+    assert "θ_h/2" in texts_of(screen)
+
+
+def test_a_question_knows_where_the_objects_are(off_screen: MakeScreen) -> None:
+    drawing = opened(off_screen(*PANE_PX))
+    corners = [(x, y) for x, y, _ in drawing.state.seen(drawing.state.objects)]
+    assert len(corners) == 8 and set(corners) <= set(drawing.board.spots)

@@ -109,6 +109,22 @@ def test_a_pair_is_drawn_at_once_and_becomes_smoother(off_screen: MakeScreen) ->
     fresh.remove()
 
 
+def test_a_pane_of_another_size_shows_the_same_pair_until_it_is_drawn(
+    off_screen: MakeScreen,
+) -> None:
+    screen = off_screen(*SIZE)
+    drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, options=UNFRAMED)
+    drawing.show_projection(START, illustration())
+    screen.pixels()
+    screen.render_window.SetSize(480, 270)
+    drawing.state.canvas.relayout()
+    stretched = screen.pixels()
+    assert drawing.is_coarse
+    drawing.refine()
+    assert abs(screen.pixels().astype(float) - stretched).mean() < 6.0
+    drawing.remove()
+
+
 def test_a_parallel_lens_has_one_picture(off_screen: MakeScreen) -> None:
     screen = off_screen(*SIZE)
     drawing = ImageDrawing(screen, SCENE, WORDS, LIGHT, options=UNFRAMED)

@@ -1003,7 +1003,7 @@ def test_lines_on_faces_are_lifted_along_their_rays(make_view: MakeView, times: 
     own = view.drawing.own
     own.look()
     eye, points = np.array((3.0, 2.0, 7.0)), np.random.default_rng(3).uniform(-4, 4, (20, 3))
-    lifted = applied(own.lifted(times), points)
+    lifted = applied(own.pane.lifted(times), points)
     np.testing.assert_allclose(lifted, points + times * 2e-3 * (eye - points), atol=1e-12)
 
 
@@ -1078,3 +1078,16 @@ def test_lengths_that_were_never_wanted_are_no_ink(make_view: MakeView) -> None:
     lengths.ink(ground)
     lengths.want(ground)
     lengths.ink(ground)
+
+
+@pytest.mark.parametrize("distance", [1e17, 1e40, 1e150])
+def test_there_is_no_way_from_where_rounding_puts_the_eye_on_the_focus(
+    make_view: MakeView, distance: float
+) -> None:
+    drawing = make_view().drawing
+    goal = drawing.own.pose
+    drawing.begin_glide(goal._replace(focus=distance * np.array([1.0, 0.3, 0.1])))
+    for part in (0.0, 0.5, 0.999, 1.0):
+        drawing.glide(part)
+        assert np.isfinite(drawing.own.pane.axes).all()
+    assert drawing.own.pose.is_near(goal)

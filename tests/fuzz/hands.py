@@ -337,7 +337,8 @@ class Hands:
         (handle, place, what), key = self._target(), self._modifier()
         turn = self.rng.choice((-360, -120, -15, 15, 120, 360))
         self.note(f"turns the wheel by {turn} {key.name} on {what}")
-        QTest.wheelEvent(handle, place, QPoint(0, turn), stateKey=key)
+        if shiboken6.isValid(handle):  # finding a target may have closed its window
+            QTest.wheelEvent(handle, place, QPoint(0, turn), stateKey=key)
 
     def drag(self, meanwhile: Callable[[], object] = lambda: None) -> None:
         """Drag, and do something else before the release."""

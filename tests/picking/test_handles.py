@@ -25,7 +25,6 @@ from app.picking.handles import (
     Handle,
     changed,
     dollied,
-    dragged,
     nearest,
     panned,
     place,
@@ -33,6 +32,7 @@ from app.picking.handles import (
     shown,
 )
 from app.picking.sight import Sight
+from tests.support.handles import dragged
 from tests.support.lenses import LENSES
 
 SIZE = (800, 700)
@@ -40,6 +40,11 @@ SIZE = (800, 700)
 FIELDS = {"eye": {"eye"}, "target": {"target"}, "near": {"near"}, "far": {"far"}}
 CORNERS = [Handle("corner", "near", (x, y)) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
 FAR_CORNERS = [handle._replace(face="far") for handle in CORNERS]
+ALL_MIDDLES = [
+    Handle(name, name, at)  # type: ignore[arg-type]
+    for name in ("near", "far")
+    for at in ((0.0, 1.0), (0.0, -1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, 0.0))
+]
 PLANES = [Handle(name, name, at) for name in ("near", "far") for at in ((0.0, 1.0), (-1.0, 0.0))]  # type: ignore[arg-type]
 
 
@@ -267,7 +272,7 @@ def test_the_wheel_never_reaches_the_target() -> None:
         changed(projection, dollied(projection, LARGEST))
 
 
-def test_handles_are_inside_the_pane_and_do_not_overlap() -> None:
+def test_handles_are_inside_the_pane_and_planes_keep_apart_if_they_can() -> None:
     """From far away the near face is a dot, and only the far corners have handles."""
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
     random, faces = np.random.default_rng(5), set()
@@ -276,14 +281,25 @@ def test_handles_are_inside_the_pane_and_do_not_overlap() -> None:
         pane = Camera(tuple(away * random.uniform(-1, 1, 3)), projection.camera.eye)
         sight = Sight.of(Projection(pane, Perspective(50.0, 0.1, 1e5), SIZE))
         found = shown(projection, (1.0, 30.0), sight, SIZE, 12.0)
-        spots = [spot for _, spot in found]
-        assert all(0.0 <= x < SIZE[0] and 0.0 <= y < SIZE[1] for x, y in spots)
-        apart = [math.dist(a, b) for i, a in enumerate(spots) for b in spots[:i]]
-        assert min(apart, default=12.0) >= 12.0
+        assert all(0.0 <= x < SIZE[0] and 0.0 <= y < SIZE[1] for _, (x, y) in found)
         assert found[0][0] == EYE
+        planes_at = [(i, spot) for i, (handle, spot) in enumerate(found) if handle in ALL_MIDDLES]
+        for i, spot in planes_at:
+            others = [other for _, other in found[:i]]
+            middles = [middle for middle in ALL_MIDDLES if middle.name == found[i][0].name]
+            places = [at(projection, middle, (1.0, 30.0), sight) for middle in middles]
+            possible = [
+                where
+                for where in places
+                if (where >= 0.0).all()
+                and (where < SIZE).all()
+                and all(math.dist(where, other) >= 12.0 for other in others)
+            ]
+            assert not possible or all(math.dist(spot, other) >= 12.0 for other in others)
         faces |= {handle.face for handle, _ in found if handle.name == "corner"}
         for handle, spot in found:
-            assert nearest(found, spot, 9.0) == handle
+            taken = nearest(found, spot, 9.0)
+            assert taken == handle or math.dist(dict(found)[taken], spot) == 0.0
             assert nearest(found, (spot[0] + 8.0, spot[1]), 9.0) is not None
             where = at(projection, handle, (1.0, 30.0), sight)
             assert math.dist(where, spot) <= 1e-9
@@ -301,9 +317,10 @@ def test_the_held_handle_stays_visible_over_other_handles() -> None:
     sight = looks(projection.camera)
     crowded = replace(projection, lens=Perspective(45.0, 1e-6, 30.0))  # near is in the eye
     held = Handle("near", "near", (-1.0, 0.0))
-    assert "near" not in {h.name for h, _ in shown(crowded, (1e-6, 30.0), sight, SIZE, 12.0)}
+    crowd = shown(crowded, (1e-6, 30.0), sight, SIZE, 12.0)
+    assert nearest(crowd, dict(crowd)[EYE], 9.0) == EYE  # a point is taken before a plane there
     found = dict(shown(crowded, (1e-6, 30.0), sight, SIZE, 12.0, held))
-    assert held in found and EYE not in found
+    assert held in found
     assert [handle.name for handle in found].count("near") == 1
 
 

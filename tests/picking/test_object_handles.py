@@ -13,7 +13,6 @@ from app.picking.handles import (
     OBJECT_POINTS,
     Handle,
     changed,
-    dragged,
     object_points,
     place,
     present,
@@ -21,6 +20,7 @@ from app.picking.handles import (
 )
 from app.picking.sight import Sight
 from tests.picking.test_handles import SIZE, looks, planes
+from tests.support.handles import dragged
 
 REACH = 2.0
 

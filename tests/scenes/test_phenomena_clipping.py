@@ -202,6 +202,17 @@ def test_l15_a_free_matrix_rests_and_a_parallel_lens_clips() -> None:
     assert parallel.warning is None and value(parallel, "corners after") > 3.0
 
 
+def test_a_corner_keeps_its_letter_after_it_is_cut_off() -> None:
+    """By hand: eye at (0, 4, 8), cot 20° up, 16:9, near 3 and far 13. A is beyond near."""
+    cot = 1.0 / math.tan(math.radians(20.0))
+    for step in range(7):
+        ndc = {text.name: text.point for text in show(START, step=step).ndc.texts}
+        for name, (x, y, z) in zip("ABC", TRIANGLE.tolist(), strict=True):
+            w = 8.0 - z
+            place = cot * 9 / 16 * x / w, cot * (y - 4.0) / w, (16.0 * w - 78.0) / 10.0 / w
+            assert ndc[name] == pytest.approx(place), (step, name)
+
+
 def test_letters_stand_at_their_corners_or_nearest_to_them_and_new_corners_have_numbers() -> None:
     for step in range(7):
         shown = show(START, step=step)

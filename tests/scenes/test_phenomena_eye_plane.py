@@ -402,8 +402,8 @@ def test_the_piece_without_an_image_is_dashed(way: str, kept: float, missing: An
     assert front == pytest.approx([min(0.0, 4.0 * kept - 2.0)])
     plane = next(face.points for face in world.faces if face.name == "w=0")
     assert plane[:, 2] == pytest.approx(0.0) and (np.ptp(plane, axis=0)[:2] > 2.0).all()
-    ruled = [line for line in world.lines if line.name == "w=0" and len(line.points) == 2]
-    assert len(ruled) == 6
+    _, ruled = (line.points for line in world.lines if line.name == "w=0")
+    assert len(ruled) == 13 and (np.ptp(ruled, axis=0) == np.ptp(plane, axis=0)).all()
 
 
 def test_after_the_cut_the_image_runs_past_the_frame_and_after_clipping_it_ends_there() -> None:

@@ -179,3 +179,13 @@ def test_foreshortening_is_the_ratio_of_the_two_squares_or_there_is_none() -> No
         heights[colour] = np.ptp(points[:, 1])
     ratio = heights["near"] / heights["far"]
     assert ratio == pytest.approx(value(illustration, "foreshortening"), rel=1e-9)
+
+
+def test_an_enlarged_photograph_says_that_it_is_one() -> None:
+    """By hand: 29 mm from 3 and an equal size from 36 are 29 * 36/3 = 348 mm: 3.314 times 105."""
+    note = {}
+    for enlarged in (True, False):
+        after = PHENOMENON.checked({"preset": "tele", "enlarged": enlarged})
+        seen = PHENOMENON.follow(PHENOMENON.start, PHENOMENON.checked({}), after)
+        note[enlarged] = reading(shown(seen, preset="tele", enlarged=enlarged), "focal length").note
+    assert note[False] is None and note[True].values == pytest.approx((348 / 105,), rel=1e-3)

@@ -254,3 +254,11 @@ def test_l18_they_are_straight_from_anywhere_and_only_for_a_lens_with_an_eye() -
             y = diagram.curves[0].points[:, 1]
             assert abs(np.diff(y, 2)).max() < 1e-13 and abs(y[-1] - y[0]) > 0.01
     assert not shown(PHENOMENON.start.with_lens("orthographic")).diagrams
+
+
+def test_the_depths_of_the_lecture_stand_at_the_ends_and_at_half_of_the_screen() -> None:
+    """003: 1/z_3 = (1/z_1 + 1/z_2)/2."""
+    start = PHENOMENON.start
+    places = {text.name: text.point for text in shown(start).world.texts}
+    z_1, z_2, z_3 = (float(start.trace(places[f"z_{i}"]).view[2]) for i in (1, 2, 3))
+    assert z_2 < z_3 < z_1 < 0.0 and 1 / z_3 == pytest.approx((1 / z_1 + 1 / z_2) / 2)

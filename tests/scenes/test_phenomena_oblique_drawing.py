@@ -156,7 +156,8 @@ def test_projectors_end_where_the_picture_has_their_points() -> None:
         angle_deg=30.0,
     )
     illustration = shown(seen)
-    projectors = [line.points for line in illustration.world.lines if line.colour == "accent"]
+    lines = illustration.world.lines
+    projectors = [line.points for line in lines if line.colour == "accent" and not line.name]
     assert len(projectors) == 8
     for corner, foot in projectors:
         trace = seen.trace([corner, foot])
@@ -183,3 +184,17 @@ def test_the_measured_edges_have_room_for_their_names(angle_deg: float) -> None:
     assert place == pytest.approx(at_one[at_one[:, 0].argmax()])
     (place,) = (text.point for text in shown(seen).image.texts if text.text.startswith("{axis_u}"))
     assert place == pytest.approx(seen.trace((-1.0, 0.0, 1.0)).image)
+
+
+def test_alpha_is_the_angle_between_the_near_plane_and_a_projector() -> None:
+    """002: x' = x - (z_n - z) cot(alpha); 1 behind the plane at 45 degrees moves it by 1."""
+    projection = oblique(PHENOMENON.start, 1.0, 0.0)
+    marks = shown(projection).world
+    texts = {text.name: text for text in marks.texts}
+    u, _, n = projection.camera.frame
+    way = texts["x"].point - texts["x'"].point
+    between = math.degrees(math.atan2(-way @ n, way @ u))
+    assert between == pytest.approx(float(projection.lens.alpha_deg))
+    (arc,) = [line.points for line in marks.lines if line.name == "alpha"]
+    ends = (arc[[0, -1]] - texts["x'"].point) / np.linalg.norm(arc[0] - texts["x'"].point)
+    assert ends[0] == pytest.approx(u) and ends[1] == pytest.approx(way / np.linalg.norm(way))

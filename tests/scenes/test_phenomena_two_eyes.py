@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.two_eyes import PHENOMENON, StereoPair
+from app.scenes.phenomena.two_eyes import PHENOMENON, eyes_of
 from tests.oracles.exact import Exact, mp
 from tests.oracles.illustrations import (
     random_projection,
@@ -32,8 +32,26 @@ ACROSS, DOWN, LARGEST = "horizontal parallax of P", "vertical parallax of P", "l
 CAMERAS = "off-axis", "toed-in"
 
 
-def pair_of(projection: Projection = START, **settings: Any) -> StereoPair:
-    return StereoPair.of(projection, PHENOMENON.checked(settings))
+def eyes(projection: Projection = START, **settings: Any) -> tuple[Projection, Projection]:
+    pair = eyes_of(projection, PHENOMENON.checked(settings))
+    return pair.left, pair.right
+
+
+def pixels(points: Array, projection: Projection = START, **settings: Any) -> Array:
+    """In both eyes' whole pictures, (2, n, 2)."""
+    return np.array([eye.trace(points).image for eye in eyes(projection, **settings)])
+
+
+def tangents(
+    x: float, y: float, w: float, h: float, distance: float, t: float
+) -> list[tuple[float, float]]:
+    """The formulas of the module's text, for the left and the right eye."""
+    found = []
+    for side in (-1.0, 1.0):
+        below = w - side * t * (x - side * h)
+        across = x - side * (h / distance) * (distance - w)
+        found.append((across / below, y * math.hypot(1.0, t) / below))
+    return found
 
 
 def by_hand(projection: Projection, point: Array, h: float, toed_in: bool) -> list[list[Any]]:
@@ -66,28 +84,35 @@ def by_hand(projection: Projection, point: Array, h: float, toed_in: bool) -> li
 
 
 @pytest.mark.parametrize("cameras", CAMERAS)
-def test_pixels_and_parallaxes_are_those_of_80_digits_and_of_the_eyes_own_lenses(
-    cameras: str,
-) -> None:
+def test_pixels_and_parallaxes_are_those_of_80_digits_and_of_the_formula(cameras: str) -> None:
     dice, compared = random.Random(48), 0
     for _ in range(60):
         seen = random_projection(dice, START).with_eye()
         s = dice.uniform(0.0, 2.0)
-        pair = pair_of(seen, cameras=cameras, separation=s)
         point = np.array([dice.uniform(-2, 2), dice.uniform(0, 4), dice.uniform(-3, 3)])
-        drawn = pair.pixels(seen, point[None])[:, 0]
-        if not np.isfinite(drawn).all() or np.abs(drawn).max() > 1e5:
+        how = {"cameras": cameras, "separation": s}
+        if not all(eye.trace(point).in_front for eye in eyes(seen, **how)):
+            continue
+        drawn = pixels(point, seen, **how)
+        if np.abs(drawn).max() > 1e5:
             continue
         compared += 1
-        exact = by_hand(seen, point, pair.half, cameras == "toed-in")
-        assert np.allclose(drawn, np.array(exact, dtype=float), rtol=1e-11, atol=1e-8)
-        eyes = pair.eyes(seen, "beside")
-        for eye, pixels in zip((eyes.left, eyes.right), drawn, strict=True):
-            assert np.allclose(eye.trace(point).image, pixels, rtol=1e-10, atol=1e-7)
-        here = shown(seen, cameras=cameras, separation=s, point=tuple(point.tolist()))
-        apart = [float(b - a) for a, b in zip(*exact, strict=True)]
-        assert value(here, ACROSS) == pytest.approx(apart[0], abs=1e-7)
-        assert value(here, DOWN) == pytest.approx(apart[1], abs=1e-7)
+        exact = by_hand(seen, point, s / 2.0, cameras == "toed-in")
+        assert np.allclose(drawn, np.array(exact, dtype=float), rtol=1e-10, atol=1e-7)
+        x, y, z = seen.trace(point).view.tolist()
+        d, (left, right, bottom, top) = seen.camera.distance, seen.window
+        t = s / 2.0 / d if cameras == "toed-in" else 0.0
+        scale = seen.lens.near / np.array([right - left, bottom - top]) * seen.image_size
+        formula = np.array(tangents(x, y, -z, s / 2.0, d, t))
+        apart = (formula[1] - formula[0]) * scale
+        here = shown(seen, **how, point=tuple(point.tolist()))
+        assert value(here, ACROSS) == pytest.approx(apart[0], abs=1e-6)
+        assert value(here, DOWN) == pytest.approx(apart[1], abs=1e-6)
+        closed = -s * (1.0 / -z - 1.0 / d), 0.0  # the module's last two lines
+        if t:
+            below = (-z + t * (x + s / 2.0)) * (-z - t * (x - s / 2.0))
+            closed = apart[0] / scale[0], 2.0 * t * x * y * math.hypot(1.0, t) / below
+        assert apart == pytest.approx(np.array(closed) * scale, abs=1e-6)
     assert compared > 30
 
 
@@ -100,7 +125,7 @@ def vtk_pixel(camera: vtkCamera, point: Array) -> list[float]:
 
 def test_vtk_s_own_stereo_camera_and_two_turned_ones_see_the_same() -> None:
     points = SUBJECT.points[::7]
-    off_axis, toed_in = (pair_of(cameras=cameras).pixels(START, points) for cameras in CAMERAS)
+    off_axis, toed_in = (pixels(points, cameras=cameras) for cameras in CAMERAS)
     low_left, low_right, up_right, _ = section(START, 8.0)
     for eye, side in enumerate((-0.4, 0.4)):
         screen = vtkCamera()
@@ -144,9 +169,9 @@ def test_the_start_by_hand() -> None:
 def test_what_lies_in_the_screen_plane_does_not_move_and_the_rest_does() -> None:
     """Off axis; toed in, even points of the screen plane move beside its middle."""
     front = np.array([(-1.5, 0.0, 0.0), (0.9, 4.0, 0.0)])
-    left, right = pair_of().pixels(START, front)
-    assert (left == right).all()
-    left, right = pair_of(cameras="toed-in").pixels(START, front)
+    left, right = pixels(front)
+    assert left == pytest.approx(right, abs=1e-10)
+    left, right = pixels(front, cameras="toed-in")
     assert (np.abs(left - right).max(axis=1) > 0.5).all()
     moved = PHENOMENON.follow(START, {"screen": 8.0}, PHENOMENON.checked({"screen": 5.0}))
     in_it = shown(moved)
@@ -165,13 +190,12 @@ def test_the_screen_plane_is_the_target_s_and_moves_nothing_else() -> None:
 
 
 def test_off_axis_eyes_share_one_window_in_the_screen_plane() -> None:
-    eyes = pair_of().eyes(START, "beside")
-    for eye in (eyes.left, eyes.right):
+    for eye in eyes():
         assert np.allclose(section(eye, 8.0), section(START, 8.0))
     # glFrustum's l and r of the left eye: half the separation to the right, at n/D of its size.
     left, right, bottom, top = START.window
     expected = (left + 0.2, right + 0.2, bottom, top)
-    assert eyes.left.window == pytest.approx(expected)
+    assert eyes()[0].window == pytest.approx(expected)
 
 
 def test_what_is_impossible_is_refused_in_one_sentence() -> None:
@@ -198,7 +222,7 @@ def test_a_point_beside_the_eyes_has_no_parallax() -> None:
 
 @pytest.mark.parametrize("pictures", ["beside", "crossed", "red-cyan"])
 def test_p_is_marked_where_each_eye_s_picture_lies(pictures: str) -> None:
-    left, right = pair_of().pixels(START, np.array([(1.0, 0.8, 3.0)]))[:, 0]
+    left, right = pixels(np.array((1.0, 0.8, 3.0)))
     moves = {"beside": (-320, 320), "crossed": (320, -320), "red-cyan": (0, 0)}[pictures]
     dots = shown(pictures=pictures).image.dots
     for dot, place, move in zip(dots, (left, right), moves, strict=True):
@@ -207,8 +231,8 @@ def test_p_is_marked_where_each_eye_s_picture_lies(pictures: str) -> None:
 
 @pytest.mark.parametrize("cameras", CAMERAS)
 def test_the_projectors_of_p_meet_in_p_and_cut_their_eyes_windows(cameras: str) -> None:
-    illustration, eyes = shown(cameras=cameras), pair_of(cameras=cameras).eyes(START, "beside")
+    illustration, pair = shown(cameras=cameras), eyes(cameras=cameras)
     hits = {dot.name: dot.point for dot in illustration.world.dots if dot.name.startswith("P_")}
-    for eye, hit in zip((eyes.left, eyes.right), (hits["P_l"], hits["P_r"]), strict=True):
+    for eye, hit in zip(pair, (hits["P_l"], hits["P_r"]), strict=True):
         assert eye.trace(hit).image == pytest.approx(eye.trace((1.0, 0.8, 3.0)).image)
         assert -eye.trace(hit).view[2] == pytest.approx(eye.camera.distance)

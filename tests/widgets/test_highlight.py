@@ -140,14 +140,14 @@ def box(width: float = 100.0, height: float = 60.0) -> list[tuple[float, float, 
     return near + [(30 + 0.4 * x, 20 + 0.4 * y, 1.0) for x, y, _ in near]
 
 
-def test_the_nearest_point_then_line_then_face() -> None:
+def test_the_nearest_point_then_line_and_no_face() -> None:
     corners = box()
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-    targets = Targets(points, volume_edges(corners), corners)
+    targets = Targets(points, volume_edges(corners))
     for place, named in (
         ((101.0, 58.0), {"near_right_bottom"}),
         ((50.0, 61.0), {"near"}),  # its lower edge
-        ((15.0, 30.0), {"near"}),  # the foremost face
+        ((15.0, 30.0), set()),  # on a face
         ((85.0, 10.0), {"right", "top"}),
         ((200.0, 200.0), set()),
     ):
@@ -163,15 +163,7 @@ def test_of_two_points_in_reach_the_nearer_stands_out(order: int) -> None:
 def test_a_point_without_a_place_is_not_highlighted() -> None:
     nowhere = [(math.nan, math.nan, math.nan)] * 8
     points = [(frozenset((name,)), at) for name, at in zip(CORNERS, nowhere, strict=True)]
-    assert (
-        pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere), nowhere)]) == NOTHING
-    )
-
-
-def test_the_frontmost_face_by_its_depth_there() -> None:
-    corners = box()
-    behind = [(x, y, 2.0 - order) for x, y, order in corners]  # now the far face is in front
-    assert pointed_at((50.0, 30.0), 13.0, [Targets(corners=behind)]) == {"far"}
+    assert pointed_at((5.0, 5.0), 13.0, [Targets(points, volume_edges(nowhere))]) == NOTHING
 
 
 # -- from a control to the panes
@@ -277,9 +269,11 @@ def test_the_world_knows_what_is_under_the_mouse(
     )  # where the break lets it be drawn
     assert at(far[1]) == {"far_right_bottom"}
     assert at((far[2] + far[3]) / 2.0) == {"far"}
-    assert at(0.5 * corners[0] + 0.5 * far[0]) == {"left", "bottom"}
-    assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) == {"fov"}
-    assert len(at(0.25 * far.sum(axis=0))) == 1  # some face
+    # What would be dragged: the field of view, by its corner.
+    assert at(0.5 * corners[0] + 0.5 * far[0]) == {"near_left_bottom"}
+    lines = {f"near_{side}_top" for side in ("left", "right")}  # one may lie over the other
+    assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) < lines
+    assert len(at(0.25 * far.sum(axis=0))) <= 1  # a face that can be dragged, or none
     assert made_of(highlighted.now) <= PLANES
 
 
@@ -289,8 +283,12 @@ def test_a_label_can_be_pointed_at(window: MainWindow, highlighted: Highlighted)
         label = drawing.board.label(text)
         canvas = window.panes["world"].canvas
         left, right, bottom, top = label.box_px
-        point_at(window, "world", (left + right) / 2, canvas.height() - (bottom + top) / 2)
-        assert highlighted.now == {text} and text in marked(window)
+        y_px = canvas.height() - (bottom + top) / 2
+        seen = []
+        for x_px in np.linspace(left + 1.0, right - 1.0, 9).tolist():  # an edge may lie over it
+            point_at(window, "world", x_px, y_px)
+            seen.append((highlighted.now, text in marked(window)))
+        assert (frozenset((text,)), True) in seen
 
 
 def test_the_cube_knows_what_is_under_the_mouse(
@@ -312,12 +310,11 @@ def test_the_cube_knows_what_is_under_the_mouse(
         window.store.set_projection(replace(window.store.document.projection, depth=depth))
         settle()
         before = pictures(window)
+        assert at((1, 0.4, 0.1)) == set()  # a face that cannot be dragged
         assert at((1, -1, -1)) == {"near_right_bottom"}
         assert at((-1, 1, 1)) == {"far_left_top"} or at((1, 1, 1)) == {"far_right_top"}
         assert at((0.5, 1, -1)) == {"near"}
         assert at((1, -1, 0.3)) == {"right", "bottom"}
-        assert at((0.3, -0.4, -1)) == {"near"}
-        assert at((1, 0.4, 0.1)) == {"right"}
         assert changed(before, pictures(window)) == {"world", "ndc", "image"}
         leave(window)
         assert changed(before, pictures(window)) == set()
@@ -333,8 +330,8 @@ def test_the_image_knows_its_sides_and_corners(
         (left + width, top + height / 2, {"right"}),
         (left + width / 2, top, {"top"}),
         (left + width / 2, top + height, {"bottom"}),
-        (left + width, top, {"near_right_top", "far_right_top"}),
-        (left, top + height, {"near_left_bottom", "far_left_bottom"}),
+        (left + width, top, {"near_right_top"}),
+        (left, top + height, {"near_left_bottom"}),
         (left + width / 2, top + height / 2, set()),
     ):
         point_at(window, "image", x_px, y_px)
@@ -369,12 +366,12 @@ def test_turning_a_pane_picks_nothing(window: MainWindow) -> None:
     asked: list[QPointF] = []
     pane.hand.hovered.connect(asked.append)
     centre = pane.canvas.mapTo(window, pane.canvas.rect().center())
-    QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=centre)
+    QTest.mousePress(handle, Qt.MouseButton.MiddleButton, pos=centre)
     for step in range(1, 5):
         QTest.mouseMove(handle, centre + QPoint(20 * step, 0))
     settle()
     while_down = list(asked)
-    QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=centre)
+    QTest.mouseRelease(handle, Qt.MouseButton.MiddleButton, pos=centre)
     assert while_down == [] and pane.view is not None  # it has been turned
     hover(window, pane.canvas, pane.canvas.rect().bottomLeft() + QPoint(20, -20))
     assert len(asked) > len(while_down)
@@ -487,7 +484,7 @@ def test_a_corner_marks_the_rows_that_its_drag_changes(
     settle()
     drawing, canvas = window.panes["world"].drawing, window.panes["world"].canvas
     marks = drawing.handles.shown  # type: ignore[union-attr]
-    x_px, y_px = next(spot for handle, spot in marks if handle.name == "corner")
+    x_px, y_px = next(s for h, s in marks if h.name == "corner" and 0.0 not in h.at)
     before = window.store.document.projection
     point_at(window, "world", x_px / canvas.pixel_ratio, y_px / canvas.pixel_ratio)
     assert highlighted.now < set(CORNERS)

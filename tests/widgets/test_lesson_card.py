@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import threading
 import time
 from dataclasses import dataclass
@@ -35,7 +36,7 @@ from app.lessons.blocks.block import REVEALED, Asked, Here, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.checking import CheckReport
 from app.lessons.course import CONTENT, contained, idea_named
-from app.lessons.lesson import read
+from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
 from app.lessons.player import Player
 from app.lessons.text import spoken_text
@@ -1225,3 +1226,40 @@ def test_a_pasted_matrix_fills_all_cells_of_an_answer(window: MainWindow, tmp_pa
     view.cells[0].setText("1")
     press(KEY.Key_Return)
     assert "On the diagonal." in texts(view)
+
+
+def is_in_view(area: QScrollArea, widget: QWidget) -> bool:
+    """Whether a widget is seen whole without scrolling."""
+    top = widget.mapTo(area.viewport(), QPoint()).y()
+    return top >= -1 and top + widget.height() <= area.viewport().height() + 1
+
+
+def needed(step: Step, window: MainWindow) -> list[Any]:
+    """The rows of the dock that a step names: in its state, or in italics."""
+    said = re.findall(r"\*([^*]+)\*", " ".join(part.text for part in step.parts))
+    asked = window.store.document.view.controls
+    of_scene = {f"settings.{key}": row for key, row in window.controls.card.rows.items()}
+    paths = [path.rpartition(".")[2] for path in asked if path not in of_scene]
+    rows = [(key in asked, row) for key, row in of_scene.items()]
+    rows += [(key in paths, row) for key, row in window.controls.rows.items()]
+    return [row for is_asked, row in rows
+            if (is_asked or row.name in said) and row.isVisibleTo(window.controls)]  # fmt: skip
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("course", sorted(CONTENT.glob("l*.md")), ids=lambda path: path.stem[:3])
+def test_nothing_that_a_step_needs_is_below_the_fold(window: MainWindow, course: Path) -> None:
+    window.resize(1366, 768)
+    window.settings.reduce_motion = True
+    assert window.lesson_card.open(course)
+    page = window.lesson_card.page
+    for place in range(len(read(course).steps)):
+        assert window.lessons.go(place)
+        settle()
+        assert window.lessons.player is not None
+        step = window.lessons.player.step
+        for row in needed(step, window):
+            assert is_in_view(window.controls, row), (step.title, row.name)
+        assert page.widget().height() <= page.viewport().height() + 1, step.title
+        answers = [*page.findChildren(QLineEdit), *page.findChildren(QPushButton)]
+        assert all(is_in_view(page, each) for each in answers if each.isVisible()), step.title

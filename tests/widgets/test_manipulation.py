@@ -46,6 +46,7 @@ from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
 NONE = Qt.KeyboardModifier.NoModifier
+MIDDLE = Qt.MouseButton.MiddleButton
 SHIFT = Qt.KeyboardModifier.ShiftModifier
 LENSES: dict[str, Lens] = {
     "perspective": Perspective(45.0, 1.0, 16.0),
@@ -72,7 +73,17 @@ def marks(window: MainWindow) -> dict[Handle, tuple[float, float]]:
 
 
 def mark(window: MainWindow, name: str) -> tuple[Handle, tuple[float, float]]:
-    return next((handle, spot) for handle, spot in marks(window).items() if handle.name == name)
+    """The first handle of a name; no side of the window, which can go one way only."""
+    handles = marks(window).items()
+    return next(
+        (handle, spot)
+        for handle, spot in handles
+        if handle.name == name and not (name == "corner" and 0.0 in handle.at)
+    )
+
+
+def tip(window: MainWindow, name: str = "world") -> str:
+    return window.panes[name].canvas.toolTip()
 
 
 def move(window: MainWindow, name: str, to: QPoint, key: Any = NONE, button: Any = LEFT) -> None:
@@ -228,23 +239,24 @@ def test_a_drag_beside_the_handles_still_turns_the_view(window: MainWindow) -> N
     start, place = model(window), view(window)
     x, y = mark(window, "far")[1]
     empty = point_of((x, y - 40.0))
-    assert world(window).handle_at((x, y - 40.0), 9.0) is None
+    assert world(window).handles.at((x, y - 40.0)) is None
     drag(window, "world", empty, (20, 5), (40, 10))
     assert view(window) != place and model(window) == start and not window.store.in_gesture
 
 
 def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow) -> None:
-    canvas, hand = window.panes["world"].canvas, window.manipulation
+    canvas = window.panes["world"].canvas
     handle, spot = mark(window, "near")
-    before, tip = pixels(window, "world"), canvas.toolTip()
+    before, plain = pixels(window, "world"), tip(window)
+    assert "\n" not in plain and len(plain) < 60
     counts = []
     observer = canvas.render_window.AddObserver("EndEvent", lambda *_: counts.append(1))
     for way in ((0, 0), (1, 0), (1, 1), (0, 0)):
         move(window, "world", point_of(spot) + QPoint(*way), button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).handles.held == handle
-    assert "near plane" in hand.handle_text and "Near = 1" in hand.handle_text
-    assert canvas.toolTip() == hand.handle_text != tip
-    assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
+    assert "near plane" in tip(window) and "Near = 1" in tip(window)
+    assert window.panes["world"].note.text() == "", "the tooltip has no second copy"
+    assert canvas.cursor().shape() == Qt.CursorShape.BitmapCursor
     pointed = pixels(window, "world")
     changed = np.argwhere((pointed != before).any(axis=2))
     # The mark; and, as everywhere, the plane that it belongs to.
@@ -254,8 +266,8 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     for _ in range(2):
         move(window, "world", away, button=Qt.MouseButton.NoButton)
     assert len(counts) == 1 and world(window).handles.held is None
-    assert (hand.handle_text, canvas.toolTip()) == ("", tip)
-    assert canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
+    assert tip(window) == plain
+    assert canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
     assert (pixels(window, "world") == before).all()
     move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
@@ -264,85 +276,48 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
 
 
 def held_line(window: MainWindow) -> QLabel:
-    """The line over the pane that is used where the title leaves no room."""
-    return window.panes["world"].findChild(QLabel, "heldLine")
+    """The line beside what is dragged."""
+    return window.manipulation.line
 
 
-def test_the_text_about_a_handle_is_fully_visible_and_does_not_jump(window: MainWindow) -> None:
-    """The text is beside the title if there is room, else in a line over the pane."""
-    hand, pane = window.manipulation, window.panes["world"]
+def gap(window: MainWindow, spot: tuple[float, float]) -> float:
+    """How far the line is from a place in the world pane."""
+    box = held_line(window).geometry()
+    assert window.panes["world"].canvas.rect().contains(box)
+    x, y = spot
+    return math.hypot(
+        max(box.left() - x, 0.0, x - box.right()), max(box.top() - y, 0.0, y - box.bottom())
+    )
+
+
+def test_the_value_stands_beside_what_is_dragged(window: MainWindow) -> None:
     _, spot = mark(window, "eye")
-    at = point_of(spot)
-
-    def place() -> str:
-        line, note = held_line(window), pane.note
-        if line.isVisible():
-            assert note.text() == "" and hand.handle_text == line.text()
-            assert line.geometry().top() == pane.canvas.y() and line.width() == pane.width()
-            assert line.height() >= line.heightForWidth(line.width())
-            return "line"
-        assert hand.handle_text == note.text()
-        assert note.fontMetrics().horizontalAdvance(note.text()) <= note.width()
-        return "title"
-
-    pane.title.setMinimumWidth(pane.width() // 2)  # as on a small screen: little room beside it
-    settle()
+    at, line = point_of(spot), held_line(window)
     move(window, "world", at, button=Qt.MouseButton.NoButton)
-    assert "Eye = (6, 5, 9)" in hand.handle_text and place() == "line"
+    assert "Eye = (" in tip(window) and not line.isVisible()
     press(window, "world", at)
-    for way in ((12, 0), (60, 30), (200, 0)):
+    for way in ((-12, 0), (-60, 30), (-200, 0)):
         move(window, "world", at + QPoint(*way))
-        assert "Eye = (" in hand.handle_text and place() == "line"
-    pane.title.setMinimumWidth(0)
-    settle()
-    move(window, "world", at + QPoint(12, 2))
-    assert place() == "line", "it stays where it is while it is held"
-    release(window, "world", at + QPoint(12, 2))
-    move(window, "world", point_of((3.0, 3.0)), button=Qt.MouseButton.NoButton)
-    assert hand.handle_text == "" and place() == "title"
-    move(window, "world", point_of(mark(window, "near")[1]), button=Qt.MouseButton.NoButton)
-    assert "Near = 1" in hand.handle_text
-    place()
+        assert line.isVisible() and line.text().startswith("Eye = (")
+        assert 4.0 < gap(window, mark(window, "eye")[1]) < 40.0
+    release(window, "world", at + QPoint(-200, 0))
+    assert not line.isVisible()
 
 
 @pytest.mark.parametrize("change", ["scene", "style"])
 def test_the_text_about_a_handle_disappears_with_its_drawing(
     window: MainWindow, change: str
 ) -> None:
-    hand, pane = window.manipulation, window.panes["world"]
-    tip = pane.canvas.toolTip()
-    pane.title.setMinimumWidth(pane.width() // 2)
-    settle()
+    pane, plain = window.panes["world"], tip(window)
     move(window, "world", point_of(mark(window, "eye")[1]), button=Qt.MouseButton.NoButton)
-    assert hand.handle_text and held_line(window).isVisible()
+    assert tip(window) != plain
     if change == "scene":
         window.guide.choose("cube")
     else:
         window.look.set_presenting(True)
     assert world(window).handles.held is None
-    assert (hand.handle_text, pane.canvas.toolTip(), held_line(window).isVisible()) == (
-        "",
-        tip,
-        False,
-    )
-    assert pane.canvas.cursor().shape() == Qt.CursorShape.ArrowCursor
-
-
-def test_a_refusal_replaces_the_text_about_a_handle_while_it_is_shown(window: MainWindow) -> None:
-    hand = window.manipulation
-    window.panes["world"].title.setMinimumWidth(window.panes["world"].width() // 2)
-    settle()
-    handle, spot = mark(window, "near")
-    far = along(window, handle, near=15.9)
-    press(window, "world", point_of(spot))
-    move(window, "world", point_of(spot) + QPoint(round(1.3 * far[0]), round(1.3 * far[1])))
-    assert hand.message.isVisible() and not held_line(window).isVisible()
-    release(window, "world", point_of(spot))
-    assert (
-        not hand.message.isVisible()
-        and "Near = " in hand.handle_text
-        and held_line(window).isVisible()
-    )
+    assert tip(window) == plain and not held_line(window).isVisible()
+    assert pane.canvas.cursor().shape() == Qt.CursorShape.OpenHandCursor
 
 
 def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
@@ -353,38 +328,40 @@ def test_every_handle_is_named_for_every_lens(window: MainWindow) -> None:
         settle()
         for spot in marks(window).values():
             move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
-            texts.add(window.manipulation.handle_text)
+            texts.add(tip(window))
         QApplication.sendEvent(window.panes["world"].canvas, QEvent(QEvent.Type.Leave))
     said = " | ".join(texts)
-    for part in ("Eye = (6, 5, 9)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
+    for part in ("Eye = (5, 4.5, 8)", "Target = (0, 2.2, 0)", "Near = 5", "Far = 16",
                  "Field of view = 45", "Left = −0.6", "Top = 2.5"):  # fmt: skip
         assert part in said, part
-    assert "" not in texts
+    assert all("Drag" in text and "=" in text for text in texts)
 
 
-def test_near_past_far_is_refused_until_the_drag_ends(window: MainWindow) -> None:
-    bar = window.manipulation.message
+def test_near_past_far_stops_before_it_until_the_drag_ends(window: MainWindow) -> None:
+    bar = held_line(window)
     handle, spot = mark(window, "near")
     size = window.panes["world"].canvas.size()
     far = along(window, handle, near=15.9)
     press(window, "world", point_of(spot))
     move(window, "world", point_of(spot) + QPoint(far[0] // 2, far[1] // 2))
     good = model(window)
-    assert good.lens.near > 1.0 and bar.text == ""
+    assert good.lens.near > 1.0 and bar.text().startswith("Near = ")
     past = QPoint(round(1.3 * far[0]), round(1.3 * far[1]))
     move(window, "world", point_of(spot) + past)
-    assert model(window) == good
-    assert bar.text.startswith("Near = ") and bar.text.endswith(
+    assert good.lens.near < 15.0 < model(window).lens.near < 16.0, "it stops at the bound"
+    assert bar.text().startswith("Near = ") and bar.text().endswith(
         "must be less than far, which is 16."
     )
+    assert bar.isVisible() and gap(window, marks(window)[handle]) < 40.0
+    assert bar.height() < 2 * bar.fontMetrics().height(), "one line"
     assert bar.isVisible() and window.panes["world"].canvas.size() == size  # nothing was pushed
     move(window, "world", point_of(spot) + QPoint(far[0] // 3, far[1] // 3))
-    assert bar.text == "" and model(window) != good
+    assert "must" not in bar.text() and model(window).lens.near < good.lens.near
     move(window, "world", point_of(spot) + past)
-    assert bar.text
+    assert "must" in bar.text()
     held = model(window)
     release(window, "world", point_of(spot) + past)
-    assert bar.text == "" and model(window) == held
+    assert not bar.isVisible() and model(window) == held
 
 
 def test_escape_cancels_a_drag(window: MainWindow) -> None:
@@ -461,14 +438,15 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
         counts.append(first)
         assert (drawing.handles.held is not None) == live
         spot = drawing.sight.seen([scene.start.camera.eye])[0].tolist()
-        assert drawing.handle_at(tuple(spot), 9.0) == (EYE if live else None)
+        taken = drawing.handles.at(tuple(spot))
+        assert (taken is not None and taken.handle == EYE) == live
         drawing.remove()
         plotter.close()
     assert counts[1] == counts[0] + 1
 
 
-def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
-    """A rim of ink around a fill, larger while presenting."""
+def test_grips_are_seen_in_every_style(window: MainWindow) -> None:
+    """Ten pixels of the concept's colour in a ring, larger while presenting."""
     window.menus.name_everything.trigger()
     for theme, style, presents in (("light", LIGHT, True), ("dark", DARK, False)):
         window.look.set_theme(theme)
@@ -478,14 +456,38 @@ def test_marks_are_seen_in_every_style(window: MainWindow) -> None:
         for name, fill in (("far", style.far), ("target", style.target)):
             x, y = (round(part) for part in mark(window, name)[1])
             around = picture[y - 12 : y + 13, x - 12 : x + 13]
-            for colour in (style.ink, fill):
-                off = np.abs(around - 255.0 * np.array(rgb(colour))).max(axis=2)
-                assert (off <= 6.0).sum() >= (24 if presents else 12), (name, colour)
+            off = np.abs(around - 255.0 * np.array(rgb(fill))).max(axis=2)
+            assert (off <= 6.0).sum() >= (120 if presents else 60), name
+            assert presents or 9 <= (off[12, 7:18] <= 6.0).sum() <= 11, "ten pixels wide"
+
+
+def at_rest(window: MainWindow) -> set[str]:
+    """The handles whose grips are drawn."""
+    handles: Any = world(window).handles
+    return {h.setting or h.name for h, _ in handles.shown if handles.is_drawn(h)}
+
+
+def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    for scene, names in {
+        "letter-f": {"eye", "target", "near", "far"},
+        "similar-triangles": {"point", "distance", "eye"},
+        "affine-depth": {"start", "end", "near", "far"},
+        "off-axis-window": {"corner"},
+        "planar-shadow": {"light", "height"},
+    }.items():
+        window = make_scene(scene)
+        assert at_rest(window) == names, scene
+        assert sum(world(window).handles.is_drawn(h) for h, _ in world(window).handles.shown) <= 4
 
 
 def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(window: MainWindow) -> None:
-    before = marks(window)
-    drag(window, "world", QPoint(30, 30), (20, 5), (60, 10))
+    before, canvas = marks(window), window.panes["world"].canvas
+    QTest.mousePress(canvas, MIDDLE, NONE, pos=QPoint(300, 300))  # on the far plane, it turns
+    for way in ((20, 5), (60, 10)):
+        move(window, "world", QPoint(300, 300) + QPoint(*way), button=MIDDLE)
+    QTest.mouseRelease(canvas, MIDDLE, NONE, pos=QPoint(360, 310))
     after = marks(window)
     assert EYE in before and EYE in after and before[EYE] != after[EYE]
     renderer = window.panes["world"].canvas.renderer
@@ -577,14 +579,14 @@ def test_the_wheel_dollies_and_a_burst_is_one_step(window: MainWindow, qtbot: An
 def test_the_wheel_stops_before_the_target_and_says_so(window: MainWindow, qtbot: Any) -> None:
     near = Camera((1.0 + 2.0**-52, 2.0, 3.0), (1.0, 2.0, 3.0))
     window.store.set_projection(replace(model(window), camera=near))
-    bar = window.manipulation.message
+    bar = held_line(window)
     with qtbot.waitSignal(window.manipulation.gesture_finished):
         wheel(window, 20.0, wait=False)  # half a second later it goes
         assert model(window).camera == near
-        assert bar.text == (
+        assert bar.text() == (
             "Eye = (1, 2, 3): must differ from the target, or the camera looks nowhere."
         )
-    assert bar.text == ""
+    assert not bar.isVisible()
 
 
 def test_the_end_of_a_wheel_burst_after_the_window_has_closed_does_nothing(
@@ -704,12 +706,12 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     last = window.store.document.settings["light"]
     assert last[1] < 9.0
     move(window, "world", at + QPoint(0, 600))
-    bar = window.manipulation.message
-    assert bar.isVisible() and "must lie above the plane y = 0" in bar.text
-    assert bar.text.startswith("Light L = ")
-    assert window.store.document.settings["light"] == last
+    bar = held_line(window)
+    assert bar.isVisible() and "must lie above the plane y = 0" in bar.text()
+    assert bar.text().startswith("Light L = ")
+    assert 0.0 < window.store.document.settings["light"][1] < last[1], "it stops at the bound"
     move(window, "world", at + QPoint(0, 10))
-    assert not bar.isVisible()
+    assert bar.isVisible() and "must" not in bar.text()
     release(window, "world", at + QPoint(0, 10))
 
 

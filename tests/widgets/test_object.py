@@ -183,7 +183,7 @@ def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWind
     canvas, at, none = window.panes["world"].canvas, QPoint(x, y), Qt.MouseButton.NoButton
     move_mouse(canvas, at, none)
     settle()
-    assert "Translation" in window.manipulation.handle_text
+    assert "Translation" in canvas.toolTip()
     QTest.mousePress(canvas, Qt.MouseButton.LeftButton, pos=at)
     move_mouse(canvas, at + QPoint(30, 0))
     QTest.mouseRelease(canvas, Qt.MouseButton.LeftButton, pos=at + QPoint(30, 0))

@@ -589,7 +589,7 @@ def test_a_flat_view_stays_flat_and_its_planes_can_be_dragged_anywhere(window: M
     settle()
     drawing = pane.drawing
     assert isinstance(drawing, WorldDrawing)
-    corners = np.array(drawing.own.pane.pointed(drawing.state.volume.corners))[:, :2]
+    corners = drawing.sight.seen(drawing.state.volume.corners + drawing.state.origin)
     upper, lower = sorted((corners[4:].min(axis=0), corners[4:].max(axis=0)), key=lambda at: at[1])
     on_far = QPoint(*(upper + 0.37 * (lower - upper)).astype(int).tolist())
     middle = QPoint(*corners.mean(axis=0).astype(int).tolist()) + QPoint(0, 35)

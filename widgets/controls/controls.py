@@ -267,7 +267,15 @@ class Controls(Dock, RowHolder):
         A vector has a row for each component. Unknown values, and those of another lens, have none.
         """
         self.take_back()
-        self._lent = [
+        self._lent = self._keys_of(paths)
+        of_scene = [path.removeprefix("settings.") for path in paths]
+        rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
+        self._show_values(_ALL)
+        return rows
+
+    def _keys_of(self, paths: Collection[str]) -> list[str]:
+        """Return the keys of the rows of these values that are in use, without the scene's own."""
+        return [
             key
             for path in paths
             for name in (path.rpartition(".")[2],)
@@ -275,10 +283,12 @@ class Controls(Dock, RowHolder):
             if not path.startswith("settings.") and key in self._bindings
             if self._in_use(self._bindings[key])
         ]
-        of_scene = [path.removeprefix("settings.") for path in paths]
-        rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
-        self._show_values(_ALL)
-        return rows
+
+    def reveal(self, paths: Collection[str]) -> None:
+        """Scroll to the rows of these values, or to the top if there are none."""
+        self.verticalScrollBar().setValue(0)
+        of_scene = [row for name, row in self.card.rows.items() if f"settings.{name}" in paths]
+        self.bring_into_view(*of_scene, *(self.rows[key] for key in self._keys_of(paths)))
 
     def take_back(self) -> None:
         """Put every row that was lent back into the dock."""

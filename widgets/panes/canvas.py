@@ -415,18 +415,12 @@ class Hand(QObject):
 
     def _set_tips(self) -> None:
         if self._orbits:
-            tip = self.tr(
-                "Click to follow a point; drag to turn, Shift-drag to move, wheel to zoom, "
-                "double-click to reset; or Tab to here, and arrows, + −, Home"
-            )
+            self.tip = self.tr("Drag to turn, Shift-drag to move, wheel to zoom")
             keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
         else:
-            tip = self.tr(
-                "Click to follow a point; drag to move the camera in its plane, wheel to go "
-                "nearer to the target; or Tab to here, and arrows, + −"
-            )
+            self.tip = self.tr("Drag to move the camera, wheel to go nearer")
             keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
-        set_tip(self._canvas, tip)
+        set_tip(self._canvas, self.tip)
         cursor_keys = self.tr(
             "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
             "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
@@ -544,8 +538,8 @@ class Hand(QObject):
             return True
         step = event.position() - self._last
         self._last = event.position()
-        is_left = event.buttons() == Qt.MouseButton.LeftButton
-        turns = is_left and not is_shifted and self.may_turn()
+        turning = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
+        turns = event.buttons() in turning and not is_shifted and self.may_turn()
         (self._orbit if turns else self._pan)(step.x(), step.y())
         self.moved.emit()
         return True

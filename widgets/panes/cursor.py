@@ -3,7 +3,7 @@
 ::
 
     Page Down, Page Up         --> the next visible vertex, and hand.hovered
-    Shift+Page Down, Page Up   --> the next handle, or in the image the next probe
+    Shift+Page Down, Page Up   --> the next handle, in the image also a probe
     Space                      --> hand.clicked
     Enter, arrows, Enter       --> hand.take_hold, hand.dragged, hand.drag_ended
     hand.dropped (Esc, or gone)--> hand.drag_ended
@@ -36,6 +36,7 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
+from widgets.parts.layouts import put_beside
 from widgets.parts.messages import read_text
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel
@@ -70,7 +71,7 @@ Thing: TypeAlias = Handle | Vertex | Followed
 
 
 class Cursor(QObject):
-    """The cursor of one pane: in the world it takes hold of handles, in the image of probes."""
+    """The cursor of one pane: it takes hold of handles, in the image also of probes."""
 
     concerns = frozenset({"scene"})
 
@@ -181,10 +182,16 @@ class Cursor(QObject):
             self._notice = self.tr("No other vertex is visible")
             if to_hold:
                 self._notice = self.tr("There is nothing else to drag")
-        spot = self._spot()
-        if spot is not None:
-            self._pane.hand.hovered.emit(spot)
+        self._hover()
         self._speak()
+
+    def _hover(self) -> QPointF | None:
+        """Point at the thing, and at no other one that lies over it; return where it is."""
+        spot, drawing = self._spot(), self._pane.drawing
+        if spot is not None and drawing is not None:
+            drawing.hold(self._thing if isinstance(self._thing, Handle) else None)
+            self._pane.hand.hovered.emit(spot)
+        return spot
 
     def _next_vertex(self, forwards: bool) -> Vertex | None:
         from app.drawings.probes import next_vertex
@@ -200,12 +207,12 @@ class Cursor(QObject):
     def _next_to_hold(self, forwards: bool) -> Thing | None:
         things: Sequence[Thing] = ()
         drawing = self._pane.drawing
-        if self._name == "world" and drawing is not None:
-            drawing.hold(None)  # the held handle would be the first in the list
+        if drawing is not None:
+            drawing.hold(None)  # the held handle would be where it was
             things = [handle for handle, _ in drawing.handles.shown]
-        elif self._name == "image":
+        if self._name == "image":
             followed = [Followed(probe.number) for probe in self._pane.probes if probe.number]
-            things = [each for each in followed if self._seen(each) is not None]
+            things = [*things, *(each for each in followed if self._seen(each) is not None)]
         step, here = (1, -1) if forwards else (-1, 0)
         if self._thing in things:
             here = things.index(self._thing)
@@ -218,15 +225,15 @@ class Cursor(QObject):
             self._pane.hand.clicked.emit(spot)
 
     def _take_hold(self, is_shifted: bool) -> None:
-        spot = self._spot()
-        if spot is None:
+        if self._spot() is None:
             return
         if self._name == "image" and isinstance(self._thing, Vertex):
             # The drag moves the probe that follows this vertex.
             place = self._place(self._thing)
             probes = [p.number for p in self._pane.probes if p.number and p.point == place]
             self._thing = Followed(probes[-1]) if probes else self._thing
-        self._pane.hand.hovered.emit(spot)  # the mouse may have moved since
+        spot = self._hover()  # the mouse may have moved since
+        assert spot is not None
         self._is_dragging = self._pane.hand.take_hold(spot)
         if not self._is_dragging:
             self._notice = self.tr("There is nothing to drag here")
@@ -315,22 +322,7 @@ class Cursor(QObject):
             self._label.setText(text)
         self._label.setVisible(bool(text))
         if text:
-            self._put_label(around, self._ring.radius + _GAP_PX if spot is not None else 0)
-
-    def _put_label(self, around: QPoint, apart: int) -> None:
-        """Place the label beside the ring, below or above it, and inside the pane."""
-        label, canvas = self._label, self._pane.canvas
-        frame = 2 * label.margin() + 2
-        wanted = label.fontMetrics().horizontalAdvance(label.text()) + frame
-        width = min(wanted, canvas.width())
-        height = label.heightForWidth(width)
-        x, y = around.x() + apart, around.y() + apart
-        if x + width > canvas.width():
-            x = max(0, min(around.x() - apart, canvas.width()) - width)
-        if y + height > canvas.height():
-            y = max(0, around.y() - apart - height)
-        label.setGeometry(x, y, width, height)
-        label.raise_()
+            put_beside(self._label, around, self._ring.radius + _GAP_PX if spot is not None else 0)
 
     def _speak(self) -> None:
         self._follow()

@@ -15,13 +15,13 @@ def _world(*args: Any) -> Any:
 def _stage(*args: Any) -> Any:
     from app.drawings.stage import StageDrawing
 
-    return StageDrawing(*args)
+    return StageDrawing(*args, live=True)
 
 
 def _image(*args: Any) -> Any:
     from app.drawings.image import ImageDrawing
 
-    return ImageDrawing(*args)
+    return ImageDrawing(*args, live=True)
 
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}

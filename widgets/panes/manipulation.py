@@ -1,27 +1,28 @@
-"""Dragging the camera: its handles in the world pane, the picture in the image pane.
+"""Dragging the model: what can be taken in each pane, and the picture in the image pane.
 
 ::
 
     hand.drag_started, dragged --> app.picking.handles --> edited, or setting_edited
-                                         Refusal --> a sentence over the pane
+                                         Refusal --> a line at the thing, which stops at the bound
 
-A drag is a gesture, and so is a burst of wheel steps. A refusal lies over the pane: the window's
-message bar would move the panes away from the mouse.
+A drag is a gesture, and so is a burst of wheel steps. A line lies beside the thing in the pane: the
+window's message bar would move the panes away from the mouse.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
-from app.drawings.drawing import Drawing
+from app.drawings.drawing import Taken
 from app.model.limits import OTHER_SIDE, vector
-from app.model.projection import NOT_THE_EYE, Projection, Vector
+from app.model.projection import NOT_THE_EYE, Array, Projection, Vector
 from app.model.refusal import Refusal, six_digits
 from app.picking.handles import (
     Change,
@@ -33,18 +34,19 @@ from app.picking.handles import (
     moved_by,
     moved_point,
     panned,
-    place,
     present,
     slid_grip,
+    way,
 )
 from app.picking.sight import Sight
 from app.scenes.phenomena.marks import Grip
 from app.scenes.phenomena.settings import Settings
+from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.gestures import Gestures
-from widgets.parts.message_bar import MessageBar
+from widgets.parts.layouts import put_beside
 from widgets.parts.messages import (
     field_name,
     of_phenomena,
@@ -55,10 +57,13 @@ from widgets.parts.messages import (
 )
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
-from widgets.parts.plain import PlainLabel, set_tip, wrapped
+from widgets.parts.plain import PlainLabel, set_tip
 
 HOLD_WITHIN_PX = 12.0
-"""Greatest distance from a handle at which it appears, and a drag takes hold of it."""
+"""Greatest distance from a probe's mark at which a drag takes hold of it."""
+_APART_PX = 16
+_HALVINGS = 6
+"""How often the way of a refused drag is halved, to stop it at the bound."""
 
 
 class Manipulation(Gestures, QObject):
@@ -70,41 +75,37 @@ class Manipulation(Gestures, QObject):
     setting_edited = Signal(object)
     """The user gave settings of the scene these values, by name; the receiver may `refuse`."""
 
-    def __init__(self, world: Pane, image: Pane, parent: QObject) -> None:
+    def __init__(self, panes: Mapping[str, Pane], parent: QObject) -> None:
         super().__init__(parent)
-        self._world, self._image = world, image
+        self._panes, self._pane, self._image = panes, panes["world"], panes["image"]
+        """Where the pointer is, or was last; where the picture is dragged."""
         self._projection = Projection()
         self._grips: dict[str, Grip] = {}
         self._values: Settings = {}
         self._labels: dict[str, str] = {}
         self._drag: _Drag | None = None
+        self._pointed: Handle | None = None
+        self._refused: Refusal | None = None
         self._in_gesture = False
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
-        self._plain_tip = self.tr(
-            "Drag a mark to move the eye, the target, a plane or a corner; drag elsewhere to turn, "
-            "Shift-drag to move, wheel to zoom, double-click to reset (or Tab to here, and arrows, "
-            "+ −, Home); click to follow a point"
-        )
-        self.message = MessageBar(world)
-        """The present refusal."""
-        self._line = PlainLabel(parent=world, wordWrap=True, margin=4)
-        self._line.setObjectName("heldLine")
-        self._line.setAutoFillBackground(True)
-        self._line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._line.hide()
+        self.line = PlainLabel(parent=self._pane.canvas, wordWrap=True, margin=3)
+        """The value of what is dragged, or the present refusal, beside the thing."""
+        self.line.setObjectName("heldLine")
+        self.line.setAutoFillBackground(True)
+        self.line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        self.line.hide()
         self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self._finish)
-        set_tip(world.canvas, wrapped(self._plain_tip))
-        hand = world.hand
-        hand.hovered.connect(self._hover)
-        hand.left.connect(self.leave)
-        hand.drag_started.connect(self._take_handle)
-        for pane in (world, image):
+        for name, pane in panes.items():
+            pane.hand.hovered.connect(partial(self._hover, name))
+            pane.hand.left.connect(self.leave)
             pane.hand.dragged.connect(self._move)
             pane.hand.drag_ended.connect(self.let_go)
-        image.hand.scrolled.connect(self._dolly)
-        image.hand.pushed.connect(self._push)
+            if pane is not self._image:
+                pane.hand.drag_started.connect(partial(self.take_handle, name))
+        self._image.hand.scrolled.connect(self._dolly)
+        self._image.hand.pushed.connect(self._push)
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Keep the values with which the next drag begins."""
@@ -123,50 +124,62 @@ class Manipulation(Gestures, QObject):
             self._labels = {each.name: of_phenomena(each.title) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drop()  # another scene while dragging
-        drawing = self._world.drawing
-        if drawing is not None and drawing.handles.held is not None:
-            if self.now(drawing.handles.held):
-                self._describe_handle(drawing.handles.held)
+        if self._pointed is not None:
+            if self.now(self._pointed):
+                self._describe()
             else:
-                self._point_out(drawing, None)
+                self._point_out(self._pane, None)
 
     # -- what is under the mouse
 
-    def _hover(self, pixel: QPointF) -> None:
-        drawing = self._world.drawing
-        if drawing is not None and self._drag is None:
-            self._point_out(drawing, self._handle_at(drawing, pixel))
+    def _hover(self, name: str, pixel: QPointF) -> None:
+        pane = self._panes[name]
+        if self._drag is None and pane.drawing is not None:
+            self._point_out(pane, pane.drawing.handles.at((pixel.x(), pixel.y())))
 
     def leave(self) -> None:
         """Highlight no handle: the mouse, or the handle's drawing, is gone."""
-        drawing = self._world.drawing
-        if drawing is not None and self._drag is None:
-            self._point_out(drawing, None)
+        if self._drag is None:
+            self._point_out(self._pane, None)
 
-    def _handle_at(self, drawing: Drawing, pixel: QPointF) -> Handle | None:
-        within_px = HOLD_WITHIN_PX * self._world.canvas.pixel_ratio
-        return drawing.handle_at((pixel.x(), pixel.y()), within_px)
-
-    def _point_out(self, drawing: Drawing, handle: Handle | None) -> None:
-        said_of_another = handle is None and self.handle_text  # of an earlier drawing
-        if handle == drawing.handles.held and not said_of_another:
+    def _point_out(self, pane: Pane, taken: Taken | None) -> None:
+        if pane is not self._pane and self._pointed is not None:
+            self._point_out(self._pane, None)
+        handle = None if taken is None else taken.handle
+        drawing, self._pane = pane.drawing, pane
+        is_new = drawing is not None and drawing.handles.held != handle
+        if handle == self._pointed and not is_new:
             return
-        drawing.hold(handle)
-        self._world.canvas.redraw()
-        canvas = self._world.canvas
-        self._line.hide()
-        if handle is None:
-            canvas.unsetCursor()
-            set_tip(canvas, wrapped(self._plain_tip))
-            self._world.note.setText("")
-            self._line.clear()
+        self._pointed = handle
+        if drawing is not None and is_new:
+            drawing.hold(handle)
+            pane.canvas.redraw()
+        self.line.hide()
+        if taken is None:
+            pane.canvas.unsetCursor()
+            set_tip(pane.canvas, pane.hand.tip)
         else:
-            canvas.setCursor(Qt.CursorShape.OpenHandCursor)
-            self._describe_handle(handle)
+            self._show_pointer(pane, taken)
+            self._describe()
 
-    def _describe_handle(self, handle: Handle) -> None:
-        """Show what a drag of a handle does, and the present value."""
-        self._show_handle_text(f"{self._does(handle)[1]}: {self.now(handle)}")
+    def _show_pointer(self, pane: Pane, taken: Taken) -> None:
+        """Turn the pointer along the way that a handle can go."""
+        grip, drawing = self._grips.get(taken.handle.setting), pane.drawing
+        along = way(self._projection, taken.handle, taken.point)
+        if taken.handle.name == "grip":
+            along = None if grip is None or grip.along is None else np.array(grip.along)
+        if along is None or drawing is None:
+            pane.canvas.setCursor(Qt.CursorShape.SizeAllCursor)
+        else:
+            right, down = drawing.sight.way_px(taken.point, along)
+            pane.canvas.setCursor(arrow_cursor(right, down, pane.devicePixelRatioF()))
+
+    def _describe(self) -> None:
+        """Say what a drag of a handle does, and the present value."""
+        handle = self._pointed
+        if handle is None:
+            return
+        set_tip(self._pane.canvas, f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
         """Return a handle's field and value: ``Near = 4``; empty if the handle is gone."""
@@ -175,7 +188,7 @@ class Manipulation(Gestures, QObject):
             return "" if grip is None else f"{self._labels[grip.setting]} = {_shown(_value(grip))}"
         projection = self._projection
         if handle.name == "object":
-            drawing = self._world.drawing
+            drawing = self._pane.drawing
             is_gone = drawing is None or not drawing.handles.has_object
         else:
             is_gone = not projection.has_camera
@@ -186,106 +199,124 @@ class Manipulation(Gestures, QObject):
         values = present(projection, self._does(handle)[0])
         return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
 
-    def _show_handle_text(self, text: str) -> None:
-        """Show a text beside the pane's title, or in a line over the pane if that is too narrow.
-
-        A text that needed the line keeps it, so that it does not jump while its numbers change.
-        """
-        set_tip(self._world.canvas, text)
-        note, line, width = self._world.note, self._line, self._world.width()
-        fits = note.fontMetrics().horizontalAdvance(text) <= note.width()
-        in_line = self.message.isHidden() and (line.isVisible() or not fits)
-        note.setText("" if in_line else text)
-        line.setText(text if in_line else "")
-        line.setVisible(in_line)
-        if in_line:
-            line.setGeometry(0, self._world.canvas.y(), width, line.heightForWidth(width))
-            line.raise_()
-
-    @property
-    def handle_text(self) -> str:
-        """The text about the handle under the mouse, or in the hand."""
-        return self._line.text() or self._world.note.text()
+    def _show_line(self, pane: Pane, text: str) -> None:
+        """Show a line beside the thing that is dragged, or in the middle of the picture."""
+        canvas, drawing = pane.canvas, pane.drawing
+        at: Spot | None = None
+        if self._pointed is not None and drawing is not None:
+            at = dict(drawing.handles.shown).get(self._pointed)
+        around = canvas.rect().center()
+        if at is not None and math.isfinite(sum(at)):
+            around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
+        self.line.setParent(canvas)
+        self.line.setText(text)
+        put_beside(self.line, around, _APART_PX, above=True)
+        self.line.show()
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
             if grip is not None and grip.along is not None:
-                return (), self.tr("Drag the plane")
+                return (), self.tr("Drag along its way")
             return (), self.tr("Drag this point (Shift: up and down)")
         moved = moved_by(self._projection, handle)
         return tuple(each.name for each in moved), parameter_text(moved[0], moved[0].drag)
 
     # -- drags
 
-    def _take_handle(self, pixel: QPointF) -> None:
-        """Take hold of the handle at the start of a drag in the world pane."""
-        drawing = self._world.drawing
-        if drawing is None:
-            return
-        handle = self._handle_at(drawing, pixel)
-        if handle is None:
-            return
-        self._point_out(drawing, handle)
-        sight, drawn = drawing.sight, drawing.handles.planes_drawn
-        held = self._grips.get(handle.setting)
-        at = place(self._projection, handle, drawn) if held is None else held.point
-        ((x_px, y_px),) = sight.seen([at]).tolist()
-        taken, before = (handle, drawn, sight, (x_px, y_px)), self._values.get(handle.setting)
-        self._start(_Drag(self._world, self._projection, taken, held, before))
+    def take_handle(self, name: str, pixel: QPointF) -> bool:
+        """Take hold of what lies where a drag starts; return whether there is anything."""
+        pane = self._panes[name]
+        drawing, start = pane.drawing, (pixel.x(), pixel.y())
+        taken = None if drawing is None else drawing.handles.at(start)
+        if taken is None or drawing is None:
+            return False
+        ((x_px, y_px),) = drawing.sight.seen([taken.point]).tolist()
+        if not math.isfinite(x_px + y_px):  # by the label of what is behind the pane's camera
+            return False
+        self._point_out(pane, taken)
+        handle, held = taken.handle, self._grips.get(taken.handle.setting)
+        before = self._values.get(handle.setting)
+        if held is not None and held.along is not None:  # the rail runs through the grabbed point
+            base = vector(held.base + (taken.point - held.point))
+            before = _value(held)
+            held = replace(held, base=base, point=taken.point)
+        drawn = drawing.handles.planes_drawn
+        of_handle = _TakenAt(handle, taken.point, drawn, drawing.sight, (x_px, y_px))
+        self._start(_Drag(pane, self._projection, of_handle, held, before))
+        return True
 
     def take_picture(self, pixel: QPointF) -> None:
-        """Take hold of the picture if a drag in the image pane starts on it."""
+        """Take hold of what lies where a drag in the image pane starts, or of the picture."""
         drawing = self._image.drawing
-        if drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
+        if self.take_handle("image", pixel) or drawing is None:
+            return
+        if drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
 
     def _start(self, drag: _Drag) -> None:
         self._finish()
         self._drag = drag
         drag.pane.hand.keep_view()
-        drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
+        if drag.taken is None:
+            drag.pane.canvas.setCursor(Qt.CursorShape.ClosedHandCursor)
         self._escape.watch(drag.pane.window())
         self._begin()
 
     def _move(self, away: QPointF, shift: bool) -> None:
+        """Drag as far as the model allows on the way to the mouse."""
         drag = self._drag
         if drag is None:
             return
+        self.line.hide()
+        error = self._refusal_of(drag, away, shift)
+        if error is None or self._drag is None:
+            drag.reached = away
+            # The keyboard's cursor has a label of its own.
+            if self._drag is not None and self._pointed is not None and drag.pane.hand.is_down:
+                self._show_line(drag.pane, self.now(self._pointed))
+            return
+        step = away - drag.reached
+        for _ in range(_HALVINGS):
+            step /= 2.0
+            if self._refusal_of(drag, drag.reached + step, shift) is None:
+                drag.reached += step
+        self._show_line(drag.pane, sentence(six_digits(error)))
+
+    def _refusal_of(self, drag: _Drag, away: QPointF, shift: bool) -> Refusal | None:
+        """Drag by so many pixels, or return why the model cannot."""
         right_px, down_px = away.x(), away.y()
         if drag.taken is not None:
-            handle, drawn, sight, (x, y) = drag.taken
+            handle, grabbed, drawn, sight, (x, y) = drag.taken
             pixel = x + right_px, y + down_px
             if drag.held is not None:
-                self._drag_point(drag, drag.held, sight, pixel, shift=shift)
-                return
-            self._attempt(
-                drag.pane, partial(dragged, drag.start, handle, drawn, sight, pixel, shift=shift)
+                return self._drag_point(drag, drag.held, pixel, shift=shift)
+            return self._attempt(
+                partial(dragged, drag.start, handle, grabbed, drawn, sight, pixel, shift=shift)
             )
-        elif drag.pane is self._image and drag.pane.drawing is not None:
-            shift_px = drag.pane.drawing.image_shift(right_px, down_px)
-            self._attempt(drag.pane, partial(panned, drag.start, shift_px))
+        if drag.pane.drawing is None:
+            return None
+        shift_px = drag.pane.drawing.image_shift(right_px, down_px)
+        return self._attempt(partial(panned, drag.start, shift_px))
 
-    def _drag_point(
-        self, drag: _Drag, held: Grip, sight: Sight, pixel: Spot, *, shift: bool
-    ) -> None:
-        before: Vector = tuple(held.point.tolist())
-        self.message.hide()
+    def _drag_point(self, drag: _Drag, held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
+        assert drag.taken is not None
+        before, sight = vector(held.point), drag.taken.sight
+        value: Vector | float | None
         if held.along is not None:
-            number = slid_grip(held.base, held.along, drag.before, sight, pixel)
-            if number is not None:
-                self.setting_edited.emit({held.setting: number})
-            return
-        point = moved_point(before, sight, pixel, shift)
-        if point == before:  # dragged back
-            self.setting_edited.emit({held.setting: drag.before})
+            value = slid_grip(held.base, held.along, drag.before, held.point, sight, pixel)
         else:
+            point = moved_point(before, sight, pixel, shift)
             moved = replace(held, point=np.array(point))
-            self.setting_edited.emit({held.setting: _value(moved)})
+            value = drag.before if point == before else _value(moved)  # dragged back
+        self._refused = None
+        if value is not None:
+            self.setting_edited.emit({held.setting: value})
+        return self._refused
 
     def refuse(self, error: Refusal) -> None:
-        """Say over the pane why a setting cannot have the dragged value."""
-        self._refuse(self._world, error)
+        """A setting cannot have the dragged value."""
+        self._refused = error
 
     def let_go(self) -> None:
         """End a drag; movements until the button is released have no effect."""
@@ -293,13 +324,9 @@ class Manipulation(Gestures, QObject):
             return
         self._escape.leave()
         self._drop()
-        self._image.canvas.unsetCursor()
-        drawing = self._world.drawing
-        if drawing is not None and drawing.handles.held is not None:
-            self._world.canvas.setCursor(Qt.CursorShape.OpenHandCursor)
+        if self._pointed is None:
+            self._image.canvas.unsetCursor()
         self._finish()
-        if drawing is not None and drawing.handles.held is not None:
-            self._describe_handle(drawing.handles.held)  # instead of a refusal
 
     def _drop(self) -> None:
         """Forget the drag, and tell the hand."""
@@ -312,7 +339,7 @@ class Manipulation(Gestures, QObject):
         drag = self._drag
         if drag is None:
             return
-        self.message.hide()
+        self.line.hide()
         if drag.held is not None:
             self.setting_edited.emit({drag.held.setting: drag.before})
         else:
@@ -334,7 +361,10 @@ class Manipulation(Gestures, QObject):
         if self._drag is None:
             self._begin()
             self._quiet.start()
-            self._attempt(self._image, make)
+            self.line.hide()
+            error = self._attempt(make)
+            if error is not None:
+                self._show_line(self._image, sentence(six_digits(error)))
 
     # -- edits
 
@@ -345,12 +375,12 @@ class Manipulation(Gestures, QObject):
 
     def _finish(self) -> None:
         self._quiet.stop()
-        self.message.hide()
+        self.line.hide()
         if self._in_gesture:
             self._in_gesture = False
             self.gesture_finished.emit()
 
-    def _attempt(self, pane: Pane, make: Callable[[], Change]) -> None:
+    def _attempt(self, make: Callable[[], Change]) -> Refusal | None:
         change: Change = {}
         try:
             change = make()
@@ -358,20 +388,19 @@ class Manipulation(Gestures, QObject):
                 self._drag.names.update(change)
             projection = changed(self._projection, change)
         except Refusal as error:
-            self._refuse(pane, _seen_from(change, error))
-        else:
-            self.message.hide()
-            self.edited.emit(projection)
+            return _seen_from(change, error)
+        self.edited.emit(projection)
+        return None
 
-    def _refuse(self, pane: Pane, error: Refusal) -> None:
-        bar, width = self.message, pane.width()
-        self._line.hide()
-        bar.setParent(pane)
-        bar.show_message(sentence(six_digits(error)))
-        layout = bar.layout()
-        assert layout is not None
-        bar.setGeometry(0, pane.canvas.y(), width, layout.totalHeightForWidth(width))
-        bar.raise_()
+
+class _TakenAt(NamedTuple):
+    """What was taken, and how the pane looked at it then."""
+
+    handle: Handle
+    grabbed: Array
+    drawn: tuple[float, float]
+    sight: Sight
+    spot: Spot
 
 
 @dataclass
@@ -380,13 +409,15 @@ class _Drag:
 
     pane: Pane
     start: Projection
-    taken: tuple[Handle, tuple[float, float], Sight, Spot] | None = None
-    """Handle, drawn planes, the pane's sight and the handle's pixel; None for the picture."""
+    taken: _TakenAt | None = None
+    """None for the picture."""
     held: Grip | None = None
     """The dragged setting at the start, and its value."""
     before: Any = None
     names: set[str] = field(default_factory=set)
     """The fields that the drag has changed."""
+    reached: QPointF = field(default_factory=QPointF)
+    """The last movement that the model allowed."""
 
 
 def _seen_from(change: Change, error: Refusal) -> Refusal:

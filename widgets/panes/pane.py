@@ -54,6 +54,7 @@ AS_BUILT: dict[str, Any] = {
     "fixed": "",
     "object_axes": False,
     "handles": frozenset(),
+    "grips": None,
     "highlight": NOTHING,
 }
 """The requests that a pane takes, with their first values, in the order of the calls."""
@@ -65,6 +66,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "fixed": lambda drawing, view: drawing.show_fixed(view),
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
     "handles": lambda drawing, names: drawing.handles.call(names),
+    "grips": lambda drawing, paths: drawing.handles.rest(paths),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
 """How a drawing is told the requests that take one call."""
@@ -143,6 +145,10 @@ class Pane(QFrame):
         self.header = Header(self, title, tools)
         self.title, self.note = self.header.title, self.header.note
         self.canvas = make_canvas(self)
+        self._orbits = orbits
+        self.rest_pointer()
+        self.header.setCursor(Qt.CursorShape.ArrowCursor)
+        self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
         self.hand = Hand(self.canvas, orbits=orbits)
@@ -237,6 +243,7 @@ class Pane(QFrame):
         the stage strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
+        ``"grips"``: the values whose grips are shown at rest, or None for the scene's controls.
         """
         if wanted == self.requested[what]:
             return False
@@ -343,6 +350,13 @@ class Pane(QFrame):
             self._due |= {"projection", "view"}
         elif "stage" in others:  # the view depends on it
             self._due.add("view")
+
+    def rest_pointer(self) -> None:
+        """Show the pointer of turning the view, where a drag does nothing else."""
+        if self._orbits:
+            self.setCursor(Qt.CursorShape.OpenHandCursor)
+        else:
+            self.unsetCursor()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips, and `named` by its title.

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TypeAlias, TypeVar
 
-from PySide6.QtCore import QCoreApplication, QEvent, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
     QHBoxLayout,
+    QLabel,
     QLayout,
     QScrollArea,
     QVBoxLayout,
@@ -98,3 +99,20 @@ def paint_now(widget: QWidget) -> None:
     for _ in range(2):  # the stage strip has other rows in another width
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     widget.repaint()
+
+
+def put_beside(label: QLabel, around: QPoint, apart: int, *, above: bool = False) -> None:
+    """Place a label beside a place in its parent, below or above it, and inside the parent."""
+    room = label.parentWidget() or label.window()
+    frame = 2 * label.margin() + 2
+    wanted = label.fontMetrics().horizontalAdvance(label.text()) + frame
+    width = min(wanted, room.width())
+    height = label.heightForWidth(width)
+    x, y = around.x() + apart, around.y() + apart
+    if x + width > room.width():
+        x = max(0, min(around.x() - apart, room.width()) - width)
+    higher = around.y() - apart - height
+    if y + height > room.height() or (above and higher >= 0):
+        y = min(higher, room.height() - height)
+    label.setGeometry(max(0, x), max(0, y), width, height)
+    label.raise_()

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, Signal
 from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
 
@@ -32,6 +32,8 @@ class ControlStrip(QFrame):
     """The controls of a slide; hidden unless a step names them, or the speaker asks for them."""
 
     concerns = frozenset({"scene", "view"})
+    grips_wanted = Signal(object)
+    """The values that have grips at rest: those that the slide names; None for the scene's own."""
 
     def __init__(self, controls: Controls, stages: StageStrip) -> None:
         super().__init__()
@@ -89,6 +91,7 @@ class ControlStrip(QFrame):
         return (asked or tuple(self._of_scene)) if wanted else ()
 
     def _fill(self) -> None:
+        self.grips_wanted.emit(self._named if self._is_for_class else None)
         self._stages.setVisible(not self._is_for_class or STRIP in self._named)
         focus = QApplication.focusWidget()
         if self._is_for_class and focus is not None and self.isAncestorOf(focus):

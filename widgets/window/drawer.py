@@ -68,8 +68,6 @@ class Panels(QWidget):
 
     opened = Signal()
     """A panel was opened, or the last one folded."""
-    changed = Signal()
-    """The content of the open panel has another size."""
     chosen = Signal(object)
     """The user has opened this `Panel` by its name."""
 
@@ -89,8 +87,7 @@ class Panels(QWidget):
         """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
-        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self.changed)
+        self.rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._stack = QStackedWidget()
         in_column(self._stack, on=self, margins=(0, 2, 0, 0))
         self.hide()
@@ -176,16 +173,20 @@ class Panels(QWidget):
     def wanted_px(self, most_px: int) -> int:
         """Return the height of the open panel's content, at most so much."""
         panel = self.open_panel
-        if panel is None or any(_grows(each, panel) for each in panel.findChildren(QWidget)):
+        if panel is None:
             return most_px
-        areas = panel.findChildren(QAbstractScrollArea)
-        lacking = [_content_px(each) - each.height() for each in areas if each.isVisibleTo(panel)]
+        seen = [each for each in panel.findChildren(QWidget) if each.isVisibleTo(panel)]
+        areas = [each for each in seen if isinstance(each, QAbstractScrollArea)]
+        policies = {each.sizePolicy().verticalPolicy() for each in seen if each not in areas}
+        if QSizePolicy.Policy.Expanding in policies:  # a diagram uses all the height that it gets
+            return most_px
+        lacking = [_content_px(each) - each.height() for each in areas]
         wanted = panel.height() + max(lacking) if lacking else panel.sizeHint().height()
         return min(most_px, max(wanted, panel.minimumSizeHint().height()) + 2)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.LayoutRequest and watched is self.open_panel:
-            self._rest.start()
+            self.rest.start()
         return super().eventFilter(watched, event)
 
     def _clicked(self, panel: Panel) -> None:
@@ -195,13 +196,6 @@ class Panels(QWidget):
             self.chosen.emit(panel)
 
 
-def _grows(widget: QWidget, panel: Panel) -> bool:
-    """Whether a widget uses all the height that it gets: a diagram, not a list."""
-    is_area = isinstance(widget, QAbstractScrollArea)
-    expands = widget.sizePolicy().verticalPolicy() == QSizePolicy.Policy.Expanding
-    return expands and not is_area and widget.isVisibleTo(panel)
-
-
 def _content_px(area: QAbstractScrollArea) -> int:
     """Return the height at which an area needs not scroll up or down."""
     bar = area.horizontalScrollBar()
@@ -209,11 +203,10 @@ def _content_px(area: QAbstractScrollArea) -> int:
     if isinstance(area, QTableView):
         return area.horizontalHeader().height() + area.verticalHeader().length() + beside
     inside = area.widget() if isinstance(area, QScrollArea) else None
-    if inside is None:
+    if inside is None:  # a list, or the head of a table
         return 0
-    if inside.hasHeightForWidth():
-        return inside.heightForWidth(area.viewport().width()) + beside
-    return inside.sizeHint().height() + beside
+    high = inside.heightForWidth(area.viewport().width())
+    return beside + (high if high >= 0 else inside.sizeHint().height())
 
 
 class Drawer(QSplitter):
@@ -232,7 +225,7 @@ class Drawer(QSplitter):
             self.setStretchFactor(place, stretch)
             self.setCollapsible(place, False)
         panels.opened.connect(self.fit)
-        panels.changed.connect(self._fit_content)
+        panels.rest.timeout.connect(self._fit_content)
         self.splitterMoved.connect(self._dragged)
 
     def set_presenting(self, on: bool, *, alone: bool = False) -> None:

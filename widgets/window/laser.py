@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QObject, QPointF, Qt
+from PySide6.QtCore import QEvent, QObject, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QCursor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QWidget
 
 from widgets.window.talk_keys import is_typed_in
 
-DOT_SHARE = 0.022
-"""Diameter of the dot, in heights of the window."""
-_DOT, _RIM = QColor("#e8112d"), QColor("white")
+DOT_SHARE = 0.022  # diameter of the dot, in heights of the window
+DOT, RIM = QColor("#e8112d"), QColor("white")
 
 
 class Laser(QWidget):
@@ -31,8 +30,7 @@ class Laser(QWidget):
         if on == self.isHidden():
             self.setVisible(on)
             if on:
-                side = round(DOT_SHARE * self.window().height())
-                self.resize(side, side)
+                self.resize(QSize(1, 1) * (DOT_SHARE * self.window().height()))
                 self._go(QPointF(self.window().mapFromGlobal(QCursor.pos())))
                 self.raise_()
                 QApplication.setOverrideCursor(Qt.CursorShape.BlankCursor)
@@ -61,7 +59,7 @@ class Laser(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter, rim = QPainter(self), self.width() / 8.0
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QPen(_RIM, rim))
-        painter.setBrush(_DOT)
+        painter.setPen(QPen(RIM, rim))
+        painter.setBrush(DOT)
         painter.drawEllipse(self.rect().toRectF().adjusted(rim, rim, -rim, -rim))
         painter.end()

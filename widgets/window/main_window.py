@@ -154,7 +154,7 @@ class MainWindow(QMainWindow):
         if scene is not None:
             self.files.keep(document, scene)
         self.shown = self._snapshot(document)
-        self.manipulation = Manipulation(self.panes["world"], self.panes["image"], self)
+        self.manipulation = Manipulation(self.panes, self)
         self.strip = StageStrip()
         self.panes["ndc"].add_below(self.strip)
         self.counting = Counting(lambda: self.store.in_gesture, self)

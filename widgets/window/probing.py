@@ -80,7 +80,7 @@ class Probing(QObject):
             if on:
                 pane.setCursor(self._ring())
             else:
-                pane.unsetCursor()
+                pane.rest_pointer()
 
     def _ring(self) -> QCursor:
         """Return a mouse cursor that is large enough for a class."""

@@ -13,7 +13,7 @@ from widgets.window.lesson_card import LessonCard
 
 WIDTH_EM = 31.0
 """Width of the column while a lesson is open."""
-SHARE = 0.6
+SHARE = 0.62
 """The card's share of the column's height."""
 
 

@@ -87,6 +87,7 @@ def _wire_components(window: Any) -> None:
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
     for pane in window.panes.values():
+        window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
         pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:
@@ -113,6 +114,8 @@ def _wire_lesson(window: Any) -> None:
     card.handles_called.connect(partial(window.panes["world"].request, "handles"))
     guided = window.controls.card.set_guided
     window.lessons.opened.connect(lambda: guided(window.lessons.lesson is not None))
+    reveal = window.controls.reveal  # what the step needs, once its card has its room
+    window.lessons.stepped.connect(lambda: reveal(window.store.document.view.controls))
     for signal in (
         window.store.changed,
         window.store.view_changed,

@@ -141,7 +141,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     world = Marks.of(
         Polyline(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
     )
-    grips = Grip("start", ends[0]), Grip("end", ends[1])
+    grips = Grip("start", ends[0], name="P"), Grip("end", ends[1], name="Q")
     mesh = subject.mesh
     if projection.lens.far == math.inf:
         why = WORDS.phrase("infinite")

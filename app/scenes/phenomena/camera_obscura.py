@@ -17,7 +17,13 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
-from app.scenes.phenomena.picture import section, seen, seen_lines, world_from_view
+from app.scenes.phenomena.picture import (
+    grip_of_plane,
+    section,
+    seen,
+    seen_lines,
+    world_from_view,
+)
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
@@ -100,6 +106,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         image=Marks.of(*image),
         copies=(Copy(onto_plane(projection, -d, slab)),),
         diagrams=diagrams,
+        grips=(grip_of_plane(projection, "distance", d, -d, "film", "v"),),
         measured=(("d", d), ("z", z)),
     )
 

@@ -188,14 +188,9 @@ def _numbered(new: Array, step: int) -> Marks:
     return Marks.of(*(named(name, at, _colour(step), 1.8) for name, at in zip("12", new)))  # noqa: B905
 
 
-def _lettered(shares: Array, places: Array) -> Marks:
-    """A, B and C, each at the corner that has the largest share of it: its own until it is cut."""
-    texts: dict[int, Text] = {}
-    for name, column in zip("ABC", shares.T, strict=False):
-        if len(column) and np.isfinite(column).all():
-            corner = int(column.argmax())
-            texts.setdefault(corner, Text(name, places[corner], "accent"))
-    return Marks(texts=tuple(texts.values()))
+def _lettered(places: Array) -> Marks:
+    """A, B and C where they are, also after a cut; none where the divide has no place for it."""
+    return _finite(Marks.of(*map(Text, "ABC", places, ["accent"] * 3)))
 
 
 def _cut_face(box: Array, step: int) -> Marks:
@@ -244,9 +239,10 @@ def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
     corners = _to_ndc(new)
     inside = corners[(np.abs(corners[:, :2]) <= 1.0).all(axis=1)]
     numbered = _numbered(image_from_ndc(projection, inside), step)
-    return Marks.of(
-        plate(pixels, "accent", 2.5, 0.35), numbered, _lettered(_shares(clip, drawn), pixels)
-    )
+    own = _to_ndc(clip)
+    own[(np.abs(own[:, :2]) > 1.0).any(axis=1)] = np.nan  # beside the picture
+    letters = _lettered(image_from_ndc(projection, own))
+    return Marks.of(plate(pixels, "accent", 2.5, 0.35), numbered, letters)
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
@@ -268,7 +264,6 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     volume = np.concatenate([section(projection, w) for w in drawn_planes(projection)])
     in_world = [part @ TRIANGLE for part in shares]
     in_ndc = [_to_ndc(part) for part in parts]
-    names = Marks.of(*map(Text, "ABC", TRIANGLE, ["accent"] * 3))
     about = _about(step, projection.depth)
     counts = before, after, len(whole), len(outside), len(crossing)
     return Illustration(
@@ -280,8 +275,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
                 for key, count in zip(_COUNTS, counts, strict=True)
             ),
         ),
-        world=_finite(veil, _cut_face(volume, step), _pieces(in_world, step), names),
-        ndc=_finite(_cut_face(cube, step), _pieces(in_ndc, step), _lettered(shares[0], in_ndc[0])),
+        world=_finite(veil, _cut_face(volume, step), _pieces(in_world, step), _lettered(TRIANGLE)),
+        ndc=_finite(_cut_face(cube, step), _pieces(in_ndc, step), _lettered(_to_ndc(clip))),
         image=image,
         diagrams=(_diagram(shares[0], shares[1], step),),
         warning=WORDS.phrase("behind") if not step and not (clip[:, 3] > 0.0).all() else None,

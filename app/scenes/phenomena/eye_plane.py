@@ -56,7 +56,9 @@ _FARTHEST_IMAGE = 4.0  # of that plane's distance: farther images are not marked
 _CROSSING = (3, 4)  # lecture 004's cases
 _AT_FRAME, _ARROW = 1e-6, 0.06  # of the picture's longer side
 _BEYOND = 0.4  # of its longer side: how far past the frame an image is drawn that runs on
-_RULES = 5  # lines of the eye plane each way, with its outline
+_RULED = np.array([(-1, -0.5), (1, -0.5), (1, 0), (-1, 0), (-1, 0.5), (1, 0.5), (1, 1), (0.5, 1),
+                   (0.5, -1), (0, -1), (0, 1), (-0.5, 1), (-0.5, -1)])  # fmt: skip
+"""Lines of the eye plane in one go, or it would be taken for a pane of glass."""
 _DASHES = 7  # of a piece that has no image
 
 
@@ -266,7 +268,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             _circle(angles, bool((depths > 0.0).any())),
         ),
         warning=warning,
-        grips=(Grip("start", a), Grip("end", b)),
+        grips=(Grip("start", a, name="A"), Grip("end", b, name="B")),
     )
 
 
@@ -334,26 +336,19 @@ def _world_marks(
     eye = np.array(projection.camera.eye)
     u, v, _ = projection.camera.frame
     start, end = depths.tolist()
-    reach, crossing, share = 0.4 * subject.size, None, 0.0
-    if (start > 0.0) != (end > 0.0):
-        share = start / (start - end)
-        crossing = (1.0 - share) * ends[0] + share * ends[1]
-        aside = max(abs((crossing - eye) @ u), abs((crossing - eye) @ v))
-        reach = max(reach, min(1.3 * aside, subject.size))
-    across = reach * np.linspace(-1.0, 1.0, _RULES)[:, None]
+    share = start / (start - end) if (start > 0.0) != (end > 0.0) else 0.0
+    crossing = (1.0 - share) * ends[0] + share * ends[1]
+    aside = np.abs(np.stack([u, v]) @ (crossing - eye)).max() if share else 0.0
+    reach = max(0.4 * subject.size, min(1.3 * float(aside), subject.size))
     corners = eye + reach * np.array([-u - v, u - v, u + v, v - u])
-    marks: list[Mark] = [plate(corners, "v", 1.5, 0.18, (), "w=0"), Dot(eye, "eye")]
-    for along, other in ((u, v), (v, u)):  # ruled, or it would be taken for a pane of glass
-        marks += [
-            Polyline(eye + place + reach * np.array([-other, other]), "v", 0.5, (), "w=0")
-            for place in across[1:-1] * along
-        ]
-    marks += [
+    marks: list[Mark] = [
+        plate(corners, "v", 1.5, 0.18, (), "w=0"),
+        Polyline(eye + reach * _RULED @ np.stack([u, v]), "v", 0.5, (), "w=0"),
+        Dot(eye, "eye"),
         *(named(name, at, size=1.2) for name, at in zip("AB", ends, strict=True)),
         Text("w=0", corners[2], "v", text="{eye_plane}"),
+        *([Dot(crossing, "v", 1.6)] if share else []),
     ]
-    if crossing is not None:
-        marks.append(Dot(crossing, "v", 1.6))
     low, high = kept
     for first, last in itertools.pairwise(sorted({0.0, low, share, high, 1.0})):
         one, other = ((1.0 - t) * ends[0] + t * ends[1] for t in (first, last))
@@ -397,13 +392,10 @@ def _image_in_world(
 
 def _run_on(ends: Array, size: tuple[int, int]) -> Array:
     """A line of the picture (2, 2) with an end at the frame, drawn on past it."""
-    span = ends[::-1] - ends
-    length = math.hypot(*span[0])
-    if not length > 0.0:  # NaN, too
-        return ends
-    at_frame = (np.minimum(abs(ends), abs(ends - size)) <= _AT_FRAME * max(size)).any(axis=1)
-    further: Array = ends - np.where(at_frame, _BEYOND * max(size) / length, 0.0)[:, None] * span
-    return further
+    span, longer = ends[::-1] - ends, max(size)
+    at_frame = (np.minimum(abs(ends), abs(ends - size)) <= _AT_FRAME * longer).any(axis=1)
+    further = np.where(at_frame, _BEYOND * longer / max(math.hypot(*span[0]), 1e-9), 0.0)
+    return np.asarray(ends - further[:, None] * span)
 
 
 def _laid(

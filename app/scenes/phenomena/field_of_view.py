@@ -17,6 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import CLOSE, Parameter
 from app.model.projection import (
     Array,
@@ -29,7 +30,7 @@ from app.model.projection import (
     fov_y_from_focal_length_35mm,
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Marks, Polyline, Text
+from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
@@ -157,17 +158,21 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     return {"preset": name if holds else None, "distance": camera.distance / view.distance}
 
 
-def _angles(projection: Projection) -> tuple[Reading, ...]:
+def _angles(projection: Projection, settings: Settings) -> tuple[Reading, ...]:
     angles = projection.lens.angles(Fraction(*projection.image_size))
     values: tuple[float | None, ...] = (None, None, None)
     if angles is not None:
         values = angles.fov_y_deg, angles.fov_x_deg, angles.focal_mm
     note = WORDS.of_parallel(projection)
+    preset, away = _implied(projection, settings).values()
+    is_preset = preset == "tele" and isinstance(away, float) and abs(away - 1.0) < CLOSE
+    if values[2] is not None and is_preset and settings["enlarged"]:
+        note = WORDS.phrase("enlarged", values[2] / _TELE_MM)
     lines = zip(("vertical", "horizontal", "focal"), values, ("°", "°", "mm"), strict=True)
     return tuple(Reading(WORDS[key], value, unit, note) for key, value, unit in lines)
 
 
-def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illustration:
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     camera = projection.camera
     distance = camera.distance
     height = subject.upper[1] - subject.lower[1]
@@ -202,6 +207,9 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             at_squares.append(Text(name, square[corner], colour, text=WORDS[name]))
     texts += at_squares
     ends = np.array([camera.eye, camera.target])
+    # The grip is in the middle of d: at its end is the eye's.
+    middle, factor = ends.mean(axis=0), _implied(projection, settings)["distance"]
+    along = (middle - camera.target) / factor
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
     places = [text.point for text in texts]
@@ -212,7 +220,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
             Reading(WORDS["distance"], distance),
             Reading(WORDS["height"], size, "px", why),
             Reading.or_why(WORDS["foreshortening"], ratio, "×", WORDS.phrase("behind-eye")),
-            *_angles(projection),
+            *_angles(projection, settings),
         ),
         world=Marks.of(
             Polyline(ends, "accent", name="d"),
@@ -223,6 +231,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         image=Marks.of(
             *seen_lines(projection, segments_clip, colours, 1.5), *seen_texts(trace, texts)
         ),
+        grips=(Grip("distance", middle, camera.target, vector(along), "d", face=ends),),
     )
 
 

@@ -30,7 +30,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
-from app.scenes.phenomena.picture import section, seen, seen_lines
+from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
@@ -155,6 +155,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     with np.errstate(over="ignore"):
         disc_mm = float(lens.blur_mm(np.array(projection.camera.distance)))
     to_infinity = WORDS.phrase("to-infinity")
+    is_seen = projection.lens.near <= focus <= projection.lens.far
     return Illustration(
         _readings(f_mm, f_mm / n, sharp, to_infinity, _drawn_disc(projection, disc_mm)),
         world=_planes(projection, lens, subject),
@@ -162,7 +163,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         image=_sharp_in_picture(projection, lens, subject),
         diagrams=(_diagram(lens),),
         rendering=Rendering(aperture=lens.aperture),
-        measured=(("s", focus),) if projection.lens.near <= focus <= projection.lens.far else (),
+        grips=(grip_of_plane(projection, "focus", focus, focus, "in-focus", "accent"),)[:is_seen],
+        measured=(("s", focus),)[:is_seen],
     )
 
 

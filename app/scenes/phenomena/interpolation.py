@@ -28,7 +28,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Texture, named
+from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Text, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings, number
@@ -145,7 +145,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     part = 1.0 / (float(w[1] / w[0]) + 1.0)
     in_world = np.stack([ends.mean(axis=0), ends[0] + part * (ends[1] - ends[0])])
     middles = projection.trace(in_world)
-    world: list[Mark] = [Polyline(ends, "ink", 1.5)]
+    depths = zip(("z_1", "z_3", "z_2"), (ends[0], in_world[1], ends[1]), strict=True)
+    world: list[Mark] = [Polyline(ends, "ink", 1.5), *(Text(*each) for each in depths)]
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
     names = ("half-in-world", "target"), ("half-on-screen", "accent")

@@ -13,7 +13,7 @@ world coordinates in the world pane, NDC in the NDC pane and pixels in the image
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -173,16 +173,20 @@ def plate(
 
 @dataclass(frozen=True, eq=False)
 class Grip:
-    """A handle in the world pane for a setting: a point, a direction, or a number on a rail.
+    """A handle for a setting: a point, a direction, or a number on a rail.
 
     The setting's value is ``point - base``; of a direction, `base` is where it starts. A number is
-    t in ``point = base + t along``.
+    t in ``point = base + t along``. What has this `name` takes hold of it, too, and so do the edges
+    of the polygon `face`, and all of a polygon that is a plane: more than two points.
     """
 
     setting: str
     point: Array
     base: Vector = (0.0, 0.0, 0.0)
     along: Vector | None = None
+    name: str = ""
+    colour: str = "accent"
+    face: Array = field(default_factory=lambda: np.empty((0, 3)))
 
 
 @dataclass(frozen=True, eq=False)

@@ -39,6 +39,7 @@ WORDS = PhenomenonWords("oblique-drawing")
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 _COLOURS = ("u", "v", "n")
+_ARC = 0.1  # of the near distance: radius of the angles' arcs
 _SCALE_NAMES = ("scale_u", "scale_v", "scale_n")  # the names of their texts
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
@@ -220,7 +221,13 @@ def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
     feet = world_from_view(projection, np.column_stack([x, y, np.full(len(view), -near)]))
     rays = (segment(*pair, "accent", 0.5) for pair in zip(corners, feet, strict=True))
     deep = int(np.argmax(view[:, 0] - view[:, 2]))  # at the right, and far behind the near plane
-    letters = Text("x", corners[deep], "accent"), Text("x'", feet[deep], "accent")
+    letters: list[Mark] = [Text("x", corners[deep], "accent"), Text("x'", feet[deep], "accent")]
+    u, v, n = projection.camera.frame
+    for name, along, cot in (("alpha", u, cot_alpha), ("beta", v, cot_beta)):
+        turns = np.linspace(0.0, math.atan2(1.0, cot), 17)[:, None]  # from the near plane
+        arc = feet[deep] + _ARC * near * (np.cos(turns) * along - np.sin(turns) * n)
+        text = Text(name, arc[8], "accent", (), feet[deep], f"{{{name}}}")
+        letters += [Polyline(arc, "accent", 1.0, (), name), text]
     return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet), *letters)
 
 

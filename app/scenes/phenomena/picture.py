@@ -14,8 +14,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments
+from app.model.limits import vector
 from app.model.projection import PLANES, Array, Projection, Trace, Vector
-from app.scenes.phenomena.marks import Polyline, Text
+from app.scenes.phenomena.marks import Grip, Polyline, Text
 from app.scenes.shapes import box_corners
 
 SIDES = ("left", "right", "bottom", "top")
@@ -45,6 +46,15 @@ def section(projection: Projection, distance: float) -> Array:
     left, right, bottom, top = projection.lens.window_at(projection.window, distance)
     corners = [(left, bottom), (right, bottom), (right, top), (left, top)]
     return world_from_view(projection, [(x, y, -distance) for x, y in corners])
+
+
+def grip_of_plane(
+    projection: Projection, setting: str, value: float, at: float, name: str, colour: str
+) -> Grip:
+    """The grip of a plane at a distance from the eye, which is in proportion to a setting."""
+    face, eye = section(projection, at), projection.camera.eye
+    low = face[:2].mean(axis=0)  # it runs along the lower side of what the lens sees
+    return Grip(setting, low, eye, vector((low - eye) / value), name, colour, face)
 
 
 def rectangle(width: float, height: float) -> Array:

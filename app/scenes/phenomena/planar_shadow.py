@@ -157,6 +157,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     measured = None if met is None else shadow
     off = None if measured is None else float(np.linalg.norm(measured - met))
     of_all = WORDS.phrase("of-all", str(len(subject.points)))
+    world = _world_marks(settings, subject, light, marked)
     return Illustration(
         (
             Reading(
@@ -167,7 +168,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             Reading.or_why(WORDS["off"], off, why=note),
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
-        world=_world_marks(settings, subject, light, marked),
+        world=world,
         image=Marks.of(
             *(
                 named(name, at, size=1.2)
@@ -177,7 +178,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ),
         copies=tuple(copies),
         warning=warning,
-        grips=(_grip(light, subject),),
+        grips=(_grip(light, subject), _grip_of_ground(world)),
     )
 
 
@@ -205,9 +206,18 @@ def _reach(subject: Subject) -> tuple[Array, float]:
 def _grip(light: Array, subject: Subject) -> Grip:
     """The lamp where it is; the sun where its direction is drawn."""
     if light[3] == 1.0:
-        return Grip("light", light[:3])
+        return Grip("light", light[:3], name="light")
     middle, reach = _reach(subject)
-    return Grip("light", middle + reach * light[:3] / np.linalg.norm(light[:3]), vector(middle))
+    away = light[:3] / np.linalg.norm(light[:3])
+    return Grip("light", middle + reach * away, vector(middle), name="light")
+
+
+def _grip_of_ground(world: Marks) -> Grip:
+    """The plane by its front edge: a drag on all of it would be a turn of the view as a rule."""
+    edge = world.faces[0].points[2:]
+    x, y, z = edge.mean(axis=0).tolist()
+    up = (0.0, 1.0, 0.0)
+    return Grip("height", np.array([x, y, z]), (x, 0.0, z), up, "ground", "muted", edge)
 
 
 def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:

@@ -13,7 +13,6 @@ from functools import partial
 
 import numpy as np
 
-from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -33,7 +32,7 @@ from app.scenes.phenomena.marks import (
     right_angle,
     segment,
 )
-from app.scenes.phenomena.picture import section, seen, world_from_view
+from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
@@ -168,17 +167,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ndc=named("P", trace.ndc) if here else Marks(),
         image=named("P", trace.image) if here else Marks(),
         copies=(Copy(onto_plane(projection, distance, slab)),),
-        grips=(Grip("point", place), _grip(projection, distance)),
+        grips=(
+            Grip("point", place, name="P"),
+            grip_of_plane(projection, "distance", distance, distance, "d", "near"),
+        ),
         lengths=lengths,
         measured=(("d", distance),) if x_p is None else (("d", distance), ("-z", w)),
     )
-
-
-def _grip(projection: Projection, distance: float) -> Grip:
-    """The plane's handle: it runs along the lower side of what the lens sees."""
-    low = section(projection, distance)[:2].mean(axis=0)
-    along = (low - projection.camera.eye) / distance
-    return Grip("distance", low, projection.camera.eye, vector(along))
 
 
 def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> Array:

@@ -17,8 +17,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from fractions import Fraction
-from typing import NamedTuple
 
 import numpy as np
 
@@ -38,8 +36,8 @@ from app.scenes.phenomena.marks import (
     named,
     plate,
     segment,
-)  # fmt: skip
-from app.scenes.phenomena.picture import section
+)
+from app.scenes.phenomena.picture import grip_of_plane, section
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords
@@ -48,47 +46,19 @@ from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_gr
 WORDS = PhenomenonWords("two-eyes")
 NOT_BEFORE_NEAR = QT_TRANSLATE_NOOP("Refusal", "must not be before the near plane ({0})")
 
-_SIDES = np.array([[-1.0], [1.0]])  # of the left and the right eye
 _NAMES, _COLOURS, _IMAGES = ("left-eye", "right-eye"), ("u", "n"), ("P_l", "P_r")
 
 
-class StereoPair(NamedTuple):
-    """The h, D and t of two eyes."""
-
-    half: float
-    screen: float
-    turn: float
-
-    @classmethod
-    def of(cls, projection: Projection, settings: Settings) -> StereoPair:
-        half, screen = number(settings, "separation") / 2.0, projection.camera.distance
-        return cls(half, screen, half / screen if settings["cameras"] == "toed-in" else 0.0)
-
-    def eyes(self, projection: Projection, pictures: str) -> Eyes:
-        """Return what both eyes see. Raises a `Refusal` if no camera and lens do that."""
-        camera, (u, v, n) = projection.camera, projection.camera.frame
-        if self.turn:
-            middle = vector(camera.eye - self.screen * n)
-            places = [vector(camera.eye + side * self.half * u) for (side,) in _SIDES]
-            turned = (Camera(eye, middle, vector(v)) for eye in places)
-            left, right = (replace(projection, camera=each) for each in turned)
-        else:
-            window = Aperture(self.half, self.screen)
-            left, right = (window.seen_from(projection, side, 0.0) for (side,) in _SIDES)
-        return Eyes(left, right, pictures)
-
-    def pixels(self, projection: Projection, points_world: Array) -> Array:
-        """Pixels (2, k, 2) of points (k, 3) for both eyes; NaN if they are not in front."""
-        x, y, z = projection.trace(points_world).view.T
-        left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
-        width, height = projection.image_size
-        with np.errstate(all="ignore"):
-            w = -z - _SIDES * self.turn * (x - _SIDES * self.half)
-            x = (x - _SIDES * (self.half / self.screen) * (self.screen + z)) / w
-            y = y * math.hypot(1.0, self.turn) / w
-            columns, rows = (x - left) / (right - left) * width, (top - y) / (top - bottom) * height
-        seen = (w > 0.0) & np.isfinite(columns) & np.isfinite(rows)
-        return np.where(seen[..., None], np.stack([columns, rows], axis=-1), np.nan)
+def eyes_of(projection: Projection, settings: Settings) -> Eyes:
+    """Return what both eyes see. Raises a `Refusal` if no camera and lens do that."""
+    camera = projection.camera
+    window = Aperture(number(settings, "separation") / 2.0, camera.distance)
+    left, right = (window.seen_from(projection, side, 0.0) for side in (-1.0, 1.0))
+    if settings["cameras"] == "toed-in":
+        up = vector(camera.frame[1])
+        turned = (Camera(each.camera.eye, camera.target, up) for each in (left, right))
+        left, right = (replace(projection, camera=each) for each in turned)
+    return Eyes(left, right, str(settings["pictures"]))
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -96,14 +66,8 @@ def _geometry() -> tuple[Coloured, Coloured]:
     letter, rgb = letter_f()
     boxes = (((0.2, 0.0, 2.2), (1.0, 0.8, 3.0)), ((1.7, 0.0, -5.0), (2.7, 3.4, -4.0)))
     faces = np.concatenate([0.8 * letter + (-0.3, 0.0, -0.4), *(box_faces(*box) for box in boxes)])
-    colours = np.concatenate([rgb, *([SIDE_RGB] * len(boxes))])
-    return (faces, colours), joined(
-        ground_grid((-4.0, -6.0), (4.0, 4.0), (1.0, 1.0), 0.0), edges_of(faces)
-    )
-
-
-def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {"screen": projection.camera.distance}
+    lines = joined(ground_grid((-4.0, -6.0), (4.0, 4.0), (1.0, 1.0), 0.0), edges_of(faces))
+    return (faces, np.concatenate([rgb, SIDE_RGB, SIDE_RGB])), lines
 
 
 def _follow(projection: Projection, before: ImpliedSettings, after: Settings) -> Projection:
@@ -120,49 +84,51 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
     if (parallel := WORDS.of_parallel(projection)) is not None:
         return Illustration((), warning=parallel)
-    pair, place = StereoPair.of(projection, settings), np.array(point(settings, "point"))
+    place, distance = np.array(point(settings, "point")), projection.camera.distance
     try:
-        eyes = pair.eyes(projection, str(settings["pictures"]))
+        eyes = eyes_of(projection, settings)
     except Refusal:  # camera and lens are the reason
         return Illustration((), warning=WORDS.phrase("no-pair"))
-    screen, eye = section(projection, pair.screen), projection.camera.eye
-    pixels = pair.pixels(projection, np.concatenate([place[None], screen]))
-    apart, behind = pixels[1] - pixels[0] + 0.0, WORDS.phrase("behind")
+    half, screen = number(settings, "separation") / 2.0, section(projection, distance)
+    traces = [eye.trace([place, *screen]) for eye in (eyes.left, eyes.right)]
+    pixels = np.array([np.where(t.in_front[:, None], t.image, math.nan) for t in traces])
+    apart, behind = np.round(pixels[1] - pixels[0], 9) + 0.0, WORDS.phrase("behind")
     across, down = apart[0].tolist() if np.isfinite(apart[0]).all() else (None, None)
     corners = np.abs(apart[1:, 1][np.isfinite(apart[1:, 1])])
-    where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(round(across or 0.0, 6)))]
-    u, along = projection.camera.frame[0], screen[:2].mean(axis=0) - eye
+    where = ("before-it", "in-it", "behind-it")[1 + int(np.sign(across or 0.0))]
+    turn = math.atan2(half, distance) if settings["cameras"] == "toed-in" else 0.0
+    eye, u = projection.camera.eye, projection.camera.frame[0]
     return Illustration(
         (
             Reading.or_why(WORDS["across"], across, "px", behind),
             Reading.or_why(WORDS["down"], down, "px", behind),
             Reading.or_why(WORDS["largest"], max(corners.tolist(), default=None), "px", behind),
             Reading.or_why(WORDS["place"], None if across is None else WORDS[where], "", behind),
-            Reading(WORDS["turned"], math.degrees(math.atan(pair.turn)), "°"),
+            Reading(WORDS["turned"], math.degrees(turn), "°"),
         ),
-        world=_world_marks(projection, pair, eyes, place),
+        world=_world_marks(screen, eyes, place),
         image=_image_marks(projection, eyes, pixels[:, 0]),
         rendering=Rendering(eyes=eyes),
-        warning=WORDS.phrase("before-near") if pair.screen < projection.lens.near else None,
+        warning=WORDS.phrase("before-near") if distance < projection.lens.near else None,
         grips=(
-            Grip("point", place),
-            Grip("screen", eye + along, eye, vector(along / pair.screen)),
-            Grip("separation", eye + pair.half * u, eye, vector(u / 2.0)),
+            Grip("point", place, name="P"),
+            grip_of_plane(projection, "screen", distance, distance, "screen", "accent"),
+            Grip("separation", eye + half * u, eye, vector(u / 2.0), "right-eye", "n"),
         ),
     )
 
 
-def _world_marks(projection: Projection, pair: StereoPair, eyes: Eyes, place: Array) -> Marks:
+def _world_marks(screen: Array, eyes: Eyes, place: Array) -> Marks:
     """The screen plane, both eyes with their frusta up to it, and the projectors of P."""
-    screen, reach = section(projection, pair.screen), math.hypot(pair.screen, pair.half)
-    reach = reach if pair.turn else pair.screen
     marks: list[Mark] = [plate(screen, "accent", 1.5, 0.14, (), "screen")]
     marks.append(Text("screen", screen[3], "accent", text=WORDS["screen"]))
     each = zip(_NAMES, _IMAGES, _COLOURS, (eyes.left, eyes.right), strict=True)
     for name, image, colour, seen in each:
-        eye, window = np.array(seen.camera.eye), section(seen, reach)
+        eye, reach = np.array(seen.camera.eye), seen.camera.distance
+        window = section(seen, reach)
         marks += [segment(eye, corner, colour, 0.5) for corner in window]
-        marks += [plate(window, colour, 1.0, 0.05)] if pair.turn else []
+        if not np.allclose(window, screen):
+            marks.append(plate(window, colour, 1.0, 0.05))
         marks.append(named(name, eye, colour, 1.6, WORDS[name]))
         away = -float(seen.trace(place).view[2])
         if away > 1e-9 * reach:  # or the projector meets the plane nowhere, or far out
@@ -212,7 +178,7 @@ PHENOMENON = Phenomenon(
     ),
     numbers=4,
     follow=_follow,
-    implied=_implied,
+    implied=lambda projection, _: {"screen": projection.camera.distance},
     own_mesh=True,
     names=("left-eye", "right-eye", "screen", "P", "P_l", "P_r"),
     shot=Shot(35.0, 35.0),
