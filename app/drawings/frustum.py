@@ -314,8 +314,9 @@ class FrustumDrawing(Layer):
             asked = getattr(state.projection.lens, side, value)  # proportions may change it
             both = dict.fromkeys(written_distance(each, many) for each in (asked, value))
             text = f"{word} = {' → '.join(both)}"
-            fitted = state.words.get(f"{{fitted_{letter}}}", "")
-            if fitted and len(both) > 1:  # lecture 000 has letters for both, and for the difference
+            plain = f"fitted_{letter}"
+            fitted = state.words.get(f"{{{plain}}}", plain)
+            if fitted != plain and len(both) > 1:  # lecture 000 has letters for both
                 k = written_distance(value - asked if letter in "rt" else asked - value, many)
                 text = text.replace(" → ", f", k = {k}, {fitted} = ")
             board.label(letter).set_text(text)
