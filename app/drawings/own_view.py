@@ -203,16 +203,21 @@ class OwnView(PaneCamera):
         self._heading_deg = moments[0].camera.orbit.azimuth_deg
         points = np.concatenate([each.points for each in moments])
         about = (points.min(axis=0) + points.max(axis=0)) / 2.0
-        turns = [_turn(turn_deg) for turn_deg in turns_deg]
+        axes, turns = self._shot_axes(moments[0].shot), [_turn(turn_deg) for turn_deg in turns_deg]
+        mirror = np.eye(3) - 2.0 * np.outer(axes[0], axes[0])
+        moves = [turn @ side for turn in turns for side in (np.eye(3), mirror)]
         turned = [
             one._replace(
-                eye=(one.eye - about) @ turn,
-                points=(one.points - about) @ turn,
-                parts=one.parts @ turn,
+                eye=(one.eye - about) @ move,
+                points=(one.points - about) @ move,
+                parts=one.parts @ move,
             )
-            for turn, one in product(turns, moments)
+            for move, one in product(moves if len(turns) > 1 else turns, moments)
         ]
-        stand = self._stand(self._shot_axes(moments[0].shot), turned)
+        stand = place, focus = self._stand(axes, turned)
+        if len(turns) > 1:  # with the mirror images it looks at the vertical, about which it turns
+            ahead = float(place[::2] @ axes[2, ::2]) / float(axes[2, ::2] @ axes[2, ::2])
+            focus[:] = 0.0, place[1] - ahead * axes[2, 1], 0.0
         about = about + self._origin
         places = [[tuple(about + turn @ point) for point in stand] for turn in turns]
         return [Camera(place, focus) for place, focus in places]

@@ -38,7 +38,7 @@ Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
 SHOWN: dict[str, dict[str, Any]] = {
-    "cube": {"shot": Shot(-75.0, 30.0, "camera")},
+    "cube": {"shot": Shot(-80.0, 25.0, "camera")},
     # The numbers are on the fronts; in the cube the posts crowd along its depth.
     "posts": {"shot": Shot(-38.0, 28.0, "camera"), "cube_side": (75.0, 10.0)},
 }
@@ -66,7 +66,7 @@ def _cube() -> Parts:
         ),
         Projection(
             Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=38.0, near=1.8, far=3.5),
+            Perspective(fov_y_deg=38.0, near=1.5, far=3.5),
         ),
     )
 

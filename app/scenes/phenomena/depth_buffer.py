@@ -265,6 +265,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"depth"}),
     own_mesh=True,
     names=("surface-1", "surface-2"),
-    shot=Shot(-22.0, 26.0),
+    shot=Shot(-26.0, 32.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

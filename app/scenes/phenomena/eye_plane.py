@@ -520,7 +520,7 @@ PHENOMENON = Phenomenon(
     own_mesh=True,
     own_mesh_crosses=True,
     names=("A", "B", "eye", "w=0", "A'", "B'"),
-    shot=Shot(12.0, 30.0),
+    shot=Shot(20.0, 34.0),
     pale=frozenset({"world"}),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -258,6 +258,6 @@ PHENOMENON = Phenomenon(
     implied=_implied,
     own_mesh=True,
     names=(*_SCALE_NAMES, NEAR.name, "x", "x'"),
-    shot=Shot(-52.0, 24.0),
+    shot=Shot(-65.0, 22.0),
     leaves_out=frozenset({"near-picture"}),
 )
