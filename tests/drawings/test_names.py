@@ -234,17 +234,6 @@ def test_the_axes_of_the_world_stand_still_while_the_camera_comes_to_them(
     assert np.isfinite(drawing.box.axes[:3]).all() and np.isnan(drawing.box.axes[3:]).all()
 
 
-def test_the_camera_does_not_stand_in_the_cube(off_screen: MakeScreen) -> None:
-    """Nor once layers are shown."""
-    scene = load("letter-f")
-    drawing = StageDrawing(off_screen(300, 300), scene, WORDS, LIGHT)
-    drawing.show_projection(scene.start)
-    for position, is_seen in ((0.0, True), (4.0, False)):
-        drawing.show_stage(position)
-        drawing.show_layers(frozenset())
-        assert {bool(part.GetVisibility()) for part in drawing.box._body} == {is_seen}
-
-
 def test_the_picture_fills_its_pane_unless_its_pixels_are_named(off_screen: MakeScreen) -> None:
     drawing = ImageDrawing(off_screen(480, 300), load("letter-f"), WORDS, LIGHT)
     bare = drawing.picture_rectangle_px
