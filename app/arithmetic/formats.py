@@ -34,22 +34,15 @@ _NATIVE = {"float64": np.float64, "float32": np.float32, "float16": np.float16}
 
 @dataclass(frozen=True)
 class Format:
-    """Numbers of limited size with a limited number of digits.
-
-    Attributes
-    ----------
-    bits : int
-        Stored bits of one number.
-    digits : int or None
-        Significant bits of a number of ordinary size; None for fixed point.
-    step : float
-        The distance between neighbours near 0, and for fixed point everywhere; a power of 2.
-    """
+    """Numbers of limited size with a limited number of digits."""
 
     name: str
     bits: int
+    """Stored bits of one number."""
     digits: int | None
+    """Significant bits of a number of ordinary size; None for fixed point."""
     step: float
+    """The distance between neighbours near 0, and for fixed point everywhere; a power of 2."""
     largest: float
 
     @property
@@ -95,16 +88,12 @@ class Grid(NamedTuple):
     Every axis has the same step, the box's longest side over ``2^bits - 1``, as in Draco
     (`AttributeQuantizationTransform`) and gltfpack. glTF's KHR_mesh_quantization stores the counts
     as normalised integers and puts lower corner and step into the node's matrix.
-
-    Attributes
-    ----------
-    bits : int
-        Of one coordinate.
-    lower : (3,) array
     """
 
     bits: int
+    """Of one coordinate."""
     lower: Array
+    """The box's lower corner, (3,)."""
     step: float
 
     @classmethod

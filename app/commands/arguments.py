@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import atexit
 import contextlib
-import difflib
 import functools
 import os
 import re
@@ -24,7 +23,7 @@ from app.document.view import View
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import NOT_THE_EYE
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, nearest
 from app.scenes.phenomena import PHENOMENA
 
 if TYPE_CHECKING:
@@ -60,11 +59,10 @@ def place_of(course: Course, step: str | None) -> int:
     if step in names:
         return names.index(step)
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
-        near = max(names, key=lambda name: difflib.SequenceMatcher(None, step, name).ratio())
-        nearest = "" if step.isdigit() else f"; the nearest is {near}"
+        near = "" if step.isdigit() else f"; the nearest is {nearest(step, names)}"
         raise CliError(
             f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a"
-            f" step{nearest}."
+            f" step{near}."
         )
     return int(step) - 1
 
@@ -130,8 +128,7 @@ def check_out(name: str, out: str) -> None:
         raise CliError(f"{name} = {out!r}: is a pipe or a device, not a regular file.")
     folder = os.path.dirname(os.path.realpath(full_path(out)))
     if not os.path.isdir(folder):
-        named = os.path.dirname(out) or folder
-        raise CliError(f"{name} = {out!r}: there is no folder {named}.")
+        raise CliError(f"{name} = {out!r}: there is no folder {os.path.dirname(out) or folder}.")
     needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
         raise CliError(f"{name} = {out!r}: may not be written.")

@@ -9,7 +9,6 @@ from __future__ import annotations
 import argparse
 import contextlib
 import csv
-import difflib
 import html
 import io
 import os
@@ -33,7 +32,7 @@ from app.document.files import (
     write_bytes_atomically,
 )
 from app.lessons.lesson import is_lesson
-from app.model.refusal import Refusal, shown_name
+from app.model.refusal import Refusal, nearest, shown_name
 from app.strangers import decode, open_regular, printable
 
 LARGEST_LIST = 2**20
@@ -157,8 +156,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     files = tuple(os.path.join(folder, name) for name in course.files)
     for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
-        where = f"{line.where}, step {place}"
-        yield ListedFigure(where, cells, (*line.sources, *files))
+        yield ListedFigure(f"{line.where}, step {place}", cells, (*line.sources, *files))
 
 
 def _of_list(source: str) -> Iterator[ListedFigure]:
@@ -197,7 +195,7 @@ def _checked_columns(columns: list[str], where: str) -> list[str]:
         if ";" in column:
             raise CliError(f"{where}: {shown!r} is one column; they are separated by commas.")
         if column not in known and not column.startswith("settings."):
-            near = max(known, key=lambda name: difflib.SequenceMatcher(None, shown, name).ratio())
+            near = nearest(shown, known)
             raise CliError(f"{where}: {shown!r} is not a column; the nearest is {near}.")
         if column in columns[:number]:
             raise CliError(f"{where}: has two columns {shown}.")

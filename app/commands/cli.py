@@ -40,9 +40,8 @@ def _run(arguments: Sequence[str]) -> int:
             status: int = command.run(arguments[1:])
             return status
         if arguments:
-            check_file(
-                arguments[0]
-            )  # first: the words after a misspelt command do not belong to the window
+            # First: the words after a misspelt command do not belong to the window.
+            check_file(arguments[0])
         return _window(arguments)
     except Refusal as error:
         raise CliError(str(error)) from error
@@ -54,7 +53,9 @@ def _run(arguments: Sequence[str]) -> int:
 def _window(arguments: Sequence[str]) -> int:
     options, words = parser_of("").read(arguments)
     if options.screenshot is not None:
-        _check_png("--screenshot", options.screenshot)
+        if not options.screenshot.lower().endswith(".png"):
+            raise CliError(f"--screenshot = {options.screenshot!r}: must end in .png.")
+        check_out("--screenshot", options.screenshot)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
@@ -89,9 +90,3 @@ def _window(arguments: Sequence[str]) -> int:
         return application.run_window(document, saved, path, window_options, scene)
     except DisplayError as error:
         raise CliError(str(error), CANNOT_DRAW) from error
-
-
-def _check_png(name: str, out: str) -> None:
-    if not out.lower().endswith(".png"):
-        raise CliError(f"{name} = {out!r}: must end in .png.")
-    check_out(name, out)

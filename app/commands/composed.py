@@ -40,8 +40,7 @@ class Composed:
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        kinds = "crowded", "empty", "hidden", "cut"
-        counts = [f"{self.faulty[kind]} {kind}" for kind in kinds]
+        counts = [f"{self.faulty[kind]} {kind}" for kind in ("crowded", "empty", "hidden", "cut")]
         overlaps = counted(self.faulty["overlap"], "overlap")
         return f"{', '.join([overlaps, *counts])} of {counted(self.steps, 'step')}"
 
@@ -58,8 +57,7 @@ class Composed:
             em = PANE_EM_PX
             if lesson.is_talk:
                 em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
-            missing = self._missing(document, list(seen) if lesson.is_talk else list(PANES))
-            for name in missing:
+            for name in self._missing(document, list(seen) if lesson.is_talk else list(PANES)):
                 faults[f"{where}: view.names has {name}, which no pane draws here."] = None
             for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):

@@ -158,8 +158,7 @@ def _display() -> Iterator[Finding]:
         yield Finding("OpenGL", f"none for windows: {answer['error']}")
     else:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
-        text = f"{answer['version']}, {answer['renderer']} ({how})"
-        yield Finding("OpenGL", text)
+        yield Finding("OpenGL", f"{answer['version']}, {answer['renderer']} ({how})")
     painting = {
         "opengl": "drawn in the window by OpenGL",
         "raster": "drawn off-screen and painted as pixels",

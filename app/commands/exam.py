@@ -5,13 +5,11 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import signal
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from app.commands.arguments import check_drawing, check_out, importing
-from app.commands.terminal import CliError, write_out
+from app.commands.terminal import CliError, interrupt, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of
@@ -55,7 +53,12 @@ def print_tests(options: argparse.Namespace) -> int:
     check_drawing()
     title = ", ".join(topics)
     variants: list[tuple[int, Sequence[Numbered]]] = []
-    with _cancel() as check:
+    with interrupt() as cancelled:
+
+        def check() -> None:  # raised in a method that Qt calls, it would be lost
+            if cancelled.is_set():
+                raise KeyboardInterrupt
+
         for number, (seed, out) in enumerate(zip(seeds, files, strict=True), 1):
             numbered = [Numbered(*each, each[1].with_numbers(seed)) for each in posed]
             _write(out, exam(title, seed, numbered, check), f"{number} of {len(files)}")
@@ -116,26 +119,3 @@ def _write(out: str, content: bytes, progress: str) -> None:
     done = "overwritten" if os.path.exists(out) else "written"
     write_bytes_atomically(out, content)
     write_out([f"{progress}: {out} {done}\n"])
-
-
-@contextmanager
-def _cancel() -> Iterator[Callable[[], None]]:
-    """Yield what raises KeyboardInterrupt after Ctrl+C.
-
-    Raised in a method that Qt calls, it would be lost.
-    """
-    asked = False
-
-    def ask(*_: object) -> None:
-        nonlocal asked
-        asked = True
-
-    def check() -> None:
-        if asked:
-            raise KeyboardInterrupt
-
-    former = signal.signal(signal.SIGINT, ask)
-    try:
-        yield check
-    finally:
-        signal.signal(signal.SIGINT, former)

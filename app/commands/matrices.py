@@ -20,7 +20,7 @@ from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.calibration import taken_apart
 from app.model.matrix_text import read_matrix
-from app.model.projection import Array, Projection, Stage
+from app.model.projection import Array, Projection
 from app.model.refusal import format_value
 
 _DIGITS = 4
@@ -75,11 +75,6 @@ def _of_p(assignments: Sequence[str]) -> str:
     return "\n".join([f"\nP = scale K [R | t]\n{said}{next(blocks)}", *blocks])
 
 
-def _factors(stage: Stage) -> tuple[tuple[str, Array], ...]:
-    """Return those factors of a stage that are not stages themselves."""
-    return tuple(factor for factor in stage.factors if "_from_" not in factor[0])
-
-
 def _text(projection: Projection) -> str:
     blocks = [f"{lens_line(projection)}\n"]
     for stage in projection.all_stages:
@@ -88,7 +83,7 @@ def _text(projection: Projection) -> str:
         notes += map(str, properties(projection, stage.name))
         note = "".join(f"  ({note})\n" for note in notes)
         blocks.append(f"{stage.name}{product}\n{note}{_rows(stage.matrix)}")
-        factors = _factors(stage)
+        factors = [each for each in stage.factors if "_from_" not in each[0]]  # no stages
         if len(factors) > 1:
             blocks += [f"  {name}\n{_rows(values)}" for name, values in factors]
         if stage.name == "clip_from_world":

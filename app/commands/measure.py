@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import sys
 import threading
 from collections.abc import Callable, Iterator, Sequence
@@ -15,6 +14,7 @@ from app.commands.terminal import (
     CANNOT_DRAW,
     INTERRUPTED,
     CliError,
+    interrupt,
     print_error,
     standard_output,
     write_out,
@@ -112,7 +112,7 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
 @contextmanager
 def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
     """Report the progress of a measurement, and stop it on Ctrl-C or ``cancel``."""
-    cancelled, going = threading.Event(), threading.Event()
+    going = threading.Event()
     going.set()
     told = -1.0
 
@@ -139,15 +139,14 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
         cancelled.set()  # also when the starting program has ended
         going.set()
 
-    former = signal.signal(signal.SIGINT, lambda *_: cancelled.set())
-    if attended:
-        threading.Thread(target=obey, daemon=True).start()
-    try:
-        yield watch
-    finally:
-        signal.signal(signal.SIGINT, former)
-        if not attended and sys.stderr is not None and sys.stderr.isatty():
-            print("\r      \r", end="", file=sys.stderr, flush=True)
+    with interrupt() as cancelled:
+        if attended:
+            threading.Thread(target=obey, daemon=True).start()
+        try:
+            yield watch
+        finally:
+            if not attended and sys.stderr is not None and sys.stderr.isatty():
+                print("\r      \r", end="", file=sys.stderr, flush=True)
 
 
 def _measured(results: Measurements, cost: str) -> Iterator[str]:

@@ -10,14 +10,15 @@ import argparse
 import difflib
 import os
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any, NoReturn
 
 from app import __version__, bootstrap
 from app.commands.terminal import CliError, write_out
-from app.document.lengths import PX_PER, Size, parse_size
+from app.document.lengths import PX_PER, parse_size
 from app.model.numerals import number
-from app.model.refusal import counted
+from app.model.refusal import counted, nearest
 
 SUMMARIES = {
     "export": "draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display",
@@ -104,7 +105,9 @@ class Parser(argparse.ArgumentParser):
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
             where = f"an option of {self._command}" if self._command else "an option of the window"
-            raise CliError(f"{option} is not {where}; the nearest is {_nearest(option, names)}.")
+            raise CliError(
+                f"{option} is not {where}; the nearest is {nearest(option.lower(), names)}."
+            )
         words: list[str] = [*options.words, *arguments[end + 1 :]]
         command = self._command or "The window"
         if "" in words:
@@ -146,24 +149,15 @@ class Parser(argparse.ArgumentParser):
         self.add_argument(option, metavar=value, help=text, type=read, **more)
 
     def add_flag(self, option: str, text: str) -> None:
-        """Add an option that takes no value."""
         self.add_argument(option, action="store_true", help=text)
 
     def add_choice(
         self, option: str, values: Sequence[str], text: str, default: str | None = None, **more: Any
     ) -> None:
-        """Add an option that takes one of several values."""
         self.add(
             option, "|".join(values), text, lambda value: one_of(option, value, values),
             default=default, **more,
         )  # fmt: skip
-
-
-def _nearest(word: str, known: Iterable[str]) -> str:
-    def likeness(name: str) -> float:
-        return difflib.SequenceMatcher(None, word.lower(), name).ratio()
-
-    return max(known, key=likeness)
 
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
@@ -208,27 +202,14 @@ def _size(value: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def _length(value: str) -> Size:
-    try:
-        return parse_size(value)
-    except ValueError:
-        raise CliError(
-            f"--size = {value!r}: must be WIDTHxHEIGHT in {', '.join(PX_PER)}, such as "
-            "120mmx80mm or 1800x600."
-        ) from None
+def _parsed(
+    option: str, bound: str, parse: Callable[[str], object] = parse_number
+) -> Callable[[str], object]:
+    """Return a function that parses an option's value and refuses what raises a `ValueError`."""
 
-
-def _points(value: str) -> float:
-    try:
-        return parse_number(value.removesuffix("pt"))
-    except ValueError:
-        raise CliError(f"--text-size = {value!r}: must be a number of points.") from None
-
-
-def _number(option: str, bound: str) -> Callable[[str], float]:
-    def read(value: str) -> float:
+    def read(value: str) -> object:
         try:
-            return parse_number(value)
+            return parse(value)
         except ValueError:
             raise CliError(f"{option} = {value!r}: must be {bound}.") from None
 
@@ -313,18 +294,24 @@ def _export() -> Parser:
         "size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
         "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
         "each pane",
-        read=_length,
+        read=_parsed(
+            "--size",
+            f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
+            parse_size,
+        ),
     )  # fmt: skip
     parser.add_flag("--crop", "leave out what is empty around the figure, but for a margin of 2 mm")
     parser.add(
         "--scale", "FACTOR", "draw the same figure with more pixels (default: 1)",
-        read=_number("--scale", "a finite number"), default=1.0,
+        read=_parsed("--scale", "a finite number"), default=1.0,
     )  # fmt: skip
     parser.add(
         "--text-size", "PT",
         "size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 "
         "in a pane of 640 pixels, in proportion in others)",
-        read=_points,
+        read=_parsed(
+            "--text-size", "a number of points", lambda text: parse_number(text.removesuffix("pt"))
+        ),
     )  # fmt: skip
     parser.add_choice(
         "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
@@ -357,7 +344,7 @@ def _export() -> Parser:
         "--orbit", "DEGREES",
         "draw a moving picture: the world is seen from all round, or as far round as DEGREES "
         "say, and back; the camera stays where it is",
-        read=_number("--orbit", "a number of degrees"), nargs="?", const=FULL_TURN,
+        read=_parsed("--orbit", "a number of degrees"), nargs="?", const=FULL_TURN,
     )  # fmt: skip
     parser.add_flag(
         "--stages",
@@ -379,7 +366,7 @@ def _export() -> Parser:
     )  # fmt: skip
     parser.add(
         "--fps", "COUNT", "of a moving picture: how many frames a second (default: 12)",
-        read=_number("--fps", "a finite number"),
+        read=_parsed("--fps", "a finite number"),
     )  # fmt: skip
     parser.add_choice(
         "--loop", LOOPS, "of a moving picture: from the last frame to the first, not at all, or "
@@ -522,10 +509,6 @@ def _talk() -> Parser:
     return parser
 
 
-def _doctor() -> Parser:
-    return Parser("doctor", "", argparse.SUPPRESS)
-
-
 _PARSERS: dict[str, Callable[[], Parser]] = {
     "": _window,
     "export": _export,
@@ -534,7 +517,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
     "measure": _measure,
     "lesson": _lesson,
     "talk": _talk,
-    "doctor": _doctor,
+    "doctor": partial(Parser, "doctor", "", argparse.SUPPRESS),
 }
 
 

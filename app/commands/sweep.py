@@ -46,7 +46,6 @@ _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 
 def motions(options: argparse.Namespace) -> list[str]:
-    """Return which of `MOTIONS` are asked for."""
     return [name for name in MOTIONS if is_given(options, name)]
 
 
@@ -97,12 +96,13 @@ def states(options: argparse.Namespace, file: str | None) -> list[Document]:
     if options.stages:
         check_stages(options)
         values = [f"view.stage={_position(part)!r}" for part in parts]
-        return [with_values(before, [*options.set, value]) for value in values]
-    path, first, last = _ends(options.sweep)
-    values = []
-    for part in parts:
-        numbers = [a * (1.0 - part) + b * part for a, b in zip(first, last, strict=True)]
-        values.append(f"{path}={','.join(map(_written, numbers))}")
+    else:
+        path, first, last = _ends(options.sweep)
+        values = []
+        for part in parts:
+            ends = zip(first, last, strict=True)
+            numbers = [repr(a * (1.0 - part) + b * part).removesuffix(".0") for a, b in ends]
+            values.append(f"{path}={','.join(numbers)}")
     return [with_values(before, [*options.set, value]) for value in values]
 
 
@@ -124,7 +124,6 @@ def check_stages(options: argparse.Namespace) -> None:
 
 
 def panes(options: argparse.Namespace) -> list[str]:
-    """Return the panes of ``--panes``, in their order."""
     return re.split("[,/]", options.panes)
 
 
@@ -282,10 +281,6 @@ def _ends(sweep: str) -> tuple[str, list[float], list[float]]:
             " lens.near=0.5:8 or camera.eye=3,2,4:0,2,5."
         )
     return path.strip(), first, last
-
-
-def _written(value: float) -> str:
-    return repr(value).removesuffix(".0")
 
 
 def names(out: str, frames: int) -> list[str]:

@@ -47,7 +47,6 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
-    """Return the faults of a talk, and its warnings and summary."""
     report, composed, left = CheckReport(), Composed(), ""
     try:
         course = report.take(read(path))
@@ -56,8 +55,7 @@ def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
     else:
         report.wrong += taken(composed, course, measure(), report.wrong)
         left = _take_texts(composed, course.lesson)
-    steps = counted(composed.steps, "step")
-    drawn = f"{path.name}: {steps} drawn, {len(report.wrong)} wrong"
+    drawn = f"{path.name}: {counted(composed.steps, 'step')} drawn, {len(report.wrong)} wrong"
     sums = [*map(str, report.warnings), drawn, str(composed), *filter(None, [left])]
     return [*map(str, report.wrong), *composed.wrong], sums
 
@@ -67,9 +65,8 @@ def _take_texts(composed: Composed, lesson: Lesson) -> str:
     with importing():
         from widgets.window.talk_band import shortened
     left = []
-    for number, (step, (is_cut, leaves)) in enumerate(
-        zip(lesson.steps, shortened(lesson.steps, SLIDE_PX), strict=True), 1
-    ):
+    parts = zip(lesson.steps, shortened(lesson.steps, SLIDE_PX), strict=True)
+    for number, (step, (is_cut, leaves)) in enumerate(parts, 1):
         if is_cut:
             composed.wrong.append(
                 f"{lesson.path}: line {step.line}, step {number} ({step.name}):"

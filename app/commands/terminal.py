@@ -7,8 +7,11 @@ from __future__ import annotations
 
 import io
 import os
+import signal
 import sys
-from collections.abc import Callable, Iterable
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from typing import TextIO, TypeVar
 
 from app.strangers import printable
@@ -64,6 +67,17 @@ def write_out(texts: Iterable[str]) -> None:
         if isinstance(error, BrokenPipeError):
             raise
         raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
+
+
+@contextmanager
+def interrupt() -> Iterator[threading.Event]:
+    """Let Ctrl+C set an event instead of raising an exception wherever the program is."""
+    event = threading.Event()
+    former = signal.signal(signal.SIGINT, lambda *_: event.set())
+    try:
+        yield event
+    finally:
+        signal.signal(signal.SIGINT, former)
 
 
 def outcome(run: Callable[[], _Status]) -> _Status | int:

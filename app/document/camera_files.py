@@ -417,8 +417,7 @@ def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> P
     values = _numbers({"": (where, parts[1:8])}, [""], 7)
     if len(parts) < 9 or parts[8] not in cameras:
         raise Refusal.in_document(NO_CAMERA, field=where)
-    rotation = rotation_from_quaternion(values[:4])
-    pose = world_from_opencv(rotation, np.array(values[4:]))
+    pose = world_from_opencv(rotation_from_quaternion(values[:4]), np.array(values[4:]))
     return _of_camera(cameras[parts[8]], pose, projection)
 
 

@@ -85,8 +85,7 @@ class Document:
             if phenomenon is None or not phenomenon.own_mesh:
                 raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
         if self.extra:  # a key unknown to the previous lens may be a field of the current one
-            kind = self.projection.lens.kind
-            left = unknown(self.extra, self.scene, kind, self.view.panes)
+            left = unknown(self.extra, self.scene, self.projection.lens.kind, self.view.panes)
             object.__setattr__(self, "extra", left)
 
     def __hash__(self) -> int:

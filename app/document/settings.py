@@ -28,7 +28,7 @@ from app.model.numerals import numbers
 from app.model.object_transform import NOT_MOVED
 from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, shown_name
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, nearest, shown_name
 from app.scenes.phenomena import PHENOMENA
 
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
@@ -230,13 +230,9 @@ def _check_slide(document: Document, paths: Collection[str]) -> None:
         known = [STRIP, *controls_of(document.scene)]
         for name in view.controls:
             if name not in known:
-                raise Refusal("controls", name, UNKNOWN, _nearest(name, known))
+                raise Refusal("controls", name, UNKNOWN, nearest(name, known))
     if "view.equation" in paths and view.equation:
         equation_of(document.projection, view.letters, view.equation, document.settings)
-
-
-def _nearest(name: str, known: Iterable[str]) -> str:
-    return max(known, key=lambda each: difflib.SequenceMatcher(None, name, each).ratio())
 
 
 def _read(field: Field, text: str) -> object:
@@ -351,8 +347,7 @@ def compared(document: Document, name: str) -> Document:
     states = [pictured(document, picture) for picture in pictures]
     own = states.index(document) if document in states else len(states) - 1
     pictures[own] = replace(pictures[own], live=True)
-    view = replace(document.view, compare=tuple(pictures), dividers=())
-    return replace(states[own], view=view)
+    return replace(states[own], view=replace(document.view, compare=tuple(pictures), dividers=()))
 
 
 def name_of(document: Document, picture: ComparedPicture) -> str:

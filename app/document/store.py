@@ -119,7 +119,6 @@ class Store(QObject):
 
     @property
     def can_redo(self) -> bool:
-        """Whether an undone step can be redone."""
         return bool(self._redo)
 
     @property
@@ -138,8 +137,7 @@ class Store(QObject):
 
         Only a recovered document is not `saved`: it is in no file of the user's.
         """
-        origin = Origin(document if saved else None, path, is_work=is_work)
-        self._put_aside(document, origin)
+        self._put_aside(document, Origin(document if saved else None, path, is_work=is_work))
         opened = list(dict.fromkeys(step.origin for step in self._undo))[-OPENED_LIMIT:]
         self._undo = [step for step in self._undo if step.origin in opened]
         if self._gestures:

@@ -110,8 +110,7 @@ def equation_of(
         raise _refused(text, missing[0])
     terms = [term_of[word] for word in words]
     if len(terms) == 1:
-        name = terms[0].name or "M"
-        return Equation((), terms[0]._replace(name=name), is_in_numbers)
+        return Equation((), terms[0]._replace(name=terms[0].name or "M"), is_in_numbers)
     result = None
     if "," not in text:
         result = _own_result(projection, terms) or _result(terms, text, is_in_numbers)

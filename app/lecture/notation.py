@@ -122,15 +122,10 @@ def matrices(
 ) -> tuple[WrittenMatrix, ...]:
     """Return every stage's matrix, in the order of `python -m app matrices`.
 
-    In a lecture's letters they are the matrices of its own chain, without identities between.
-
-    Parameters
-    ----------
-    rows : bool
-        For row vectors: transpose every matrix and reverse every product.
-    running : bool
-        Also return the running products with the view matrix, up to `clip_from_world`, and
-        `world_from_view`, whose columns are the camera's axes and the eye.
+    In a lecture's letters they are the matrices of its own chain, without identities between. With
+    `rows` they are for row vectors: every matrix transposed, every product reversed. With `running`
+    the products with the view matrix follow, too, up to `clip_from_world`, and `world_from_view`,
+    whose columns are the camera's axes and the eye.
     """
     lens = _written(projection)
     steps = _steps(lens.table, letters)

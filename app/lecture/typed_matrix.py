@@ -303,8 +303,7 @@ def recognised_camera(cells: Cells, in_hand: Camera) -> Camera | None:
     ahead = [Fraction(e) - distance * n for e, n in zip(eye, rows[2], strict=True)]
     room += 2 * unit * distance
     target = _near(ahead, in_hand.target, room)
-    typed_up = tuple(map(float, rows[1]))
-    for up in (in_hand.up, typed_up):
+    for up in (in_hand.up, tuple(map(float, rows[1]))):
         try:
             camera = Camera(eye, target, up)  # type: ignore[arg-type]
         except Refusal:

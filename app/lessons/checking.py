@@ -124,9 +124,8 @@ def _count(steps: Sequence[Step], trial: Trial) -> None:
 def _check_view(course: Course, place: int, trial: Trial) -> None:
     """Report a name of the step's own state that no pane can draw."""
     state = course.lesson.steps[place].state
-    line = (
-        next((at for at, text in state.values if path_of(text) == "view.names"), 0) if state else 0
-    )
+    values = state.values if state is not None else ()
+    line = next((at for at, text in values if path_of(text) == "view.names"), 0)
     document = course.shown(place).document
     if line and document.view.names not in (None, EVERYTHING):
         scene = scene_of(document)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -117,8 +117,7 @@ class Course:
         for number in range(begin, place + 1):
             if number not in self._shown:
                 before = None if self._begins_anew(number) else self._shown[number - 1].document
-                state = self.lesson.steps[number].state
-                document = self.made(state, before)
+                document = self.made(self.lesson.steps[number].state, before)
                 view = {name: getattr(document.view, name) for name in self.managed}
                 self._shown[number] = ShownStep(document, view)
         shown = self._shown[place]
@@ -165,8 +164,7 @@ class Course:
         """Return the initial document of a built-in scene, or of a mesh beside the lesson."""
         scene = name if name in BUILT_IN or not is_mesh(name) else self._beside(name, line)
         own = self._beside(mesh, line) if mesh else ""
-        opened = _scene(scene, own)
-        return Document(scene, opened.start, mesh=own)
+        return Document(scene, _scene(scene, own).start, mesh=own)
 
     def _read(self, state: State) -> Document:
         path = self._beside(state.document, state.document_line)
@@ -191,18 +189,14 @@ class Course:
         return Path(os.path.realpath(path)).is_relative_to(self.folder)
 
 
+@dataclass(frozen=True, eq=False)
 class AtStep:
-    """A step as a state of the model: the `Here` of its blocks."""
+    """A step as a state of the model, perhaps one of its `own`: the `Here` of its blocks."""
 
-    def __init__(
-        self,
-        course: Course,
-        place: int,
-        own: Document | None = None,
-        given: Mapping[str, float] | None = None,
-    ) -> None:
-        self.course, self.place = course, place
-        self._own, self.given = own, given or {}
+    course: Course
+    place: int
+    own: Document | None = None
+    given: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def step(self) -> Step:
@@ -210,7 +204,7 @@ class AtStep:
 
     @property
     def document(self) -> Document:
-        return self._own or self.course.shown(self.place).document
+        return self.own or self.course.shown(self.place).document
 
     @property
     def asked(self) -> Mapping[str, Asked]:

@@ -115,26 +115,19 @@ class Step(StepContent):
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson, or a talk.
-
-    Attributes
-    ----------
-    topics : tuple of str
-        ``L1`` to ``L25``.
-    letters : str, optional
-        The lecture whose letters the formulas use; None for the window's choice.
-    minutes : float
-        Planned duration of the talk.
-    """
+    """A lesson, or a talk."""
 
     path: Path
     title: str
     steps: tuple[Step, ...]
     lecture: str = ""
     topics: tuple[str, ...] = ()
+    """``L1`` to ``L25``."""
     language: str = "en"
     letters: Letters | None = None
+    """The lecture whose letters the formulas use; None for the window's choice."""
     minutes: float = 0.0
+    """Planned duration of the talk."""
 
     @property
     def is_talk(self) -> bool:

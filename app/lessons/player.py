@@ -45,17 +45,7 @@ class Progress:
 
 
 class PlayedBlock:
-    """A question or a task as a student answers it.
-
-    Attributes
-    ----------
-    answer : str
-        As in a sample, or `REVEALED` or `DONE`; empty while it is open.
-    variant : Variant, optional
-        The question with its numbers; None before an exercise begins.
-    now : Document
-        The window's current state, with its view.
-    """
+    """A question or a task as a student answers it."""
 
     def __init__(self, player: Player, at: AtStep, block: Asked) -> None:
         self._player, self._at, self.block = player, at, block
@@ -64,8 +54,11 @@ class PlayedBlock:
         self.variant: Variant | None = None if block.varies else block.variant(at, 0)
         if player.sheet is not None:
             self.variant = player.sheet.items[player.place].variant
-        self.answer, self.hints_read = "", 0
+        """The question with its numbers; None before an exercise begins."""
+        self.hints_read, self.answer = 0, ""
+        """As in a sample, or `REVEALED` or `DONE`; empty while it is open."""
         self.now = at.document
+        """The window's current state, with its view."""
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""
         self._restore(player.progress.answers.get(self._key, ""))
@@ -208,38 +201,27 @@ class PlayedBlock:
 
 
 class Player:
-    """An open lesson: where the student or the class is, what is answered, and what comes next.
-
-    Attributes
-    ----------
-    place : int
-        The current step, from 0.
-    blocks : list of PlayedBlock
-        The questions of the step that are shown so far.
-    revealed : int
-        A class's progress through the step: its picture alone, then each question asked, and
-        answered.
-    arrived : mapping of str to Camera
-        The panes' cameras when the step was shown.
-    posed : Document, optional
-        The state of the step's exercise, shown in place of the step's own.
-    log, keep : callable
-        Take each answer for the record, and the progress whenever it changes.
-    """
+    """An open lesson: where the student or the class is, what is answered, and what comes next."""
 
     def __init__(self, course: Course, place: int = 0) -> None:
         self.course, self.place = course, place
+        """`place` is the current step, from 0."""
         self.progress = Progress()
         self.log: Callable[[Attempt], object] = lambda _attempt: None
         self.keep: Callable[[Progress], object] = lambda _progress: None
+        """Takes the progress whenever it changes, as `log` takes each answer for the record."""
         self.blocks: list[PlayedBlock] = []
+        """The questions of the step that are shown so far."""
         self._rest: list[ReadBlock] = []
         """The parts of the step that are not shown yet."""
         self.revealed = 0
+        """A class's progress: the step's picture alone, then each question asked, and answered."""
         self._reached: dict[int, int] = {}
         """How far each step was revealed when it was left."""
         self.arrived: Mapping[str, Camera] = {}
+        """The panes' cameras when the step was shown."""
         self.posed: Document | None = None
+        """The state of the step's exercise, shown in place of the step's own."""
         self._beside: dict[str, tuple[Any, Any]] = {}
         """The fields of the view that a state beside the step changed: before, and then."""
         self._aside: tuple[Document, View | None] | None = None

@@ -104,7 +104,6 @@ class Sheet(Course):
 
 
 def exercises_of(course: Course) -> Iterator[PlacedExercise]:
-    """Yield the exercises of a lesson in order."""
     for place, step in enumerate(course.lesson.steps):
         for part in step.asked:
             if part.varies:
@@ -126,8 +125,7 @@ def topics() -> Mapping[str, Course]:
 def practised(names: Iterable[str]) -> dict[str, Course]:
     """Return the lessons of all topics, and the user's own lessons of these names that exist."""
     courses = dict(topics())
-    own = {course.name for course in courses.values()}
-    for name in sorted(set(names) - own):
+    for name in sorted(set(names) - {course.name for course in courses.values()}):
         course = course_named(name)
         if course is not None and course.name == name and any(exercises_of(course)):
             courses[Path(name).stem] = course
@@ -205,21 +203,14 @@ def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem |
 
 
 class Waiting(NamedTuple):
-    """What is to be practised again.
-
-    Attributes
-    ----------
-    due : tuple of PlacedExercise
-        The exercises that have come back, the longest waiting ones first.
-    minutes : int
-        How long a review of them will take, of `MOST` at once.
-    following : date, optional
-        When the next ones come back.
-    """
+    """What is to be practised again."""
 
     due: tuple[PlacedExercise, ...]
+    """The exercises that have come back, the longest waiting ones first."""
     minutes: int
+    """How long a review of them will take, of `MOST` at once."""
     following: date | None
+    """When the next ones come back."""
 
 
 def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
@@ -258,19 +249,13 @@ def to_review(
 
 
 class ExerciseMark(NamedTuple):
-    """An exercise of a test, and how it was answered.
-
-    Attributes
-    ----------
-    typed : str
-        Empty without an answer.
-    word : str
-        `RIGHT`, the name of a wrong idea, or `WRONG`.
-    """
+    """An exercise of a test, and how it was answered."""
 
     item: SheetItem
     typed: str
+    """Empty without an answer."""
     word: str
+    """`RIGHT`, the name of a wrong idea, or `WRONG`."""
 
 
 def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:

@@ -203,16 +203,8 @@ def read_formula(text: str, *, infinite: bool = False) -> Formula:
 class Quantities:
     """Every number of a document, by its name.
 
-    Parameters
-    ----------
-    scene : callable
-        Returns its scene; called only when the readout is needed.
-    view : View, optional
-        The document's by default.
-    before : Quantities, optional
-        The quantities of an earlier state, whose names begin with ``was_``.
-    given : mapping of str to float, optional
-        Numbers with names of their own, which come before all others.
+    `scene` is called only when the readout is needed. The names of an earlier state, `before`,
+    begin with ``was_``; those of `given` come before all others.
     """
 
     def __init__(
@@ -410,8 +402,7 @@ _WORD = re.compile(r"[^\W_]+")
 
 def reading_name(label: str) -> str:
     """Return the name of a reading: the words of its label before a formula or a remark."""
-    head = re.split(r"[=:;]", label)[0]
-    return "_".join(_WORD.findall(head))
+    return "_".join(_WORD.findall(re.split(r"[=:;]", label)[0]))
 
 
 # --------------------------------------------------------------------------- simple quantities
@@ -428,22 +419,18 @@ def _of_lens(parameter: Parameter, known: Quantities) -> float:
     return float(value)
 
 
-def _angle_of_view(first: int, last: int) -> Callable[[Quantities], float]:
-    def angle(known: Quantities) -> float:
-        lens = known.projection.lens
-        if lens.parallel:
-            raise NotThere(FOV_Y.formula)
-        near, window = _of_lens(NEAR, known), known.projection.window
-        return math.degrees(math.atan(window[last] / near) - math.atan(window[first] / near))
-
-    return angle
+def _angle_of_view(first: int, last: int, known: Quantities) -> float:
+    if known.projection.lens.parallel:
+        raise NotThere(FOV_Y.formula)
+    near, window = _of_lens(NEAR, known), known.projection.window
+    return math.degrees(math.atan(window[last] / near) - math.atan(window[first] / near))
 
 
 def _fov(known: Quantities) -> float:
     typed = known.projection.lens.fov_y_deg
     if typed is not None and getattr(known.projection.lens, "keep", "y") in (None, "y"):
         return float(typed)
-    return _angle_of_view(2, 3)(known)
+    return _angle_of_view(2, 3, known)
 
 
 def _value(parameter: Parameter, known: Quantities) -> float:
@@ -460,10 +447,10 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     **{each.formula: partial(_of_lens, each) for each in (NEAR, FAR)},
     **{side.formula: _window(place) for place, side in enumerate(WINDOW_SIDES)},
     FOV_Y.formula: _fov,
-    FOV_X.formula: _angle_of_view(0, 1),
+    FOV_X.formula: partial(_angle_of_view, 0, 1),
     ASPECT.formula: lambda known: float(known.projection.aspect),
     **{each.formula: partial(_of_lens, each) for each in (ALPHA, BETA)},
-    FOCAL_E.formula: lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1)(known) / 2.0)),
+    FOCAL_E.formula: lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1, known) / 2.0)),
     FOCAL_LENGTH.formula: lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
     **{
         each.formula: partial(_value, each)

@@ -53,39 +53,26 @@ DAMAGED = QT_TRANSLATE_NOOP("Refusal", "has unreadable lines ({0}), which are le
 
 
 class Attempt(NamedTuple):
-    """An answer to a question of a lesson.
-
-    Attributes
-    ----------
-    when : int
-        Seconds since 1970.
-    lesson : str
-        A lesson's own name, or the path of its file.
-    exercise : str
-        ``step/block``.
-    seed : int
-        The variant of an exercise; 0 for a question whose numbers never change.
-    typed : str
-        The answer, as a sample in a ``test`` block.
-    verdict : str
-        `RIGHT`, `WRONG` or `SHOWN`.
-    idea : str
-        Name of the wrong idea behind it; empty if it has none.
-    hints : int
-        The number of hints that were read before.
-    is_test : bool, optional
-        Whether it was given in a test, which has no hints; None if an older program wrote it.
-    """
+    """An answer to a question of a lesson."""
 
     when: int
+    """Seconds since 1970."""
     lesson: str
+    """A lesson's own name, or the path of its file."""
     exercise: str
+    """``step/block``."""
     seed: int
+    """The variant of an exercise; 0 for a question whose numbers never change."""
     typed: str
+    """The answer, as a sample in a ``test`` block."""
     verdict: str
+    """`RIGHT`, `WRONG` or `SHOWN`."""
     idea: str = ""
+    """Name of the wrong idea behind it; empty if it has none."""
     hints: int = 0
+    """The number of hints that were read before."""
     is_test: bool | None = None
+    """Whether it was given in a test, which has no hints; None if an older program wrote it."""
 
     @property
     def key(self) -> tuple[str, str]:
@@ -244,21 +231,14 @@ def corrected(
 
 
 class Standing(NamedTuple):
-    """How a question was last solved.
-
-    Attributes
-    ----------
-    outcome : str
-        `ALONE`, `HELPED` or `SHOWN`; empty if it is not solved yet.
-    due : date, optional
-        The day on which the exercise comes back, unless it never does.
-    seeds : frozenset of int
-        The variants that the student has seen.
-    """
+    """How a question was last solved."""
 
     outcome: str = ""
+    """`ALONE`, `HELPED` or `SHOWN`; empty if it is not solved yet."""
     due: date | None = None
+    """The day on which the exercise comes back, unless it never does."""
     seeds: frozenset[int] = frozenset()
+    """The variants that the student has seen."""
 
 
 @dataclass

@@ -39,38 +39,25 @@ TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
 
 
 class StudentResults(NamedTuple):
-    """The answers of a student.
-
-    Attributes
-    ----------
-    student : str
-        As typed by the student; empty if nothing was.
-    digests : mapping of str to object
-        By the name of a lesson: a digest of its file as the student had it.
-    """
+    """The answers of a student."""
 
     student: str
+    """As typed by the student; empty if nothing was."""
     digests: Mapping[str, object]
+    """By the name of a lesson: a digest of its file as the student had it."""
     attempts: Sequence[Attempt]
 
 
 class RemarkedAnswer(NamedTuple):
-    """An answer that was marked again.
-
-    Attributes
-    ----------
-    word : str
-        `RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there.
-    right : str
-        The right answer, as in a sample.
-    says : str
-        Of a wrong idea that only its lesson names: what the lesson says to it.
-    """
+    """An answer that was marked again."""
 
     attempt: Attempt
     word: str
+    """`RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there."""
     right: str
+    """The right answer, as in a sample."""
     says: str = ""
+    """Of a wrong idea that only its lesson names: what the lesson says to it."""
 
 
 # --------------------------------------------------------------------------- the file
@@ -124,8 +111,7 @@ def read(path: AnyPath) -> StudentResults:
         lessons = tree.get("lessons")
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)
-        attempts = corrected(map(attempt_from, answers), hints_of)
-        return StudentResults(student, digests, attempts)
+        return StudentResults(student, digests, corrected(map(attempt_from, answers), hints_of))
 
 
 def of_test(marks: Iterable[ExerciseMark], now: int) -> list[Attempt]:

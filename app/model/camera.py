@@ -70,22 +70,15 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 
 
 class Orbit(NamedTuple):
-    """The camera's position relative to its target.
-
-    Attributes
-    ----------
-    azimuth_deg : float
-        Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side.
-    elevation_deg : float
-        Angle above the target's horizon, from -90 to 90.
-    roll_deg : float
-        Rotation about the view direction, clockwise as the photographer sees it.
-    """
+    """The camera's position relative to its target."""
 
     azimuth_deg: float
+    """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
     elevation_deg: float
+    """Angle above the target's horizon, from -90 to 90."""
     distance: float
     roll_deg: float = 0.0
+    """Rotation about the view direction, clockwise as the photographer sees it."""
 
 
 @dataclass(frozen=True)
@@ -220,8 +213,7 @@ class Camera:
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))
-        held = [e - t for e, t in zip(eye, target, strict=True)]
-        if math.dist(held, offset) > 1e-6 * distance:
+        if math.dist([e - t for e, t in zip(eye, target, strict=True)], offset) > 1e-6 * distance:
             raise Refusal("distance", distance, DISTINCT, 0)
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)

@@ -179,16 +179,9 @@ def clip_segments(
     Raises a `Refusal` for another depth range or plane, a coordinate that is not finite or larger
     than `LARGEST_CLIP`, an end of four zeros, or ends that are negative multiples of each other.
 
-    Parameters
-    ----------
-    starts_clip, ends_clip : (..., 4) array_like
-        The ends, before the divide; any w, 0 for points at infinity of clip space.
-    depth : {"opengl", "direct3d", "reversed"}
-        The NDC range of z.
-    planes : names in `PLANES`
+    The ends, (..., 4), are those before the divide; any w, 0 for points at infinity of clip space.
+    `planes` are names in `PLANES`.
 
-    Notes
-    -----
     The crossings are compared by ``b_in/b_out``, which is precise at both ends of the segment; the
     one farthest from each end wins. If the two winners meet within `_TIE`, rational numbers decide
     whether anything is left between them.
@@ -249,8 +242,7 @@ def _meets_exactly(start: Array, end: Array, depth: str, chosen: NDArray[np.bool
     """Whether one segment has a point inside, in rational numbers."""
     low, high = Fraction(0), Fraction(1)
     ends: Any = np.array([list(map(Fraction, point.tolist())) for point in (start, end)])
-    sums = _boundaries(ends, depth)
-    for b_start, b_end, asked in zip(*sums, chosen, strict=True):
+    for b_start, b_end, asked in zip(*_boundaries(ends, depth), chosen, strict=True):
         if not asked or (b_start >= 0 and b_end >= 0):
             continue
         t = b_start / (b_start - b_end)  # ends that are both negative are excluded before

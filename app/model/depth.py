@@ -243,8 +243,7 @@ class DepthBuffer:
         kind = FORMATS[self.format]
         if kind.float_type is None:
             return np.full_like(depth, 1.0 / kind.largest), np.zeros_like(depth)
-        smallest = float(np.finfo(kind.float_type).smallest_subnormal)
-        own = _ulp(depth, kind.digits, smallest)
+        own = _ulp(depth, kind.digits, float(np.finfo(kind.float_type).smallest_subnormal))
         if self.mapping != "opengl":
             return own, np.zeros_like(depth)
         ndc = 0.5 * _ulp(np.abs(2.0 * depth - 1.0), 24, 2.0**-149)

@@ -65,13 +65,10 @@ def homogeneous_rows(rows: Array) -> Array:
 def trace_at_infinity(projection: Projection, direction: Sequence[float | Fraction]) -> Trace:
     """Follow one direction of the world, a point at infinity, through every stage.
 
-    Returns
-    -------
-    Trace
-        The trace of one point, without a first axis; `world` and `view` have four numbers, w last.
-        NDC, image and depth are those of the vanishing point. They are NaN if w of clip space is 0
-        (the picture is at infinity, too) or negative (the lines come from behind the eye and vanish
-        in the opposite direction). ``n . d`` is exactly 0 where it should be.
+    The trace is of one point, without a first axis; `world` and `view` have four numbers, w last.
+    NDC, image and depth are those of the vanishing point. They are NaN if w of clip space is 0 (the
+    picture is at infinity, too) or negative (the lines come from behind the eye and vanish in the
+    opposite direction). ``n . d`` is exactly 0 where it should be.
     """
     world = [Fraction(part) for part in direction] + [Fraction(0)]
     own_view = projection.lens.own_view

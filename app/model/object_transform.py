@@ -41,21 +41,14 @@ _ROUNDINGS = 6.0
 
 
 class WorldPoints(NamedTuple):
-    """Points in the world with twice the digits of float64.
-
-    Attributes
-    ----------
-    world : (n, 3) array
-        The nearest float64.
-    rest : (n, 3) array or None
-        The rounding error; None if there is none.
-    lost : (n,) array
-        Bound on the error of their sum, added over the three coordinates.
-    """
+    """Points in the world with twice the digits of float64."""
 
     world: Array
+    """The nearest float64, (n, 3)."""
     rest: Array | None
+    """The rounding error, (n, 3); None if there is none."""
     lost: Array
+    """Bound on the error of their sum, added over the three coordinates, (n,)."""
 
     @classmethod
     def at(cls, world: Array) -> WorldPoints:
@@ -186,8 +179,7 @@ class ObjectTransform:
         """`world_from_object` before it is rounded."""
         if self.is_identity:
             return [[Fraction(i == j) for j in range(4)] for i in range(4)]
-        factors = [evaluated(table, self.letters) for _, table in self.step.factors]
-        return reduce(product, factors)
+        return reduce(product, [evaluated(table, self.letters) for _, table in self.step.factors])
 
     @cached_property
     def matrix(self) -> Array:

@@ -297,8 +297,7 @@ class Projection(Pipeline):
         lens = self.with_lens("frustum").lens
         near, far = lens.near, lens.far
         if fx == fy and cx == (width - 1) / 2.0 and cy == (height - 1) / 2.0:
-            fov_y_deg = fov_y_from_window(height / 2.0, fy)
-            return replace(self, lens=Perspective(fov_y_deg, near, far))
+            return replace(self, lens=Perspective(fov_y_from_window(height / 2.0, fy), near, far))
         left, right = near * (-0.5 - cx) / fx, near * (width - 0.5 - cx) / fx
         top, bottom = near * (cy + 0.5) / fy, near * (cy + 0.5 - height) / fy
         return replace(self, lens=Frustum(left, right, bottom, top, near, far))

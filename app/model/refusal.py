@@ -6,6 +6,7 @@ widgets first translate a template and then fill it in.
 
 from __future__ import annotations
 
+import difflib
 import json
 import math
 import numbers
@@ -206,6 +207,11 @@ def _as_written(value: object) -> str:
 def shown_name(name: str) -> str:
     """Return a name, quoted if it has control characters."""
     return name if name.isprintable() else repr(name)
+
+
+def nearest(word: str, known: Iterable[str]) -> str:
+    """Return the known word that is most like another one."""
+    return max(known, key=lambda each: difflib.SequenceMatcher(None, word, each).ratio())
 
 
 def counted(count: int, word: str) -> str:

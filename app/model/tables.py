@@ -47,8 +47,7 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
     """The inverse of a matrix of rationals, or a `Refusal` that names the field."""
     rank, _, inverted = eliminate(matrix)
     if inverted is None:
-        cells = tuple(map(tuple, rounded(matrix).tolist()))
-        raise Refusal(field, cells, INVERTIBLE, rank)
+        raise Refusal(field, tuple(map(tuple, rounded(matrix).tolist())), INVERTIBLE, rank)
     return inverted
 
 

@@ -42,30 +42,21 @@ FASTEST_DEG_S = 3600
 
 @dataclass(frozen=True)
 class Motion:
-    """How the camera walks.
-
-    Parameters
-    ----------
-    speed_deg_s : float
-        Turn about the vertical through the target, degrees per second; positive is
-        anticlockwise from above.
-    height : {"fixed", "swing", "steps"}
-        The eye keeps its y, swings between the limits, or takes the next of four heights
-        every `STEP_S`.
-    look : {"target", "level"}
-        The camera looks at the target, or horizontally: the target gets the eye's y.
-    lowest, highest : float
-        Limits of the eye's y, world units; in either order.
-    clock_s : float
-        Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest.
-    """
+    """How the camera walks."""
 
     speed_deg_s: float = 20.0
+    """Turn about the vertical through the target, degrees per second; positive is anticlockwise
+    from above."""
     height: HeightMode = "fixed"
+    """The eye keeps its y, swings between the limits, or takes the next of four heights every
+    `STEP_S`."""
     look: LookMode = "target"
+    """The camera looks at the target, or horizontally: the target gets the eye's y."""
     lowest: float = 0.0
     highest: float = 10.0
+    """Limits of the eye's y, world units; in either order."""
     clock_s: float = 0.0
+    """Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest."""
 
     @property
     def _middle(self) -> float:
@@ -92,6 +83,10 @@ class Motion:
         clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
         return clock_s if rising else PERIOD_S - clock_s
 
+    def at(self, height: float, *, rising: bool = True) -> Motion:
+        """Return the walk that begins where it is closest to a height."""
+        return replace(self, clock_s=self.clock_at(height, rising=rising))
+
     @property
     def rising(self) -> bool:
         """Whether the smooth walk goes up at `clock_s`."""
@@ -111,8 +106,7 @@ def camera_at(start: Camera, elapsed_s: float, motion: Motion) -> Camera:
         x, y, z = vector
         return cos * x + sin * z, y, cos * z - sin * x
 
-    from_target = (start.eye[0] - start.target[0], 0.0, start.eye[2] - start.target[2])
-    x, _, z = turned(from_target)
+    x, _, z = turned((start.eye[0] - start.target[0], 0.0, start.eye[2] - start.target[2]))
     eye_y = _height(start.eye[1], elapsed_s, motion)
     eye = (start.target[0] + x, eye_y, start.target[2] + z)
     target_y = eye_y if motion.look == "level" else start.target[1]
@@ -240,9 +234,7 @@ class AnimationBar(QWidget, Playing, Gestures):
         rising, old_y = self._now.rising, before.eye[1]
         self._go_on_from(camera, aim_y)
         if camera.eye[1] != old_y:
-            self._motion = replace(
-                self._motion, clock_s=self._motion.clock_at(camera.eye[1], rising=rising)
-            )
+            self._motion = self._motion.at(camera.eye[1], rising=rising)
 
     # -- playing
 
@@ -253,7 +245,8 @@ class AnimationBar(QWidget, Playing, Gestures):
         self._clock.start()
         self._show_error("")
         if self._start is None:
-            self._begin_at(self._shown)
+            self._start, self._elapsed_s = self._shown, 0.0
+            self._motion = self._motion.at(self._shown.eye[1])
         self._show_state()
         self.gesture_started.emit()
         self.playing_changed.emit(True)
@@ -298,12 +291,6 @@ class AnimationBar(QWidget, Playing, Gestures):
     @property
     def _now(self) -> Motion:
         return replace(self._motion, clock_s=self._motion.clock_s + self._elapsed_s)
-
-    def _begin_at(self, camera: Camera) -> None:
-        self._start = camera
-        self._elapsed_s = 0.0
-        clock_s = self._motion.clock_at(camera.eye[1])
-        self._motion = replace(self._motion, clock_s=clock_s)
 
     def _go_on_from(self, camera: Camera, aim_y: float) -> None:
         """Begin a new walk here; `aim_y` keeps the target's y while the camera looks level."""
@@ -350,8 +337,7 @@ class AnimationBar(QWidget, Playing, Gestures):
             highest=self.highest.value(),
         )
         if limits_moved and self._start is not None:
-            clock_s = self._motion.clock_at(self._start.eye[1], rising=rising)
-            self._motion = replace(self._motion, clock_s=clock_s)
+            self._motion = self._motion.at(self._start.eye[1], rising=rising)
         self._show_state()
 
     # -- shown

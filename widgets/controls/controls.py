@@ -389,7 +389,6 @@ class Controls(Dock, RowHolder):
     # -- the sections
 
     def _emit_object_unfolded(self) -> None:
-        """Report whether the numbers of a movable object are unfolded."""
         if self._matches is None:
             is_open = self.sections["object"].is_open
             self.object_unfolded.emit(is_open and not self._has_fixed_objects)
@@ -473,8 +472,7 @@ class Controls(Dock, RowHolder):
         for value in (-math.inf, math.inf):
             error = self._limit(binding, value)
             if error is not None:
-                bound = translated(error.bound)
-                clauses.append(bound.format(*shown_limits(error.limits, value)))
+                clauses.append(translated(error.bound).format(*shown_limits(error.limits, value)))
         return "; ".join(dict.fromkeys(clauses))
 
     def _adopt(self, projection: Projection) -> None:

@@ -50,7 +50,6 @@ class Dock(QScrollArea):
         return self.verticalScrollBar().sizeHint().width()
 
     def _make_room(self) -> None:
-        """Make room for the search box."""
         search_px = 0 if self._is_for_class else self.search.sizeHint().height() + GAP_PX
         self.setViewportMargins(0, search_px, 0, 0)
         self._place_search()

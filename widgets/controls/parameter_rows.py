@@ -80,28 +80,20 @@ class Binding(NamedTuple):
 
     Rows that show one value in several ways (fov and focal length, orbit and vectors) are several
     bindings.
-
-    Attributes
-    ----------
-    rows : Rows
-        The part of the dock with the row.
-    part : str
-        The field of `Projection` that the value belongs to; only a change there removes an error.
-    field : str
-        The model's name of the value, of a component that of its vector.
-    memory : TypedMemory, optional
-        Keeps an accepted edit.
-    lenses : tuple of str
-        The kinds of lens that have this value; empty if it depends on no lens.
     """
 
     row: Row
     rows: Rows
+    """The part of the dock with the row."""
     parameter: Parameter
     part: Part
+    """The field of `Projection` that the value belongs to; only a change there removes an error."""
     field: str
+    """The model's name of the value, of a component that of its vector."""
     memory: TypedMemory | None
+    """Keeps an accepted edit."""
     lenses: tuple[str, ...]
+    """The kinds of lens that have this value; empty if it depends on no lens."""
 
 
 def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) -> Iterator[Binding]:
@@ -116,8 +108,7 @@ def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) ->
         ]
     for title, part in parts:
         row = make_row(part, title)
-        lenses = lenses_with(parameter)
-        yield Binding(row, rows, part, part.part, parameter.name, memory, lenses)
+        yield Binding(row, rows, part, part.part, parameter.name, memory, lenses_with(parameter))
 
 
 def make_row(parameter: Parameter, title: str = "", none: str = "") -> Row:

@@ -227,7 +227,6 @@ class SceneCard(QWidget, RowHolder):
             self.readable.settle()
 
     def _highlight_subject(self, names: Iterable[str]) -> None:
-        """Highlight what the scene is about."""
         about = frozenset(names)
         if about != self._about:
             self._about = about
@@ -259,8 +258,7 @@ class SceneCard(QWidget, RowHolder):
         labels = {setting.path: setting.title for setting in self._phenomenon.settings}
         if error.field not in labels:
             return error
-        name = of_phenomena(labels[error.field])
-        return Refusal(name, error.value, error.bound, *error.limits)
+        return Refusal(of_phenomena(labels[error.field]), error.value, error.bound, *error.limits)
 
     def pause(self) -> None:
         for motion in self.motions.values():
@@ -438,7 +436,6 @@ class SceneCard(QWidget, RowHolder):
 
 
 def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
-    """Remove widgets from a layout and delete them."""
     for widget in widgets:
         layout.removeWidget(widget)
         widget.hide()

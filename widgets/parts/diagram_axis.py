@@ -70,8 +70,7 @@ class DiagramAxis:
     def unit_ends(self) -> tuple[float, float]:
         if not self.log:
             return self.low, self.high
-        ends = (self.low, self.high)
-        low, high = (math.log10(end) if end > 0.0 else math.nan for end in ends)
+        low, high = (math.log10(end) if end > 0.0 else math.nan for end in (self.low, self.high))
         return low, high
 
     def unit(self, values: Floats) -> Floats:

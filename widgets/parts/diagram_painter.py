@@ -150,7 +150,6 @@ class DiagramPainter:
 
     @property
     def _radius(self) -> float:
-        """The radius of an ordinary dot."""
         return DOT_PX * self._style.line_width / LIGHT.line_width / self._ratio
 
     def _paint_labels(self, painter: QPainter) -> None:

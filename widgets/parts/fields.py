@@ -359,12 +359,10 @@ class RowHolder(Gestures):
 
     def _join(self, row: Row) -> None:
         """Forward the row's gestures."""
-        row.gesture_started.connect(partial(self._begin_with, row))
-        row.gesture_finished.connect(self.gesture_finished)
-        row.gesture_abandoned.connect(self.gesture_abandoned)
+        row.gesture_started.connect(partial(self._finish_others, row))
+        self.pass_on(row)
 
-    def _begin_with(self, row: Row) -> None:
+    def _finish_others(self, row: Row) -> None:
         for other in self.rows.values():
             if other is not row:
                 other.finish_gesture()  # a burst of keys in another row may not have ended yet
-        self.gesture_started.emit()

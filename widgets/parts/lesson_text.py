@@ -183,8 +183,7 @@ class _Formulas(QPyTextObject):
 
     def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
         _, shape, em, height = self._set(document, form)
-        tail = _tail_width(document, form)
-        return QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
+        return QSizeF((shape.width + 2.0 * ROOM_EM) * em + _tail_width(document, form), height)
 
     def drawObject(
         self,

@@ -131,7 +131,6 @@ def of_phenomena(text: str, letters: Letters | None = None) -> str:
 
 
 def parameter_text(parameter: Parameter, text: str) -> str:
-    """Translate a text of a parameter."""
     return of_phenomena(text) if parameter.section == "settings" else translated(text, "Field")
 
 

@@ -113,13 +113,9 @@ class _TypedRow(Row):
     def _read(self, field: ShortField) -> Any:
         """Return the row's value with the number typed in a field, or raise `Refusal`."""
 
-    @property
-    @abstractmethod
-    def _numbers(self) -> tuple[float, ...]:
-        """The number of each field."""
-
     def _show_value(self) -> None:
-        for field, number in zip(self.fields, self._numbers, strict=True):
+        numbers = self._value if isinstance(self._value, tuple) else (self._value,)
+        for field, number in zip(self.fields, numbers, strict=True):
             field.show_number(number)
 
     def _why(self, error: Refusal) -> str:
@@ -354,10 +350,6 @@ class NumberRow(_TypedRow):
     def in_hand(self) -> bool:
         return self._open or super().in_hand
 
-    @property
-    def _numbers(self) -> tuple[float, ...]:
-        return (self._value,)
-
     def _show_value(self) -> None:
         if not self._open:
             with QSignalBlocker(self.slider):
@@ -416,7 +408,3 @@ class VectorRow(_TypedRow):
             raise Refusal(field.name, number, FINITE_NUMBER)
         place = self.fields.index(field)
         return (*self._value[:place], number, *self._value[place + 1 :])
-
-    @property
-    def _numbers(self) -> tuple[float, ...]:
-        return self._value

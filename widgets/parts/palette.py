@@ -129,8 +129,7 @@ def _growing(em: float, **colours: str) -> str:
 def is_dark(theme: str) -> bool:
     """Whether a theme (``"light"``, ``"dark"`` or ``"system"``) is dark now."""
     if theme == "system":
-        scheme = QApplication.styleHints().colorScheme()
-        return scheme == Qt.ColorScheme.Dark
+        return QApplication.styleHints().colorScheme() == Qt.ColorScheme.Dark
     return theme == "dark"
 
 

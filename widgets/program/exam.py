@@ -155,8 +155,7 @@ def key(
             first, last = (seeds[id(page.pieces[place].block)] for place in (0, -1))
             shown = f"{first}" if first == last else f"{first}–{last}"
             left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, shown)
-            right = f"{number} / {len(pages)}"
-            yield partial(paper.paint_page, page, left, right, width, height)
+            yield partial(paper.paint_page, page, left, f"{number} / {len(pages)}", width, height)
 
     return paper.pdf(title, lay_out)
 

@@ -160,8 +160,7 @@ def _matrices(document: Document) -> Iterator[str]:
         name = stage_title(each.name)
         lines = [f"{name} = {each.called}" if each.called else name]
         lines.append(matrix([read_text(value) for value in row] for row in each.values))
-        note = note_on(each, document.projection, document.view.letters)
-        for line in note.splitlines():
+        for line in note_on(each, document.projection, document.view.letters).splitlines():
             lines += wrap(line, NOTE_CHARACTERS, break_on_hyphens=False)
         yield "\n".join(lines)
 

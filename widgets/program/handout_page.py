@@ -74,8 +74,7 @@ def handout_page(course: Course, *, answers: bool = True) -> bytes:
         body.append("<section>")
         body += (page.element(each) for each in contents(course, place, answers))
         body.append("</section>")
-    style = STYLE + _STYLE + page.style()
-    return html(in_line(lesson.title), style, [*page.outlines(), *body])
+    return html(in_line(lesson.title), STYLE + _STYLE + page.style(), [*page.outlines(), *body])
 
 
 class _PhonePage:

@@ -92,8 +92,7 @@ class Answer(MarkedQuestion):
         if wrong is None and not self.counts and not marking.is_rounded(number, value):
             wrong = self.mistaken(here, [number], marking.is_rounded)
         too_short = marking.is_too_short(number, value) and not self.counts
-        remark = marking.remark(number, value)
-        return wrong or Verdict(False, too_short=too_short, remark=remark)
+        return wrong or Verdict(False, too_short=too_short, remark=marking.remark(number, value))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return self.printed([write(self.answer(here))])

@@ -98,37 +98,25 @@ class Trial:
 
 
 class Verdict(NamedTuple):
-    """The response to an answer.
-
-    Attributes
-    ----------
-    idea : str
-        Name of the wrong idea behind it; empty if it has none.
-    says : str
-        Markdown.
-    state : Document, optional
-        A state that shows what `says` explains.
-    too_short : bool
-        Whether the answer is right but has too few digits.
-    remark : Refusal, optional
-        How an answer that no idea explains differs from the right one.
-    cells : tuple of bool
-        Which numbers of a matrix are right, row after row.
-    beside : Document, optional
-        A state that shows the idea's number beside the model's own one.
-    title : str
-        The idea in the student's words.
-    """
+    """The response to an answer."""
 
     right: bool
     idea: str = ""
+    """Name of the wrong idea behind it; empty if it has none."""
     says: str = ""
+    """Markdown."""
     state: Document | None = None
+    """A state that shows what `says` explains."""
     too_short: bool = False
+    """Whether the answer is right but has too few digits."""
     remark: Refusal | None = None
+    """How an answer that no idea explains differs from the right one."""
     cells: tuple[bool, ...] = ()
+    """Which numbers of a matrix are right, row after row."""
     beside: Document | None = None
+    """A state that shows the idea's number beside the model's own one."""
     title: str = ""
+    """The idea in the student's words."""
 
     @property
     def word(self) -> str:
@@ -155,41 +143,28 @@ class SpeakerNote(NamedTuple):
 
 @dataclass
 class StepContent:
-    """The content of a step, to which each block adds itself.
-
-    Attributes
-    ----------
-    parts : list of ReadBlock
-        Everything that the student reads and answers; `words` and `asked` are among them.
-    state : State, optional
-        None if it shows the previous step's.
-    """
+    """The content of a step, to which each block adds itself."""
 
     parts: list[ReadBlock] = field(default_factory=list, init=False, compare=False)
+    """Everything that the student reads and answers; `words` and `asked` are among them."""
     words: list[TextBlock] = field(default_factory=list, init=False, compare=False)
     asked: list[Asked] = field(default_factory=list, init=False, compare=False)
     samples: list[Sample] = field(default_factory=list, init=False, compare=False)
     state: State | None = field(default=None, init=False, compare=False)
+    """None if it shows the previous step's."""
     note: SpeakerNote | None = field(default=None, init=False, compare=False)
 
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """A block of a step.
-
-    Attributes
-    ----------
-    kind : str
-        The word after its three backticks.
-    once : bool
-        Whether a step may have only one block of this kind.
-    needs_answer : bool
-        Whether the student has to answer it; such a block has a name.
-    """
+    """A block of a step."""
 
     kind: ClassVar[str] = ""
+    """The word after its three backticks."""
     once: ClassVar[bool] = False
+    """Whether a step may have only one block of this kind."""
     needs_answer: ClassVar[bool] = False
+    """Whether the student has to answer it; such a block has a name."""
     line: int
 
     def add_to(self, content: StepContent) -> None:
@@ -205,22 +180,15 @@ class Block:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadBlock(Block):
-    """A block that the student or the class reads.
-
-    Attributes
-    ----------
-    reveals : bool
-        Whether a talk first asks the class and then shows the right answer.
-    text, why : str
-        Markdown; `why` is shown once the answer is known.
-    show : State, optional
-        The state that the model then moves to.
-    """
+    """A block that the student or the class reads."""
 
     reveals: ClassVar[bool] = False
+    """Whether a talk first asks the class and then shows the right answer."""
     text: str
     why: str = ""
+    """Markdown; `why` is shown once the answer is known."""
     show: State | None = None
+    """The state that the model then moves to."""
 
     def add_to(self, content: StepContent) -> None:
         content.parts.append(self)
@@ -264,44 +232,32 @@ class Variant(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Asked(ReadBlock):
-    """A block that the student has to answer.
-
-    Attributes
-    ----------
-    holds : bool
-        Whether the step continues only after an answer.
-    retries : bool
-        Whether the student may answer again after a wrong answer.
-    varies : bool
-        Whether its numbers are drawn anew for each seed.
-    has_field : bool
-        Whether the student answers in the block itself, where the cursor can be.
-    is_worked : bool
-        Whether the student works the answer out on paper.
-    name : str
-        Used by samples and the student's progress; unique within a step.
-    unit : str
-        The unit of the answer, one of `UNITS`.
-    pane : str
-        The picture in which the student points at the answer; empty for other answers.
-    responses : tuple of (int, str)
-        All replies to answers, and the hints, each with its line.
-    hides : frozenset of str
-        What would show the answer, of `HIDDEN`; it is not seen until there is one.
-    """
+    """A block that the student has to answer."""
 
     needs_answer: ClassVar[bool] = True
     holds: ClassVar[bool] = False
+    """Whether the step continues only after an answer."""
     retries: ClassVar[bool] = True
+    """Whether the student may answer again after a wrong answer."""
     varies: ClassVar[bool] = False
+    """Whether its numbers are drawn anew for each seed."""
     has_field: ClassVar[bool] = True
+    """Whether the student answers in the block itself, where the cursor can be."""
     is_worked: ClassVar[bool] = True
+    """Whether the student works the answer out on paper."""
     name: str
+    """Used by samples and the student's progress; unique within a step."""
     unit: str = ""
+    """The unit of the answer, one of `UNITS`."""
     pane: str = ""
+    """The picture in which the student points at the answer; empty for other answers."""
     hints: tuple[str, ...] = ()
     responses: tuple[tuple[int, str], ...] = ()
+    """All replies to answers, and the hints, each with its line."""
+    replies: Sequence[Any] = ()
+    """The answers that the lesson expects, each with its idea and what the lesson `says` to it."""
     hides: frozenset[str] = frozenset()
+    """What would show the answer, of `HIDDEN`; it is not seen until there is one."""
 
     def add_to(self, content: StepContent) -> None:
         super().add_to(content)
@@ -374,8 +330,9 @@ class Asked(ReadBlock):
         return f"**{escaped(typed)}**"
 
     def response_to(self, here: Here, idea: str) -> Verdict:
-        """Return the response to a wrong idea, whatever the answer was."""
-        return Verdict(False, idea)
+        """Return the response to a wrong idea; without words if no reply is to it."""
+        verdicts = (each.verdict(here) for each in self.replies if each.idea == idea)
+        return next(verdicts, Verdict(False, idea))
 
     # -- the right answer
 

@@ -36,20 +36,16 @@ A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by sp
 
 @dataclass(frozen=True, kw_only=True)
 class Click(MarkedQuestion):
-    """A question whose answer is a place in a picture.
+    """A question whose answer is a place in a picture, its `pane`.
 
-    Attributes
-    ----------
-    pane : str
-        One of `PANES`. Places are in world coordinates, in those of the NDC cube, or in the image's
-        pixels from its upper left.
-    within_px : float
-        How far from a place a click may be, on a screen with scale 1.
+    Places are in world coordinates, in those of the NDC cube, or in the image's pixels from its
+    upper left.
     """
 
     kind = "answer"
     is_worked = False
     within_px: float
+    """How far from a place a click may be, on a screen with scale 1."""
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> Click:
@@ -114,10 +110,6 @@ class Click(MarkedQuestion):
             if away_px(self.values(here, wrong.formulas, wrong.line)) <= self.within_px:
                 return wrong.verdict(here)
         return Verdict(False)
-
-    def verdict(self, here: Here, sample: str, line: int) -> str:
-        with on_line(line):
-            return super().verdict(here, sample, line)
 
     def solution(self, here: Here) -> str:
         """Return a line for each coordinate; none if no reader knows a name in it."""

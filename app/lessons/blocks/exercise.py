@@ -71,21 +71,15 @@ class Varied(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True)
 class Exercise(Asked):
-    """A recipe for questions; `recipe` is the body of each, before the numbers are written in.
-
-    Attributes
-    ----------
-    where : tuple of (int, Condition)
-        What the numbers must fulfil, in the variant's own state.
-    states : sequence of (int, str)
-        The lines of the variant's state.
-    """
+    """A recipe for questions; `recipe` is the body of each, before the numbers are written in."""
 
     kind = "exercise"
     varies = True
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
+    """What the numbers must fulfil, in the variant's own state."""
     states: Lines
+    """The lines of the variant's state."""
     recipe: Lines
 
     @classmethod

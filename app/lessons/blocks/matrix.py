@@ -56,17 +56,13 @@ class MatrixQuestion(MarkedQuestion):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
 
     A typed answer is one text: its cells are separated by ``|``, its rows by ``;``.
-
-    Attributes
-    ----------
-    first : tuple of int
-        Row and column of the first cell in the matrix that these are a part of, from 1.
     """
 
     kind = "answer"
     rows: int
     columns: int
     first: tuple[int, ...] = ()
+    """Row and column of the first cell in the matrix that these are a part of, from 1."""
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> MatrixQuestion:
@@ -112,10 +108,6 @@ class MatrixQuestion(MarkedQuestion):
             wrong = self.mistaken(here, numbers, _counts_as)
         remark = self._remark(numbers, right, cells)
         return (wrong or Verdict(False, too_short=too_short, remark=remark))._replace(cells=cells)
-
-    def verdict(self, here: Here, sample: str, line: int) -> str:
-        with on_line(line):
-            return super().verdict(here, sample, line)
 
     def _remark(
         self, numbers: Sequence[TypedNumber], right: Sequence[float], cells: Sequence[bool]

@@ -105,25 +105,17 @@ class Reply:
 
 @dataclass(frozen=True, kw_only=True)
 class Question(Asked):
-    """A question with one right reply.
-
-    Attributes
-    ----------
-    replies : tuple of Reply
-        Choices, or the wrong values that have an idea.
-    checks : tuple of (int, Condition)
-        Conditions that hold if the right reply is correct.
-    symbol : str
-        TeX of what the value is called in its worked solution.
-    number : str
-        The name of the number of the model that the value is; empty if it is none, or is the key.
-    """
+    """A question with one right reply."""
 
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]
+    """Choices, or the wrong values that have an idea."""
     checks: tuple[tuple[int, Condition], ...] = ()
+    """Conditions that hold if the right reply is correct."""
     symbol: str = ""
+    """TeX of what the value is called in its worked solution."""
     number: str = ""
+    """The name of the number of the model that the value is; empty if it is none, or is the key."""
 
     @staticmethod
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
@@ -144,9 +136,6 @@ class Question(Asked):
     @property
     def answer_line(self) -> int:
         return self.key[1]
-
-    def response_to(self, here: Here, idea: str) -> Verdict:
-        return response_of(self.replies, here, idea)
 
     def right_sample(self, here: Here) -> str:
         try:
@@ -323,18 +312,13 @@ class MarkedQuestion(Question):
             trial.add_warning(refused(self.right_line, NO_RIGHT, self.name))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        try:
-            return self.mark(here, sample).word
-        except Refusal as error:
-            if error.field != "answer":
-                raise
-            return "no number"
-
-
-def response_of(replies: Sequence[Reply], here: Here, idea: str) -> Verdict:
-    """Return the verdict on a wrong idea; without words if no reply is to it."""
-    verdicts = (each.verdict(here) for each in replies if each.idea == idea)
-    return next(verdicts, Verdict(False, idea))
+        with on_line(line):
+            try:
+                return self.mark(here, sample).word
+            except Refusal as error:
+                if error.field != "answer":
+                    raise
+                return "no number"
 
 
 def hidden_in(text: str, line: int) -> set[str]:

@@ -9,7 +9,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, Trial, Verdict
-from app.lessons.blocks.question import Reply, response_of
+from app.lessons.blocks.question import Reply
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.lessons.state import State, state_in
@@ -41,13 +41,7 @@ class Wrong(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Task(Asked):
-    """A task: done when all of `until` hold; then the student reads `done`.
-
-    Attributes
-    ----------
-    right : State, optional
-        A state that fulfils the task, for the check; `why` says how it is found.
-    """
+    """A task: done when all of `until` hold; then the student reads `done`."""
 
     kind = "task"
     has_field = False
@@ -55,6 +49,7 @@ class Task(Asked):
     done: str
     replies: tuple[Wrong, ...] = ()
     right: State | None = None
+    """A state that fulfils the task, for the check; `why` says how it is found."""
 
     @classmethod
     def read(cls, body: Body) -> Task:
@@ -109,9 +104,6 @@ class Task(Asked):
     @property
     def can_be_told(self) -> bool:
         return bool(self.why) or self.right is not None
-
-    def response_to(self, here: Here, idea: str) -> Verdict:
-        return response_of(self.replies, here, idea)
 
     def right_sample(self, here: Here) -> str:
         return ", ".join(condition.text for _, condition in self.until)

@@ -30,18 +30,13 @@ _UNITS = {"°": r"^{\circ}", "%": r"\,\%", "×": r"\times", "x": r"\times"}
 
 
 class Working(NamedTuple):
-    """A formula for a reader: in letters, with numbers, and its value.
-
-    Attributes
-    ----------
-    is_exact : bool
-        Whether none of the numbers is rounded.
-    """
+    """A formula for a reader: in letters, with numbers, and its value."""
 
     letters: Formula
     numbers: Formula
     value: float
     is_exact: bool
+    """Whether none of the numbers is rounded."""
 
     def sides(self, name: str = "", unit: str = "") -> list[str]:
         """Return what is equal, each with its sign except the first; `name` is TeX of the left."""

@@ -72,8 +72,7 @@ class Frustum(Central, Windowed):
     def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
         super().check_window(left, right, bottom, top)
         limit = self.near / SMALLEST_FIELD
-        sides = {"left": left, "right": right, "bottom": bottom, "top": top}
-        for name, side in sides.items():
+        for name, side in {"left": left, "right": right, "bottom": bottom, "top": top}.items():
             within(name, side, -limit, limit)
 
     def cut(self, window: Window, near: float, far: float) -> Frustum:

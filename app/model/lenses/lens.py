@@ -39,30 +39,20 @@ from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
 @dataclass(frozen=True, eq=False)
 class LensTable:
-    """A lens as the lectures write it; made once, and compared by identity.
-
-    Parameters
-    ----------
-    steps : tuple of Step
-        From view space to clip space; empty for a typed matrix.
-    clip_from_view : Table
-        The product of all steps in closed form, in the order of operations that keeps the digits.
-    view_from_clip : Table, optional
-        Its inverse in closed form.
-    otherwise : mapping from str to LensTable, optional
-        The table of the same lens after another choice of a field: ``far``, finite again.
-    fields : mapping from str to (tuple of str), optional
-        By letter, the fields of the document that only this lens has.
-    written : mapping from str to (mapping from str to str), optional
-        By lecture, the formulas that this lecture writes in another form.
-    """
+    """A lens as the lectures write it; made once, and compared by identity."""
 
     steps: tuple[PipelineStep, ...]
+    """From view space to clip space; empty for a typed matrix."""
     clip_from_view: Table
+    """The product of all steps in closed form, in the order of operations that keeps the digits."""
     view_from_clip: Table | None = None
+    """Its inverse in closed form."""
     otherwise: Mapping[str, LensTable] = field(default_factory=dict)
+    """The table of the same lens after another choice of a field: ``far``, finite again."""
     fields: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """By letter, the fields of the document that only this lens has."""
     written: Mapping[str, Mapping[str, str]] = field(default_factory=dict)
+    """By lecture, the formulas that this lecture writes in another form."""
 
 
 _plane = partial(stated, section="lens", place="lens", unit="units", logarithmic=True)
@@ -251,12 +241,7 @@ class Lens(Geometry):
     ) -> Iterator[Lens]:
         """Yield lenses of this kind that may have a matrix, those with the present fields first.
 
-        Parameters
-        ----------
-        cells : 4 lists of 4 Fraction
-            The last row is that of the kind's table.
-        near, far : float
-            The planes that the third row corresponds to.
+        The last row of `cells` is that of the kind's table; the third row belongs to near and far.
         """
         yield from ()
 

@@ -157,17 +157,10 @@ def _cot_deg(angle_deg: float) -> float:
 def oblique_angles(receding: float, receding_deg: float) -> tuple[float, float]:
     """The angles of an `Oblique` lens that draws receding edges in this way.
 
-    Parameters
-    ----------
-    receding : float
-        Drawn length of an edge along the view direction per true length: 1 in a cavalier,
-        1/2 in a cabinet drawing. From 0 to `LARGEST_SHEAR`, or a `Refusal`.
-    receding_deg : float
-        Its direction in the picture, anticlockwise from the right.
-
-    Notes
-    -----
-    A unit into the picture moves a point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
+    `receding` is the drawn length of an edge along the view direction per true length: 1 in a
+    cavalier, 1/2 in a cabinet drawing; from 0 to `LARGEST_SHEAR`, or a `Refusal`. `receding_deg` is
+    its direction in the picture, anticlockwise from the right. A unit into the picture moves a
+    point by ``(-cot(alpha), -cot(beta))`` (lecture 002, H).
     """
     receding, receding_deg = finite("receding", receding), finite("receding_deg", receding_deg)
     within("receding", receding, 0, int(LARGEST_SHEAR))
