@@ -313,7 +313,13 @@ class FrustumDrawing(Layer):
             word = state.words.get(f"{{{letter}}}", letter)
             asked = getattr(state.projection.lens, side, value)  # proportions may change it
             both = dict.fromkeys(written_distance(each, many) for each in (asked, value))
-            board.label(letter).set_text(f"{word} = {' → '.join(both)}")
+            text = f"{word} = {' → '.join(both)}"
+            plain = f"fitted_{letter}"
+            fitted = state.words.get(f"{{{plain}}}", plain)
+            if fitted != plain and len(both) > 1:  # lecture 000 has letters for both
+                k = written_distance(value - asked if letter in "rt" else asked - value, many)
+                text = text.replace(" → ", f", k = {k}, {fitted} = ")
+            board.label(letter).set_text(text)
             first = SIDES.index(side) * len(_ON_SIDE)
             beside = spots[first : first + len(_ON_SIDE)]
             marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]

@@ -36,6 +36,7 @@ _SYMBOLS: dict[str, dict[str, str]] = {
         **_OURS,
         "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
         "near_distance": "z_min", "far_distance": "z_max",
+        "fitted_l": "x_1", "fitted_r": "x_2", "fitted_b": "y_1", "fitted_t": "y_2",
     },
     "001": {
         **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",

@@ -142,7 +142,7 @@ class Items(tuple[LineItem, ...]):
     def sentences(self) -> tuple[tuple[int, str], ...]:
         """Return every sentence for the student that may contain formulas, with its line."""
         own = [(item.line, item.text) for item in self if item.key in ("why", "hint", "done")]
-        below = [each for item in self for each in item.below if each.key == "says"]
+        below = [each for item in self for each in item.below if each.key in ("says", "title")]
         sentences = *own, *((each.line, each.text) for each in below)
         for line, text in sentences:
             if not text:
@@ -190,7 +190,7 @@ class Body(NamedTuple):
 _CHOICE = re.compile(r"[-*]\s+\[([ xX])\]\s+(.*)")
 _KEY = re.compile(r"([a-z]+)(\s+[\w-]+)?:(.*)")
 _WITH_BELOW = ("choice", "wrong")
-_BELOW = ("says", "state")
+_BELOW = ("says", "state", "title")
 
 
 def _continued(

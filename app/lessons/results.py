@@ -148,7 +148,8 @@ class Marker:
         question, here = posed.question, posed.here
         is_shown = attempt.verdict == SHOWN and not attempt.typed
         word = SHOWN if is_shown else verdict_on(question, here, attempt.typed)
-        says = "" if here.idea(word) is not None else plain_of(question.response_to(word))
+        own = here.idea(word) is None
+        says = plain_of(question.response_to(here, word).says) if own else ""
         return RemarkedAnswer(attempt, word, question.right_sample(here), says)
 
     def is_other(self, lesson: str, digests: Mapping[str, object]) -> bool:

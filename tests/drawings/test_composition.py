@@ -242,6 +242,9 @@ def test_a_side_that_proportions_move_is_named_with_both_numbers() -> None:
     found = picture("world", *state, "view.names=l,r,b,t")
     sides = {"l = −2", "r = 2", "b = −1 → −2", "t = 1 → 2"}
     assert {each.text for each in found.labels} == sides and not found.cut
+    in_000 = picture("world", *state, "view.names=b,t", "view.letters=000")
+    sides = {"y_min = −1, k = 1, y_1 = −2", "y_max = 1, k = 1, y_2 = 2"}
+    assert {each.text for each in in_000.labels} == sides and not in_000.cut
 
 
 def state_of(*values: str) -> Document:

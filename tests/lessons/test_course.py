@@ -13,8 +13,8 @@ from app.document.document import Document
 from app.document.files import write
 from app.document.settings import set_values
 from app.lessons import transition
-from app.lessons.course import Course, file_of, idea_named, ideas
-from app.lessons.lesson import parse_lesson
+from app.lessons.course import Course, contained, file_of, idea_named, ideas
+from app.lessons.lesson import parse_lesson, read
 from app.lessons.practice import existing, practised, topics
 from app.lessons.record import Attempt, Record, due, standings
 from app.lessons.strokes import read_strokes
@@ -205,6 +205,71 @@ check: near = 1.5*was_near
         (3.0,),
         (2.0,),
     ]
+
+
+def test_a_reply_in_its_own_words_has_its_own_title_and_never_the_state_of_an_idea() -> None:
+    question, here = asked("""# A
+```state
+scene=letter-f
+```
+```answer
+How wide?
+value: 3
+wrong angle-linear: 4
+  says: Mine.
+wrong fov-xy: 5
+  title: My own words.
+  says: Look at 30°.
+  state: lens.fov_y_deg=30
+```
+""")
+    known = idea_named("angle-linear")
+    assert known is not None
+    plain, own = question.mark(here, "4"), question.mark(here, "5")
+    assert (plain.title, plain.says, plain.state) == (known.title, "Mine.", None)
+    assert (own.title, own.says) == ("My own words", "Look at 30°.")
+    assert own.state.projection.lens.fov_y_deg == 30.0
+    assert question.response_to(here, "fov-xy") == own
+
+
+def test_the_state_of_a_reply_has_all_digits_of_an_exercises_numbers() -> None:
+    question, here = asked("""# A
+```state
+scene=letter-f
+```
+```exercise
+vary a: 4/3, 7/3
+How wide is {=a}?
+value: a
+wrong twice: 2*a
+  says: Look.
+  state: lens.fov_y_deg={=10*a}
+```
+""")
+    variant = question.variant(here, 1)
+    (wrong,) = variant.question.replies
+    shown = wrong.verdict(variant.here).state
+    assert shown is not None
+    assert shown.projection.lens.fov_y_deg == float(10 * variant.numbers["a"])
+
+
+def test_each_wrong_answer_of_a_lesson_has_a_state_and_says_what_to_look_at() -> None:
+    """In the scene of its question, except where that cannot show it."""
+    elsewhere = set()
+    for path in contained():
+        if path.stem.startswith("l"):
+            of = Course(read(path))
+            for place, step in enumerate(of.lesson.steps):
+                for part in step.asked:
+                    question, here = part.variant(of.at(place), 1)[2:]
+                    for reply in getattr(question, "replies", ()):
+                        if not reply.right:
+                            where = f"{path.stem}, {step.name}/{part.name}: {reply.idea}"
+                            assert reply.state is not None, where
+                            assert "ook at" in reply.says or "ook from" in reply.says, where
+                            if here.shown_by(reply.state).scene != here.document.scene:
+                                elsewhere.add(f"{path.stem[:3]} {step.name}")
+    assert elsewhere == {"l12 where", "l13 compute", "l16 ends", "l21 practise-2"}
 
 
 def test_every_idea_that_the_program_knows_has_two_sentences_and_a_state() -> None:

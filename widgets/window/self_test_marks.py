@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QWidget
 
-from app.lessons.course import idea_named
 from app.lessons.practice import ExerciseMark
 from app.lessons.record import RIGHT
 from widgets.parts.layouts import TOP, in_column
@@ -44,8 +43,8 @@ class SelfTestMarks(QWidget):
             return self.tr("You gave no answer.")
         own = mark.item.variant.question.own_answer(mark.typed)
         said = self.tr("Your answer:") + f" {own}"
-        idea = idea_named(mark.word)
-        if idea is not None:
-            behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
+        title = mark.item.variant.question.response_to(mark.item.variant.here, mark.word).title
+        if title:
+            behind = self.tr("The idea behind it: “{0}”.").format(title)
             said = f"{said}\n\n{behind}"
         return said

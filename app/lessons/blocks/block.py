@@ -115,6 +115,8 @@ class Verdict(NamedTuple):
     """Which numbers of a matrix are right, row after row."""
     beside: Document | None = None
     """A state that shows the idea's number beside the model's own one."""
+    title: str = ""
+    """The idea in the student's words."""
 
     @property
     def word(self) -> str:
@@ -327,9 +329,10 @@ class Asked(ReadBlock):
         """Return a student's answer as Markdown."""
         return f"**{escaped(typed)}**"
 
-    def response_to(self, idea: str) -> str:
-        """Return the lesson's own response to a wrong idea, as Markdown; empty if it has none."""
-        return next((each.says for each in self.replies if each.idea == idea), "")
+    def response_to(self, here: Here, idea: str) -> Verdict:
+        """Return the response to a wrong idea; without words if no reply is to it."""
+        verdicts = (each.verdict(here) for each in self.replies if each.idea == idea)
+        return next(verdicts, Verdict(False, idea))
 
     # -- the right answer
 

@@ -58,6 +58,10 @@ _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
 
 
+_IN_FULL = re.compile(r"\s*(?:right|state):")
+"""Lines of states, whose numbers have all their digits."""
+
+
 class Varied(NamedTuple):
     """A number that is drawn from some values."""
 
@@ -112,7 +116,7 @@ class Exercise(Asked):
     def question(self, numbers: Mapping[str, Fraction]) -> Question | Task:
         """Return the question or the task with these numbers in its text."""
         lines = [
-            (line, _written(text, line, numbers, exact=text.startswith("right:")))
+            (line, _written(text, line, numbers, exact=_IN_FULL.match(text) is not None))
             for line, text in self.recipe
         ]
         body = Body("task", self.name, self.line, lines)

@@ -64,6 +64,7 @@ class Reply:
     right: bool = False
     formulas: tuple[Formula, ...] = ()
     idea: str = ""
+    title: str = ""
     says: str = ""
     state: State | None = None
 
@@ -72,19 +73,20 @@ class Reply:
         """Return the reply of a choice or a wrong value, with what is indented below it."""
         below = Items(item.below)
         more = {"idea": item.about, "state": state_in(below.single("state")), **more}
-        return cls(line=item.line, says=below.text("says"), **more)
+        return cls(line=item.line, title=below.text("title"), says=below.text("says"), **more)
 
     def verdict(self, here: Here, why: str = "") -> Verdict:
-        """Return the verdict; a known idea supplies sentences and a state if the reply has none."""
+        """Return the verdict; a known idea supplies a title, and words with their state."""
         says = self.says
         state = here.shown_by(self.state) if self.state is not None else None
         if self.right:
             return Verdict(True, says=says or why, state=state)
-        idea = here.idea(self.idea)
+        idea, title = here.idea(self.idea), self.title
         if idea is not None:
-            says = says or idea.says
-            state = state or idea.state
-        return Verdict(False, self.idea, says, state)
+            title = title or idea.title
+            if not says:  # its state belongs to its own words
+                says, state = idea.says, state or idea.state
+        return Verdict(False, self.idea, says, state, title=title.rstrip("."))
 
     def check(self, here: Here, trial: Trial) -> None:
         """Report an unknown idea without a sentence, and an impossible state."""
@@ -153,8 +155,7 @@ class Question(Asked):
     def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
         for letter, reply in zip(LETTERS, self.replies, strict=False):
             if reply.idea and not reply.right:
-                idea = here.idea(reply.idea)
-                name = reply.idea.replace("-", " ") if idea is None else idea.title.rstrip(".")
+                name = reply.verdict(here).title or reply.idea.replace("-", " ")
                 numbers = [write(each) for each in self.values(here, reply.formulas, reply.line)]
                 yield name, self.printed(numbers) if numbers else letter
 

@@ -241,9 +241,8 @@ class BlockView(QFrame):
 
     def _refute(self, verdict: Verdict, head: str = "") -> None:
         """Name the wrong idea, refute it, and offer a state that shows why."""
-        idea = self.played.here.idea(verdict.idea)
-        if idea is not None:
-            behind = self.tr("The idea behind it: “{0}”.").format(idea.title.rstrip("."))
+        if verdict.title:
+            behind = self.tr("The idea behind it: “{0}”.").format(verdict.title)
             head = f"{head} {behind}".strip()
         self._add_text("close", self.tr("Wrong"), head or self.tr("That is not it."))
         self._add_text("", "", verdict.says)
