@@ -174,7 +174,7 @@ PHENOMENON = Phenomenon(
         Parameter("separation", 0.8, 0.0, 1e3, span=(0.0, 2.0)),
         Parameter("cameras", "off-axis"),
         Parameter("pictures", "beside"),
-        Parameter("point", (1.0, 0.8, 3.0)),
+        Parameter("point", (1.0, 0.8, 3.0), only_with=("cameras", "toed-in")),
     ),
     numbers=4,
     follow=_follow,
