@@ -596,7 +596,7 @@ def type_in(field: Any, text: str) -> None:
 
 
 def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
-    """Seen along -z with near 4, far 18: z of the cube is (f + n)/(f - n) there."""
+    """Seen along -z with near 5, far 12.5: z of the cube is (f + n)/(f - n) there."""
     show(panel, replace(start(), camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0))))
     panel.follow(point=(0.0, 0.0, -1.0))
     type_in(panel.fields[3], "0")
@@ -604,8 +604,8 @@ def test_l13_a_point_at_infinity_is_typed_with_w_0(panel: ProbePanel) -> None:
     assert panel.choice.currentText() == "Direction 1"
     rows = [cells(panel, 0, row) for row in range(9)]
     assert rows[0] == rows[1] == rows[2] == ["0", "0", "−1", "0"]
-    assert rows[3] == ["0", "0", "1.571", "1"] and rows[4] == ["÷ 1"] * 3
-    assert rows[5] == ["0", "0", "1.571"] and rows[6] == ["640", "360"]
+    assert rows[3] == ["0", "0", "2.333", "1"] and rows[4] == ["÷ 1"] * 3
+    assert rows[5] == ["0", "0", "2.333"] and rows[6] == ["640", "360"]
     assert rows[8] == ["the vanishing point; outside of: far"]
     type_in(panel.fields[2], "2")
     assert cells(panel, 0, 4) == ["behind the eye: no picture"]
