@@ -49,8 +49,9 @@ GREEK = dict(zip("αβγδεθλμπρσφω", (
 ), strict=True))  # fmt: skip
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
-    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=_))"
-    r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+(?:\u2192[^\W_]+)?))?)(?P<prime>['\u2032]*)"
+    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=[_{ARROW}]))"
+    r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+(?:\u2192[^\W_]+)?))?)"
+    rf"(?P<arrow>{ARROW}?)(?P<prime>['\u2032]*)"
     r"|\^(?P<power>[-\u2212]?[^\W_]+)"
     r"|(?P<word>[^\W\d_]{2,})"
     r"|(?P<sign>.)",
@@ -182,7 +183,8 @@ def pieces_of(text: str) -> list[tuple[str, bool]]:
         if token["tex"]:
             pieces.append((token["tex"], True))
         elif token["letter"]:
-            pieces.append((_tex(token["letter"], token["sub"]) + token["prime"], True))
+            tex = _tex(token["letter"] + token["arrow"], token["sub"])
+            pieces.append((tex + token["prime"], True))
         elif token["power"]:
             pieces.append((rf"{{}}^{{{token['power']}}}", True))
         elif token["word"] in FUNCTIONS:

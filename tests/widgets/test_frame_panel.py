@@ -289,7 +289,7 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     window.store.undo()
     settle()
     assert window.store.document.projection == before
-    assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(104.513, rel=1e-5)
+    assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(103.7014, rel=1e-5)
 
 
 def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
@@ -530,6 +530,9 @@ def test_l1_lecture_004_names_the_vectors_before_division(window: MainWindow) ->
         panel.go_to(STEPS.index(step))
         found.append(panel.formula.text())
     assert found == ["N = T\u2080 − T\u2081,   n = N/|N|", "U = V × n,   u = U/|U|", "v = n × u"]
+    panel.go_to(STEPS.index("n"))  # the eye and the target are points
+    assert panel.formula.formula.startswith(f"N{ARROW} = T\u2080 − T\u2081,")
+    assert f"|N{ARROW}|" in panel.numbers.formula
     letters.setCurrentIndex(letters.findData("own"))
     panel.go_to(STEPS.index("u"))
     assert panel.formula.text() == "u = up × n/|up × n|"

@@ -158,7 +158,7 @@ def test_the_stage_strip_names_axes_and_planes_in_the_letters(window: MainWindow
     window.strip.go_to(2.0)
     choose(window, "000")
     assert said[0].startswith("u, v, n in") and said[1].startswith("u, v, w in")
-    assert said[2].startswith("x, y ±1, z −n/f = −0.222") and "z −z_min/z_max" in said[3]
+    assert said[2].startswith("x, y ±1, z −n/f = −0.4") and "z −z_min/z_max" in said[3]
 
 
 FORMULAS: dict[Letters, tuple[str, ...]] = {

@@ -41,6 +41,7 @@ from tests.support.window import (
     settle,
     tick,
 )
+from widgets.parts.lesson_text import LessonText
 from widgets.parts.message_bar import MessageBar
 from widgets.window.lesson_card import heads
 from widgets.window.lessons import TRANSITION_S, Lessons
@@ -1198,6 +1199,40 @@ def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: Main
         assert window.present.is_on and window.lessons.place == 0
         go_to(window.lessons, 1)
         press(window, Qt.Key.Key_Escape)
+
+
+@pytest.mark.parametrize(
+    "held", [Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier]
+)
+def test_a_talk_that_is_done_is_presented_from_its_first_step(
+    window: MainWindow, held: Qt.KeyboardModifier
+) -> None:
+    card = window.lesson_card
+    go_to(window.lessons, 2)
+    QTest.keyClick(window, Qt.Key.Key_Right, Qt.KeyboardModifier.AltModifier)
+    settle()
+    assert window.talks.is_on and window.lessons.place == 2  # the class sees no end page
+    for _ in range(2):
+        press(window, Qt.Key.Key_Escape)
+        card.go_on()
+        settle()
+        assert window.lessons.player is None and not card.isHidden()
+        (said,) = (text.toPlainText() for text in card.page.findChildren(LessonText))
+        assert said == "Done: “A talk”."
+        QTest.keyClick(window, Qt.Key.Key_F5, held)
+        settle()
+        assert window.talks.is_on and window.lessons.place == 0
+        assert window.band.isVisible() and card.isHidden()
+        go_to(window.lessons, 1)
+        press(window, PAGE_UP)
+        assert window.lessons.place == 0
+        go_to(window.lessons, 2)
+    press(window, Qt.Key.Key_Escape)
+    card.go_on()
+    card.leave()
+    QTest.keyClick(window, Qt.Key.Key_F5, held)
+    settle()
+    assert window.present.is_on and window.lessons.player is None  # a closed talk stays closed
 
 
 def test_a_talk_that_was_closed_at_its_end_opens_at_the_beginning(

@@ -110,13 +110,14 @@ class FramePanel(Panel):
         self._refresh()
 
     def _lettered(self, text: str) -> str:
-        """Replace the letters under arrows with the lecture's."""
+        """Replace the letters under arrows with the lecture's; its points T₀ and T₁ have none."""
         letters = frame_letters(lettering.now)
-        return re.sub(
-            f"(?<![a-z])([a-z]+){ARROW}",
-            lambda match: f"{letters.get(match[1], match[1])}{ARROW}",
-            text,
-        )
+
+        def letter(match: re.Match[str]) -> str:
+            name = letters.get(match[1], match[1])
+            return name if name[1:].isdigit() else f"{name}{ARROW}"
+
+        return re.sub(f"(?<![a-z])([a-z]+){ARROW}", letter, text)
 
     # -- making
 

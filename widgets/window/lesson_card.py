@@ -28,7 +28,7 @@ from PySide6.QtWidgets import (
 
 from app.document.document import Document
 from app.document.store import Store
-from app.lessons.course import CONTENT, contained, name_of
+from app.lessons.course import CONTENT, Course, contained, name_of
 from app.lessons.lesson import Head, head_of
 from app.lessons.player import Player, Progress
 from app.lessons.practice import Sheet, marked
@@ -92,6 +92,8 @@ class LessonCard(QFrame):
         """The lesson whose progress is kept: that of the page, or the one that was just opened."""
         self._shown: int | None = None
         """The step of the page."""
+        self._over: Course | None = None
+        """The talk whose last page is shown."""
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self._title = PlainLabel(wordWrap=True)
@@ -155,6 +157,7 @@ class LessonCard(QFrame):
         self.keep_now()
         player = self._lessons.player
         self._close()
+        self._over = None
         self.is_on = False
         self.toggled.emit(False)
         self.buttons_changed.emit()
@@ -167,6 +170,11 @@ class LessonCard(QFrame):
         self.page.clear()
         self._player = self._shown = None
         self._lessons.close()
+
+    def reopen(self) -> None:
+        """Open the talk whose last page is shown, at its first step."""
+        if self._over is not None and self._lessons.play(self._over):
+            self._lessons.read_again()  # the file may have changed since
 
     def begin_again(self) -> None:
         """Delete the answers of the lesson, and go to its first step; this can be undone."""
@@ -190,6 +198,7 @@ class LessonCard(QFrame):
         self.keep_now()
         if player is None:
             return
+        self._over = None
         name = player.course.name
         player.progress = self._settings.progress.get(name, Progress())
         player.log = self._log
@@ -313,7 +322,7 @@ class LessonCard(QFrame):
             return
         if player.held is not None or not player.is_last:
             self.go_to(player.place + 1)
-        else:
+        elif not (player.lesson.is_talk and self.isHidden()):  # a class sees no last page
             self._finish(player)
 
     def give_hint(self) -> None:
@@ -341,15 +350,17 @@ class LessonCard(QFrame):
         if player.is_test:
             self._finish_test(player)
             return
-        lesson, left = player.lesson, player.left
+        lesson = player.lesson
+        left = [0] if lesson.is_talk else player.left
         said = self.tr("Done: “{0}”.").format(lesson.title)
-        if left:
+        if left and not lesson.is_talk:
             rest = self.tr("Something is left to do in step {0}.")
             if len(left) > 1:
                 rest = self.tr("Something is left to do in steps {0}.")
             said = f"{said} {rest.format(', '.join(str(place + 1) for place in left))}"
         following = _after(lesson.path)
         self._close()
+        self._over = player.course if lesson.is_talk else None
         buttons: list[QPushButton] = []
         if following is not None:
             name = self.tr("Next lesson: {0}").format(following.title.replace("&", "&&"))
