@@ -313,10 +313,7 @@ class WorldHandles(HandleMarks):
             elif planes:
                 local.append((planes[NEAR.name], corners[[i, j]]))
             if planes:
-                local += [(planes[FAR.name], corners[[i + 4, j + 4]])]
-                local.append((NEAR_CORNERS[i], corners[[i, i + 4]]))
-            if planes and lens.central:
-                local.append((NEAR_CORNERS[i], [eye, corners[i]]))
+                local.append((planes[FAR.name], corners[[i + 4, j + 4]]))
         arrows = dict(zip(*self._camera.arrows, strict=True))
         for handle, _ in self.shown:
             if handle.name == UP.handle:

@@ -32,7 +32,7 @@ def load(path: Path) -> None:
     try:
         if path.stat().st_size > LARGEST_BYTES:
             return
-        tree = json.loads(path.read_text(encoding="utf-8"))
+        tree = json.loads(path.read_bytes())
         if tree["made_by"] != _made_by():
             return
         outlines = {key: _outline(*parts) for key, parts in tree["outlines"].items()}
@@ -60,11 +60,11 @@ def save(path: Path) -> None:
             for key, (letters, halo, first, top) in label.TILES.items()
         },
     }  # fmt: skip
-    content = json.dumps(tree)
+    content = json.dumps(tree).encode()
     try:
-        if not os.path.exists(path) or path.read_text(encoding="utf-8") != content:
+        if not os.path.exists(path) or path.read_bytes() != content:
             path.parent.mkdir(parents=True, exist_ok=True)
-            write_bytes_atomically(path, content.encode())
+            write_bytes_atomically(path, content)
     except (OSError, ValueError) as error:
         _log.info("%s: labels are not kept: %s", path, error)
 

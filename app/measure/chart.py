@@ -28,6 +28,7 @@ from app.measure.results import (
     named,
     plain,
 )
+from app.model import parameters
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 
@@ -133,8 +134,11 @@ def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
     def vector(value: object) -> str:
         return f"({', '.join(map(short, value if isinstance(value, list) else []))})"
 
-    camera, lens = tree("camera"), tree("lens")
-    kind = [str(lens.get("kind", "")), *(f"{k} {short(v)}" for k, v in lens.items() if k != "kind")]
+    camera, lens = tree("camera"), dict(tree("lens"))
+    kind = [str(lens.pop("kind", ""))]
+    for name, value in lens.items():
+        unit = "°" if name.endswith("_deg") else ""
+        kind.append(f"{translate(parameters.TITLES.get(name, name)).lower()} {short(value)}{unit}")
     return translate(SEEN).format(
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),

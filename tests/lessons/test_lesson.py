@@ -239,7 +239,7 @@ BLOCKS = [
     ("predict\nQ?\nchoices:\n- a\n- b", "line 5 needs at least two choices"),
     ("predict\nQ?\n- [x] a\n- b", "line 8 = '- b': must begin with “- [x]”"),
     ("predict\nQ?\n- [x] a\n  say: Yes.\n- [ ] b",
-     "line 8 = 'say: Yes.': must be one of says, state, a colon, and its value"),
+     "line 8 = 'say: Yes.': must be one of says, state, title, a colon, and its value"),
     ("predict\nQ?\n- [x] a\n  why: So.\n- [ ] b", "line 8 = 'why: So.': must"),
     ("answer\nQ?\nvalue: 1\nright: 1", "one of value, count, matrix, click, at"),
     ("answer\nQ?", "line 5 needs “value: FORMULA”, “count: FORMULA”, “matrix: CELLS”,"),

@@ -334,7 +334,7 @@ def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
         "2026-11-21T08:46:06+00:00 · Box 7, cores: 2, softpipe · frustum-lab 1"
     )
     assert chart.seen(RESULTS) == (
-        "letter-f; eye (6, 5, 9), target (0, 2.25, 0), perspective, fov_y_deg 45"
+        "letter-f; eye (6, 5, 9), target (0, 2.25, 0), perspective, field of view 45°"
     )
     assert chart.machine(RESULTS) == "Box 7, softpipe, 2026-11-21T08:46:06+00:00"
     mesh = replace(RESULTS, document={"scene": "meshes/cow.obj", "camera": 5})

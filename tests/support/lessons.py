@@ -40,7 +40,7 @@ until: view.large = ndc
 ```
 
 ```test
-near: lens.near=9 -> look-n
+near: lens.near=11 -> look-n
 ```
 
 ---

@@ -97,9 +97,9 @@ def test_a_screen_reader_hears_what_each_pane_shows_unless_it_is_the_answer(
     QAccessible.setActive(True)
     try:
         window.store.set_projection(replace(projection, lens=replace(projection.lens, near=2.5)))
-        qtbot.waitUntil(lambda: "near 2.5, far 18." in said(canvas, SAID.Description))
+        qtbot.waitUntil(lambda: "near 2.5, far 12.5." in said(canvas, SAID.Description))
         heard = said(canvas, SAID.Description)
-        assert heard.startswith("World: the scene from a free viewpoint. The eye is at (6, 5, 9)")
+        assert heard.startswith("World: the scene from a free viewpoint. The eye is at (5, 4.5, 8)")
         assert "Home resets." in heard and heard.count("World:") == 1
         window.lesson_card.page.hidden.emit(frozenset({"numbers", "image"}))
         heard = said(canvas, SAID.Description)

@@ -77,9 +77,7 @@ def opened(request: pytest.FixtureRequest, make_window: MakeWindow) -> Opened:
     return open_window
 
 
-def test_both_show_the_pixels_that_a_figure_averages(
-    make_window: MakeWindow,
-) -> None:
+def test_both_show_the_pixels_that_a_figure_averages(make_window: MakeWindow, qtbot: QtBot) -> None:
     windows = [make_window(document_of("letter-f"), canvas=canvas) for canvas in CANVAS]
     for window in windows:
         window.resize(960, 640)  # quickly drawn
@@ -88,6 +86,8 @@ def test_both_show_the_pixels_that_a_figure_averages(
             each.store.open(document_of(scene))
             each.quality.use({"smoothing": "none"})
         settle()
+        panes = [pane for each in windows for pane in each.panes.values()]
+        qtbot.waitUntil(lambda all_of=panes: not any(each.drawing.is_coarse for each in all_of))
         shown, words = windows[0].shown, windows[0].look.words
         for name, kind in FIGURES.items():
             first, second = (pixels(each, name) for each in windows)
@@ -100,6 +100,7 @@ def test_both_show_the_pixels_that_a_figure_averages(
                 about = shown.illustration.about if shown.illustration else ()
                 figure.show_highlight(frozenset(about))  # as figures do
                 figure.reset_view()
+                figure.refine(whole=True)
                 screen.render_window.Render()
                 drawn = pixels_in(screen.render_window)[..., :3]
                 figure.remove()
@@ -231,7 +232,8 @@ def test_lost_opengl_resources_are_created_again(opened: Opened, qtbot: QtBot) -
     before = {name: pixels(window, name) for name in window.panes}
     for pane in window.panes.values():
         pane.canvas.render_window.Finalize()
-    window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
+    # A smaller volume stays inside the view, which is therefore not framed anew.
+    window.store.set_projection(seen(window, lens=Perspective(30.0, 6.0, 12.0)))
     settle()
     assert not np.array_equal(pixels(window, "image"), before["image"])
     window.store.set_projection(shown)

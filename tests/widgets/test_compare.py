@@ -90,8 +90,8 @@ def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     hold(window)
     assert words(window) == "held:  no difference yet: change something"
     change(window, near=8.0, fov_y_deg=60.0)
-    named = "field of view 45° | field of view 60°"
-    assert words(window) == f"{named}:  field of view 45° → 60°, near 4 → 8"
+    named = "field of view 38° | field of view 60°"
+    assert words(window) == f"{named}:  field of view 38° → 60°, near 5 → 8"
     captions = [caption.text() for caption in window.comparing.pictures.captions]
     assert captions == named.split(" | ")
     window.store.set_projection(seen(window, image_size=(720, 720)))
@@ -355,7 +355,8 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
 def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -> None:
     document = set_values(
         window.store.document,
-        ["view.slide=world", "view.large=world", "view.fixed=side", "view.names=eye",
+        ["camera.eye=6,5,9", "view.slide=world", "view.large=world", "view.fixed=side",
+         "view.names=eye",
          "view.compare=low: camera.eye=6,2,9|high: camera.eye=6,7,9|start: camera.eye=6,5,9"],
     )  # fmt: skip
     assert window.store.open(document, is_work=False)
@@ -392,8 +393,9 @@ def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -
 
 
 READY: dict[str, tuple[str, list[str], Callable[[View], bool]]] = {
-    "field-of-view": ("29 mm | 105 mm:  distance 3 → 36, field of view 40.18° → 3.491°",
-                      ["29 mm", "105 mm"], lambda view: view.compare[0].live),
+    "field-of-view": ("29 mm | 105 mm, enlarged 3.3 times:  distance 3 → 36, field of view"
+                      " 40.18° → 3.491°", ["29 mm", "105 mm, enlarged 3.3 times"],
+                      lambda view: view.compare[0].live),
     "interpolation": ("affine | correct:  interpolation affine: s linear on the screen → correct:"
                       " s/w and 1/w, divided",
                       ["affine", "correct"], lambda view: view.compare[0].live),

@@ -12,6 +12,7 @@ import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
+from pytestqt.qtbot import QtBot
 
 from app.document.view import EVERYTHING
 from app.drawings.pointing import Targets, pointed_at, volume_edges
@@ -453,12 +454,16 @@ def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(
 
 
 @pytest.mark.undrawn
-def test_the_words_of_a_probe_that_is_outside(window: MainWindow, highlighted: Highlighted) -> None:
+def test_the_words_of_a_probe_that_is_outside(
+    window: MainWindow, highlighted: Highlighted, qtbot: QtBot
+) -> None:
     window.panels.open(window.probe_panel)
     settle()
     camera = window.store.document.projection.camera
     eye, n = np.array(camera.eye), camera.frame[2]
     window.probe_panel.follow(point=tuple(eye - 0.5 * n))  # nearer than near
+    settle()
+    qtbot.waitUntil(lambda: not window.panels.rest.isActive())  # the panel grows with its table
     settle()
     table = window.probe_panel.table
     model = table.model()

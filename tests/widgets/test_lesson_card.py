@@ -200,7 +200,7 @@ def test_a_task_is_ticked_however_it_is_solved(window: MainWindow, lesson: Path)
     near.show_wanted.emit(set_values(window.store.document, ["lens.near=2"]))
     come_to_rest(window)
     assert near.played.is_open, "what the lesson shows by itself, nobody has done"
-    window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near * 3.0, lens.far)))
+    window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near * 2.0, lens.far)))
     come_to_rest(window)
     assert near.played.is_open, "only a nearer one ticks"
     field = window.controls.rows["near"].field
@@ -977,6 +977,7 @@ def test_the_handles_of_a_task_are_shown_as_its_step_opens(
     settle()
     drawing = window.panes["world"].drawing
     assert drawing.handles.called == {"near"}
+    window.panes["world"].request("grips", ())  # at rest there is no mark
     with_handle = pixels(window)
     qtbot.waitUntil(lambda: not drawing.handles.called)
     without = pixels(window)

@@ -169,13 +169,13 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert not panel.progress.isVisible()
     results = panel.measured["depth"]
     assert fractions.count() > 3 and panel.progress.value() == 1000
-    assert results.complete and results.document["lens"]["far"] == 18
+    assert results.complete and results.document["lens"]["far"] == 12.5
     trade = results.trades[0]
     assert [heads(panel), *cells(panel)] == table(trade)  # as the command prints them
     (current,) = (c for c in trade.choices if c.name == "fixed24, reversed")
     assert panel.sentence.text() == f"{bargain(trade, current)} {meaning(trade)}"
     assert panel.where.toolTip() == chart.where(results)
-    assert "letter-f; eye (6, 5, 9)" in panel.seen.toolTip()
+    assert "letter-f; eye (5, 4.5, 8)" in panel.seen.toolTip()
     assert not panel.list.currentItem().icon().isNull() and panel.list.item(0).icon().isNull()
     (view,) = (view for view in panel.diagrams if view.isVisible())
     assert view.accessibleName() == "Depth buffer"

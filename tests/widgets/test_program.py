@@ -744,7 +744,7 @@ window.filled.connect(lambda: QTimer.singleShot(300, then))
         canvas,
         when=PAINTED,
     )
-    assert done.stdout == "[] 4 True\nTrue 2.5 False\nworld image ndc\n", done.stderr
+    assert done.stdout == "[] 5 True\nTrue 2.5 False\nworld image ndc\n", done.stderr
     assert (done.returncode, done.stderr) == (0, "")
 
 

@@ -67,7 +67,7 @@ def raw() -> set[str]:
         for thing in (top, *top.findChildren(QObject))
         if isinstance(thing, QWidget | QAction)
         for text in texts(thing)
-        if RAW.search(text)
+        if RAW.search(text.replace("x86_64", ""))  # a processor's name
     }
 
 

@@ -182,7 +182,7 @@ def test_letters_and_limits_are_the_stops_own(shown: Callable[..., Shown]) -> No
     texts = (
         {"x", "y", "z", "u⃗", "v⃗", "n⃗", "near", "far"},
         {"u⃗", "v⃗", "n⃗", "near", "far"},
-        {"x", "y", "z", "far", "−1", "1", "near −0.222"},
+        {"x", "y", "z", "far", "−1", "1", "near −0.4"},
         {"x", "y", "z", "near", "far", "−1", "1", "0"},
         {"x", "y", "z", "near −1", "far +1", "−1", "1"},
         {"x", "y", "0", "1280", "720"},
@@ -359,7 +359,7 @@ def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> N
     pane, wanted = window.panes["ndc"], {
         0: ("World", "x, y, z in world units"),
         1: ("View", "u, v, n in world units"),
-        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.222 … −1"),
+        2: ("Canonical perspective", "x, y ±1, z −n/f = −0.4 … −1"),
         3: ("Canonical parallel", "x, y ±1, z 0 … −1"),
         4: ("NDC cube", "x, y ±1, z −1 … 1"),
         5: ("Image", "1280 × 720 pixels, y down"),

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pytestqt.qtbot import QtBot
 
 from app.drawings.pane_view import Pose
 from app.lessons.course import CONTENT
@@ -124,7 +125,9 @@ def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(
     assert not window.lessons.is_away and window.panes["world"].view is None
 
 
-def test_the_pane_rests_where_it_would_without_motion(make_window: MakeWindow) -> None:
+def test_the_pane_rests_where_it_would_without_motion(
+    make_window: MakeWindow, qtbot: QtBot
+) -> None:
     """After what a prediction shows, a step that ended another early, and a change of size."""
     window = make_window()
     lessons = window.lessons
@@ -145,6 +148,8 @@ def test_the_pane_rests_where_it_would_without_motion(make_window: MakeWindow) -
         assert lessons.is_moving is not window.settings.reduce_motion
         if lessons.is_moving:
             arrive(lessons)
+        settle()
+        qtbot.waitUntil(lambda: not window.panels.rest.isActive())  # which resizes the pane
         settle()
         return camera_of(window)
 

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
     QHBoxLayout,
-    QLabel,
     QLayout,
     QScrollArea,
     QVBoxLayout,
@@ -17,6 +16,7 @@ from PySide6.QtWidgets import (
 )
 
 from widgets.parts.focus import FocusRing
+from widgets.parts.plain import PlainLabel
 
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
 """A part of a line: a widget or a layout, alone or with its stretch or alignment; a gap in pixels;
@@ -101,7 +101,7 @@ def paint_now(widget: QWidget) -> None:
     widget.repaint()
 
 
-def put_beside(label: QLabel, around: QPoint, apart: int, *, above: bool = False) -> None:
+def put_beside(label: PlainLabel, around: QPoint, apart: int, *, above: bool = False) -> None:
     """Place a label beside a place in its parent, below or above it, and inside the parent."""
     room = label.parentWidget() or label.window()
     frame = 2 * label.margin() + 2
