@@ -322,13 +322,13 @@ class MatrixPanel(ReadablePanel):
 
     def set_style(self, style: Style) -> None:
         self._style = style
-        self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self._readable.changed()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._plan = None  # new views measure the new font
+            self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
             self._readable.changed()
 
     @property
