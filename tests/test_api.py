@@ -55,7 +55,7 @@ def test_the_page_on_scripting_prints_what_it_says(
             assert capsys.readouterr().out == text
     figure = (installed / "points.svg").read_text(encoding="utf-8")
     assert 'width="120mm" height="60mm"' in figure and "<image" not in figure
-    assert "Point 3 at (−1, 0, 1) has its picture at the pixel (520.3, 549.9)." in figure
+    assert "Point 3 at (−1, 0, 1) has its picture at the pixel (502.6, 580.6)." in figure
     assert all(f">{number}</tspan>" in figure for number in (1, 2, 3))
 
 

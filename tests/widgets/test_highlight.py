@@ -271,7 +271,7 @@ def test_the_world_knows_what_is_under_the_mouse(
     assert at(far[1]) == {"far_right_bottom"}
     assert at((far[2] + far[3]) / 2.0) == {"far"}
     # What would be dragged: the field of view, by its corner.
-    assert at(0.5 * corners[0] + 0.5 * far[0]) == {"near_left_bottom"}
+    assert not at(0.5 * corners[0] + 0.5 * far[0]), "an edge from near to far moves nothing"
     lines = {f"near_{side}_top" for side in ("left", "right")}  # one may lie over the other
     assert at(0.4 * np.array(camera.eye) + 0.6 * corners[3]) < lines
     assert len(at(0.25 * far.sum(axis=0))) <= 1  # a face that can be dragged, or none

@@ -77,11 +77,6 @@ def things(window: MainWindow) -> list[Thing]:
                 add(f"{name} edge {i}", "edge", face[[i, (i + 1) % 4]], moves)
             if name in own and not drawing.fixed:
                 add(f"{name} face", "face", face, name)
-        for i in range(4):
-            add(f"side edge {i}", "edge", corners[[i, i + 4]], first)
-            if lens.central:
-                eye = np.array(projection.camera.eye)
-                add(f"line of sight {i}", "edge", [eye, corners[i]], first)
     elif has_sides:
         for name, ends in SIDES.items():
             add(f"{name} side", "edge", corners[list(ends)], name)
