@@ -208,7 +208,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     texts += at_squares
     ends = np.array([camera.eye, camera.target])
     # The grip is in the middle of d: at its end is the eye's.
-    middle, factor = ends.mean(axis=0), _implied(projection, settings)["distance"]
+    middle, factor = ends.mean(axis=0), number(_implied(projection, settings), "distance")
     along = (middle - camera.target) / factor
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
