@@ -197,6 +197,14 @@ def make_window(
 
 
 @pytest.fixture
+def talk(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
+    """A file with the module's `TALK`."""
+    path = tmp_path / "talk.md"
+    path.write_text(request.module.TALK)
+    return path
+
+
+@pytest.fixture
 def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
     """A window on the letter F as it opens, at rest; empty panes for a test that is `undrawn`."""
     from tests.support.window import settle

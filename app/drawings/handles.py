@@ -85,6 +85,8 @@ class HandleMarks(Handles, Layer):
         self._at_rest: tuple[Sequence[Handle], frozenset[Handle]] = (), frozenset()
         self._last: tuple[Spot, Taken | None] | None = None
         """The pixel that was asked for last, and what is there."""
+        self._drawn_edges: tuple[list[Handle], Lines] | None = None
+        """The handles of the edges, each with its line; None until they are asked for."""
         sizes = _RADIUS_EM + np.array([_RING_EM, 0.0])
         turns = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
         unit = np.column_stack([np.cos(turns), np.sin(turns)])
@@ -112,7 +114,7 @@ class HandleMarks(Handles, Layer):
 
     def settle(self) -> None:
         """Find the visible handles, and mark them."""
-        self._last = None
+        self._last = self._drawn_edges = None
         self._mark([] if "handles" in self._state.canvas.hidden else self._visible())
 
     def _visible(self, *reaches: float) -> list[tuple[Handle, Spot]]:
@@ -224,13 +226,15 @@ class HandleMarks(Handles, Layer):
         return next((self._taken(handle) for handle in (*exact, *beside)), None)
 
     def _edge_at(self, pixel: Spot) -> Taken | None:
-        edges = self._edges()
-        if not edges:
-            return None
-        lines, state = Lines([ends for _, ends in edges]), self._state
+        state = self._state
+        if self._drawn_edges is None:
+            edges = self._edges()
+            ends = np.reshape([each for _, each in edges], (-1, 2, 3))
+            self._drawn_edges = [handle for handle, _ in edges], Lines(ends)
+        handles, lines = self._drawn_edges
         for *_, spot, hit, number in lines.near(state.sight, pixel, 0.0, EDGE_EM * state.em):
             if not self._is_hidden(spot, hit.order):
-                return self._taken(edges[number][0], np.array(hit.point))
+                return self._taken(handles[number], np.array(hit.point))
         return None
 
     def _face_at(self, pixel: Spot) -> Taken | None:

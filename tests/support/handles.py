@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from app.model.projection import Projection
 from app.picking import handles
-from app.picking.handles import Change, Handle, Spot, place
-from app.picking.sight import Sight
+from app.picking.handles import Change, Handle, place
 
 
 def dragged(
-    projection: Projection,
-    handle: Handle,
-    drawn: tuple[float, float],
-    sight: Sight,
-    pixel: Spot,
-    *,
-    shift: bool = False,
+    projection: Projection, handle: Handle, drawn: tuple[float, float], *end: Any, **keys: Any
 ) -> Change:
     """The change when the grip itself is dragged."""
-    grabbed = place(projection, handle, drawn)
-    return handles.dragged(projection, handle, grabbed, drawn, sight, pixel, shift=shift)
+    return handles.dragged(
+        projection, handle, place(projection, handle, drawn), drawn, *end, **keys
+    )

@@ -54,13 +54,6 @@ SHAPES = QRect(0, 0, 1366, 768), QRect(0, 0, 820, 900)
 
 
 @pytest.fixture
-def talk(tmp_path: Path) -> Path:
-    path = tmp_path / "talk.md"
-    path.write_text(TALK)
-    return path
-
-
-@pytest.fixture
 def window(window: MainWindow) -> MainWindow:
     window.settings.speaker_window = False
     window.settings.reduce_motion = False

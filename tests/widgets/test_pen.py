@@ -47,13 +47,6 @@ LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 
 
 @pytest.fixture
-def talk(tmp_path: Path) -> Path:
-    path = tmp_path / "talk.md"
-    path.write_text(TALK)
-    return path
-
-
-@pytest.fixture
 def window(window: MainWindow, talk: Path) -> MainWindow:
     window.settings.speaker_window = False
     window.settings.reduce_motion = True

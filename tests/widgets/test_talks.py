@@ -259,13 +259,6 @@ PAGE_DOWN, PAGE_UP = Qt.Key.Key_PageDown, Qt.Key.Key_PageUp
 
 
 @pytest.fixture
-def talk(tmp_path: Path) -> Path:
-    path = tmp_path / "talk.md"
-    path.write_text(TALK)
-    return path
-
-
-@pytest.fixture
 def window(window: MainWindow, talk: Path) -> Iterator[MainWindow]:
     """Presenting a talk, without the speaker's window, and with the keyboard."""
     window.settings.speaker_window = False

@@ -69,13 +69,11 @@ minutes: 1
 
 
 @pytest.fixture
-def window(window: MainWindow, tmp_path: Path) -> MainWindow:
+def window(window: MainWindow, talk: Path) -> MainWindow:
     """Presenting a talk at its first step, as far as the system is asked with motion."""
-    path = tmp_path / "talk.md"
-    path.write_text(TALK)
     window.settings.speaker_window = False
     window.settings.reduce_motion = False
-    assert window.lessons.open(path)
+    assert window.lessons.open(talk)
     activate(window)
     present(window)
     return window
