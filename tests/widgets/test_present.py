@@ -9,7 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QEnterEvent, QFocusEvent, QFontInfo, QHelpEvent, QIcon, QImage, QPixmap
+from PySide6.QtGui import (
+    QCursor,
+    QEnterEvent,
+    QFocusEvent,
+    QFontInfo,
+    QHelpEvent,
+    QIcon,
+    QImage,
+    QPixmap,
+)
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
@@ -617,13 +626,15 @@ def test_the_laser_lies_over_everything_and_repaints_no_picture(window: MainWind
     handle = window.windowHandle()
     pane = window.panes["world"].canvas
     middle = pane.mapTo(window, pane.rect().center())
+    QCursor.setPos(window.mapToGlobal(middle))  # where other tests have left it, Qt sees no move
     QTest.mouseMove(handle, middle)  # what lies there lights up
     settle()
     with counted_repaints(window) as counts:
         QTest.keyPress(handle, Qt.Key.Key_L)
         settle()
         for place in (middle, middle + QPoint(150, 60), QPoint(400, 15), QPoint(300, 700)):
-            QTest.mouseMove(handle, place)
+            if place != middle:  # there it appears without a move
+                QTest.mouseMove(handle, place)
             settle()
             seen = window.grab().toImage()
             assert is_red(seen, place)
