@@ -111,6 +111,8 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
     QT_TRANSLATE_NOOP("Measure", "affine"),
     QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "each pixel"),
+    QT_TRANSLATE_NOOP("Measure", "each vertex"),
     QT_TRANSLATE_NOOP("Measure", "opengl"),
     QT_TRANSLATE_NOOP("Measure", "direct3d"),
     QT_TRANSLATE_NOOP("Measure", "reversed"),

@@ -26,6 +26,7 @@ from app.scenes.phenomena import (
     similar_triangles,
     two_eyes,
     vanishing_points,
+    vertex_depth,
     view_volumes,
 )
 from app.scenes.phenomena.illustration import Phenomenon
@@ -43,6 +44,7 @@ _ORDER = (
     clipping,
     affine_depth,
     depth_buffer,
+    vertex_depth,
     interpolation,
     planar_shadow,
     popping,
