@@ -41,6 +41,7 @@ TITLES = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -69,6 +70,7 @@ _BYTES = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
 }
 _FEW_BYTES = 100.0
 """Up to here the axis is linear."""
@@ -80,6 +82,7 @@ _UP = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")

@@ -13,6 +13,7 @@ GOOD_ENOUGH = {
     "smoothing": 5.0,
     "detail": 1.0,
     "vertex-depth": 0.01,
+    "cracks": 0.01,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -41,6 +42,7 @@ USUAL = {
     "smoothing": "none",
     "detail": "100 %",
     "vertex-depth": "each pixel",
+    "cracks": "16 bits, own boxes",
 }
 """The choice that the others are compared with."""
 _BARGAINS = {

@@ -14,6 +14,7 @@ from app.scenes.phenomena import (
     camera_obscura,
     cheap_arithmetic,
     clipping,
+    cracks,
     depth_buffer,
     eye_plane,
     field_of_view,
@@ -50,6 +51,7 @@ _ORDER = (
     popping,
     focus,
     cheap_arithmetic,
+    cracks,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""
