@@ -114,18 +114,11 @@ class Space:
 class FlatActor(vtkActor):
     """An actor in flat colours, and what its shaders do, for figures without pixels.
 
-    Attributes
-    ----------
-    lift : float
-        How much nearer its vertices are, in NDC of the pane's own camera.
-    depth : float, optional
-        The depth in NDC at which all of it is drawn.
-    paper : (float, float, float), optional
-        The colour of which `PAPER` is mixed into its own.
-    is_shaded : bool
-        Whether shaders decide more than that: its picture is known only in pixels.
-    is_drawing : bool
-        Whether it is a drawing on a plane, of which nothing is hidden.
+    - `lift`: how much nearer its vertices are, in NDC of the pane's own camera.
+    - `depth`: the depth in NDC at which all of it is drawn.
+    - `paper`: the colour of which `PAPER` is mixed into its own.
+    - `is_shaded`: whether shaders decide more than that: its picture is known only in pixels.
+    - `is_drawing`: whether it is a drawing on a plane, of which nothing is hidden.
     """
 
     lift = 0.0

@@ -47,14 +47,9 @@ _WALLS = tuple(FACES[side] for side in SIDES)
 class CameraDrawing(Layer):
     """The camera as an object in the world.
 
-    Attributes
-    ----------
-    solid : tuple of vtkActor
-        The body, `body_size` large in world units.
-    shafts, discs : mapping from str to vtkActor
-        The axes' lines; the dots at eye and target.
-    steps : FrameSteps or None
-        What the frame's construction adds; None before it is first shown.
+    - `solid`: the body, `body_size` large in world units.
+    - `shafts`, `discs`: the axes' lines; the dots at eye and target.
+    - `steps`: what the frame's construction adds; None before it is first shown.
     """
 
     def __init__(self, state: WorldState) -> None:

@@ -65,14 +65,10 @@ _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 class FrustumDrawing(Layer):
     """The frustum, broken where it is too deep to be drawn to scale.
 
-    Attributes
-    ----------
-    space, apex_space : Space
-        From the cube's corners to scene-local coordinates; of the pyramid from the eye to near.
-    outlines : mapping from str to vtkActor
-        Edges of near and far, by name; `apex` are the lines from the eye to near.
-    dimmable : tuple of vtkActor
-        All but the planes' tints, which `tint` sets.
+    - `space`, `apex_space`: from the cube's corners to scene-local coordinates; of the pyramid from
+      the eye to near.
+    - `outlines`: edges of near and far, by name; `apex` are the lines from the eye to near.
+    - `dimmable`: all but the planes' tints, which `tint` sets.
     """
 
     def __init__(self, state: WorldState) -> None:

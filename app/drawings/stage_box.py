@@ -154,12 +154,9 @@ class StageState(PaneState):
 class StageBox(Layer):
     """The view volume at a position of the strip.
 
-    Attributes
-    ----------
-    placed : tuple, optional
-        The state's `placed` that is shown.
-    axes : (3, 3, 3) array
-        Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
+    - `placed`: the state's `placed` that is shown.
+    - `axes` (3, 3, 3): start, end along the volume, and tip of each axis, in display space; NaN for
+      a hidden axis.
     """
 
     def __init__(self, state: StageState) -> None:

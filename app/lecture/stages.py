@@ -67,13 +67,9 @@ _FLAT = 0.1  # depth of the picture relative to NDC, invisible from the front
 class Morph:
     """The strip's matrices for one projection and one scene.
 
-    Parameters
-    ----------
-    origin : Vector
-        World point that the scene's geometry is relative to; the eye is subtracted from it in
-        float64.
-    corners_world : (n, 3) array
-        Corners of the bounding box of the drawing.
+    - `origin`: world point that the scene's geometry is relative to; the eye is subtracted from it
+      in float64.
+    - `corners_world` (n, 3): corners of the bounding box of the drawing.
 
     Notes
     -----

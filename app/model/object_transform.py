@@ -128,16 +128,10 @@ class ObjectTransform:
     Raises a `Refusal` for a number that is not finite or larger than `LARGEST`, a scale beyond
     `LARGEST_SCALE`, or another order.
 
-    Parameters
-    ----------
-    translate : sequence of 3 floats
-        World units.
-    rotate_deg : sequence of 3 floats
-        About the fixed axes x, then y, then z; right-handed.
-    scale : sequence of 3 floats
-        Along the object's own axes; 0 flattens it, a negative number mirrors it.
-    order : {"trs", "rts"}
-        Scale, rotate, move; or scale, move, rotate about the world's origin.
+    - `translate`: world units.
+    - `rotate_deg`: about the fixed axes x, then y, then z; right-handed.
+    - `scale`: along the object's own axes; 0 flattens it, a negative number mirrors it.
+    - `order`: "trs": scale, rotate, move; or "rts": scale, move, rotate about the world's origin.
     """
 
     translate: Vector = (0.0, 0.0, 0.0)

@@ -52,17 +52,12 @@ Spot: TypeAlias = tuple[float, float]
 class Handle(NamedTuple):
     """A point that can be dragged.
 
-    Attributes
-    ----------
-    name : str
-        As the table of parameters has it, ``grip`` or ``object``.
-    face : str
-        The plane of the view volume that it lies on, if any.
-    at : (float, float)
-        Position on that face, from -1 to 1: a corner, or a side of the window if one part is 0. For
-        the object and up: the drawn length of the axes, twice.
-    setting : str
-        For a grip: the scene setting that it moves. For the object: one of `OBJECT_POINTS`.
+    - `name`: as the table of parameters has it, ``grip`` or ``object``.
+    - `face`: the plane of the view volume that it lies on, if any.
+    - `at`: position on that face, from -1 to 1: a corner, or a side of the window if one part is 0.
+      For the object and up: the drawn length of the axes, twice.
+    - `setting`: for a grip: the scene setting that it moves. For the object: one of
+      `OBJECT_POINTS`.
     """
 
     name: str

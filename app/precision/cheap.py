@@ -72,15 +72,11 @@ class Hardware:
 class CheapPicture(NamedTuple):
     """The picture of n points.
 
-    Attributes
-    ----------
-    image : (n, 2) array
-        Pixels, origin top-left; NaN for no number: behind the eye, or out of a format's range.
-    depth : (n,) array
-        In [0, 1] between near and far; NaN where `image` is.
-    bounds : (n, 3) array
-        Bounds of the errors of x and y in pixels and of the depth. Infinite where nothing is known:
-        the rounded w may be 0, or there is no number.
+    - `image` (n, 2): pixels, origin top-left; NaN for no number: behind the eye, or out of a
+      format's range.
+    - `depth` (n,): in [0, 1] between near and far; NaN where `image` is.
+    - `bounds` (n, 3): bounds of the errors of x and y in pixels and of the depth. Infinite where
+      nothing is known: the rounded w may be 0, or there is no number.
     """
 
     image: Array

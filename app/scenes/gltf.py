@@ -92,16 +92,10 @@ def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
 class _MeshSize(NamedTuple):
     """The counts of a mesh.
 
-    Attributes
-    ----------
-    elements : int
-        Most triangles, lines and points.
-    targets, sets : int
-        Most morph targets and most sets of four joints of a primitive.
-    weights : int
-        Default morph weights that are not 0.
-    overhead : int
-        Vertices that take as long as its primitives and targets do without any.
+    - `elements`: most triangles, lines and points.
+    - `targets`, `sets`: most morph targets and most sets of four joints of a primitive.
+    - `weights`: default morph weights that are not 0.
+    - `overhead`: vertices that take as long as its primitives and targets do without any.
     """
 
     vertices: int

@@ -361,10 +361,7 @@ class Pane(QFrame):
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips, and `named` by its title.
 
-        Parameters
-        ----------
-        named : bool
-            Whether the class sees the pane's title.
+        - `named`: whether the class sees the pane's title.
         """
         self.header.set_presenting(on, named=named)
         shape = QFrame.Shape.NoFrame if on else QFrame.Shape.StyledPanel

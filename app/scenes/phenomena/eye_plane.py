@@ -65,22 +65,15 @@ _DASHES = 7  # of a piece that has no image
 class EyePlanePictures(NamedTuple):
     """Three drawings of the same m segments, in pixels, cut to the frame.
 
-    Attributes
-    ----------
-    naive, cut, right : (m, 2, 2) arrays
-        By the divide alone, by lecture 004's cut, by homogeneous clipping; NaN where nothing is
-        drawn.
-    case : (m,) int array
-        Lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
-    wrong_px : (m,) array
-        Length that only the naive drawing has inside the frame: all that it draws of a segment with
-        an end behind the eye, because its arc and the right one share only their ends.
-    missed_px : (m,) array
-        Length that the right drawing has and the naive one lacks.
-    left_out_px : (m,) array
-        Length that lecture 004's cut removes in front of the eye.
-    part : (m, 2) array
-        Where the part begins and ends that the right drawing shows, from 0 to 1; NaN for nothing.
+    - `naive`, `cut`, `right` (m, 2, 2): by the divide alone, by lecture 004's cut, by homogeneous
+      clipping; NaN where nothing is drawn.
+    - `case` (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
+    - `wrong_px` (m,): length that only the naive drawing has inside the frame: all that it draws of
+      a segment with an end behind the eye, because its arc and the right one share only their ends.
+    - `missed_px` (m,): length that the right drawing has and the naive one lacks.
+    - `left_out_px` (m,): length that lecture 004's cut removes in front of the eye.
+    - `part` (m, 2): where the part begins and ends that the right drawing shows, from 0 to 1; NaN
+      for nothing.
     """
 
     naive: Array
