@@ -47,8 +47,7 @@ _FADE_FROM, _FADED = (
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""
-_VOLUME = (*ENDS, "fov")
-"""What the edges of the volume belong to."""
+_VOLUME = (*ENDS, "fov")  # what the edges of the volume belong to
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
 """Where on a side of the window its name may stand."""

@@ -46,8 +46,7 @@ _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _RIM_EM = 0.45  # of a mark, where its leader begins
-_FAR = 1e9
-"""Cells: a box beyond hides no ink, and its place is still a whole number."""
+_FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
 
 
 class Places(NamedTuple):

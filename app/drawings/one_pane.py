@@ -112,8 +112,9 @@ class PanePicture:
         if pane != "world":
             options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
         if pane == "image":
-            shown = PictureOptions(self.framed, self.caption, self.middle, finer)
-            options |= {"quality": quality, "options": shown}
+            options["options"] = PictureOptions(
+                self.framed, self.caption, self.middle, finer, quality
+            )
         with off_screen(width, height) as screen:
             window, style = screen.render_window, self.style.enlarged(finer)
             drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)

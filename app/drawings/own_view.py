@@ -86,8 +86,7 @@ class OwnView(PaneCamera):
         super().__init__(canvas)
         self._origin = origin
         self.fixed = ""
-        self._heading_deg = 0.0
-        """The azimuth of the model's camera when the picture opened."""
+        self._heading_deg = 0.0  # the azimuth of the model's camera when the picture opened
         self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)

@@ -206,8 +206,7 @@ class Pose(NamedTuple):
 
 
 _LEAST_PART = 1e-12  # of the focus' coordinates, for the distance to it
-_FLATTEST = 0.01
-"""Slope of a camera that is hardly different from a parallel one."""
+_FLATTEST = 0.01  # slope of a camera that is hardly different from a parallel one
 
 
 def _turned(axes: Array, others: Array, angle: float) -> Array:

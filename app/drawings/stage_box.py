@@ -165,8 +165,7 @@ class StageBox(Layer):
         self.placed: tuple[float, object] | None = None
         self._space = Space()
         self._at: dict[SceneLabel, Array] = {}
-        self._written: set[SceneLabel] = set()
-        """The labels to show if there is room."""
+        self._written: set[SceneLabel] = set()  # the labels to show if there is room
         self._add_volume()
         self._add_axes()
         self._add_words()

@@ -13,8 +13,7 @@ import numpy as np
 from app.model.limits import Array
 from app.model.projection import Camera, Projection
 
-_NOISE = 2.0**-20
-"""Error of a computation in float32, 16 roundings: a look-at makes up to 11."""
+_NOISE = 2.0**-20  # error of a computation in float32, 16 roundings: a look-at makes up to 11
 _FROM_MEANT = 1.75
 """Most distance of a rounded rotation from the nearest one, in units: it was 1.6 in 40 000."""
 

@@ -55,8 +55,7 @@ MEASURED_ONLY = QT_TRANSLATE_NOOP(
 IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
-_BUSY = 3.0
-"""A 95th percentile of more than this many least times comes from other programs."""
+_BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05
 """Least times that differ by a smaller part are equal: rounds repeat them no better."""
 COLUMNS = {

@@ -36,8 +36,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
 
 LARGEST_SCALE = 1e30
 """Largest scale: its product with a coordinate up to `LARGEST` does not overflow."""
-_ROUNDINGS = 6.0
-"""Most roundings in the double-double sum of a coordinate."""
+_ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 
 
 class WorldPoints(NamedTuple):

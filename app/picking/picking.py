@@ -30,8 +30,7 @@ VERTEX_WITHIN_PX = 6.0
 """A visible vertex within this distance of the pixel is preferred to the face beside it."""
 LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
-_COVERS_PX = 0.25
-"""Half the drawn width of a line, which hides the points behind it."""
+_COVERS_PX = 0.25  # half the drawn width of a line, which hides the points behind it
 CHUNK = 128
 """Lines that follow one another in a file, and are near one another."""
 

@@ -29,10 +29,8 @@ CELLS = 2.0**-48
 
 Other formats lose so much more that it does not show.
 """
-_LEAST = 1e-300
-"""More than what the bounds themselves lose near the smallest float64."""
-_ROUNDED_UP = 1.0 + 2.0**-40
-"""For the roundings of the bounds themselves, less than 200 of 2^-53."""
+_LEAST = 1e-300  # more than what the bounds themselves lose near the smallest float64
+_ROUNDED_UP = 1.0 + 2.0**-40  # for the roundings of the bounds themselves, less than 200 of 2^-53
 
 
 @dataclass(frozen=True)

@@ -44,10 +44,8 @@ FACES_WITH_EDGES = 5_000
 than the pixels."""
 FLAT_DOTS = 1_000
 """Most dots that have one colour."""
-_BLOCK = 100_000
-"""Faces that are computed at once, between two reports of progress."""
-_SHARP = math.cos(math.radians(30.0))
-"""Edges whose faces turn by a larger angle are drawn."""
+_BLOCK = 100_000  # faces that are computed at once, between two reports of progress
+_SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angle are drawn
 
 
 class Finished(NamedTuple):

@@ -45,10 +45,8 @@ _READ = re.compile(
 _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
-_OVERHEAD = 400
-"""Vertices that take as long to read as a primitive takes without any."""
-_INFLUENCES = 1 << 18
-"""Joints of vertices that are applied at a time."""
+_OVERHEAD = 400  # vertices that take as long to read as a primitive takes without any
+_INFLUENCES = 1 << 18  # joints of vertices that are applied at a time
 
 _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 """A mesh, and the skin and weights of its node: what determines the shape, apart from its place."""

@@ -80,8 +80,7 @@ class Controls(Dock, RowHolder):
         self._has_fixed_objects = False
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
-        self._lent: list[str] = []
-        """The keys of the rows that are outside the dock."""
+        self._lent: list[str] = []  # the keys of the rows that are outside the dock
         self._matches: set[QWidget] | None = None
         """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))

@@ -20,8 +20,10 @@ def _stage(*args: Any) -> Any:
 
 def _image(*args: Any) -> Any:
     from app.drawings.image import ImageDrawing
+    from app.drawings.picture_frame import PictureOptions
 
-    return ImageDrawing(*args, live=True)
+    *others, quality = args
+    return ImageDrawing(*others, PictureOptions(quality=quality), live=True)
 
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}

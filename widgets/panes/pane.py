@@ -121,8 +121,7 @@ class Pane(QFrame):
         self._waits = False
         self.requested = dict(AS_BUILT)
         """The values of `request`."""
-        self._due: set[str] = set()
-        """What the drawing has yet to show."""
+        self._due: set[str] = set()  # what the drawing has yet to show
         self._pointed_at = NOTHING
         self._matrices_ms = 0.0
         self._goes_to: tuple[Camera | None] | None = None

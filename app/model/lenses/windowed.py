@@ -22,8 +22,7 @@ from app.model.limits import (
 )
 from app.model.refusal import Refusal, format_value
 
-_ROUNDING = 1e-12
-"""Relative difference of aspects that counts as rounding."""
+_ROUNDING = 1e-12  # relative difference of aspects that counts as rounding
 
 
 @dataclass(frozen=True)
