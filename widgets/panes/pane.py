@@ -154,7 +154,9 @@ class Pane(QFrame):
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
         self.hand.moved.connect(self._view_moved)
-        self.hand.clicked.connect(self._clicked)
+        self.hand.clicked.connect(
+            lambda place: (self.aimed if self.is_aimed_at else self.clicked).emit(place)
+        )
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
         self.is_aimed_at = False
@@ -266,9 +268,6 @@ class Pane(QFrame):
         elif self.drawing.show_highlight(highlighted):
             self.canvas.redraw()
 
-    def _clicked(self, place: QPointF) -> None:
-        (self.aimed if self.is_aimed_at else self.clicked).emit(place)
-
     def _point_at(self, place: QPointF | None = None) -> None:
         highlighted = NOTHING
         if place is not None and self.drawing is not None:
@@ -358,10 +357,7 @@ class Pane(QFrame):
             self.unsetCursor()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
-        """Show a class the picture without buttons, frame and tooltips, and `named` by its title.
-
-        - `named`: whether the class sees the pane's title.
-        """
+        """Show a class the picture without buttons, frame and tooltips; `named`: with its title."""
         self.header.set_presenting(on, named=named)
         shape = QFrame.Shape.NoFrame if on else QFrame.Shape.StyledPanel
         if self.frameShape() != shape:
