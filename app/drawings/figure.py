@@ -213,8 +213,6 @@ class Figure:
         - `seen`: called with the drawing of each pane and how many of its pixels are one of the
           figure's.
 
-        Notes
-        -----
         Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise
         VTK may use Qt's context for its own.
         """

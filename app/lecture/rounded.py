@@ -86,8 +86,6 @@ def moved_px(view_from_world: Array, camera: Camera, projection: Projection) -> 
 
     It holds for all points in the view volume; infinite if the lens has none, or no bound exists.
 
-    Notes
-    -----
     With ``A`` and ``t`` of the typed matrix and ``R`` and ``e`` of the camera, a point moves by
     ``(A - R)(p - e) + (A e + t)`` in view space. In units of its distance from the eye that is at
     most ``eta = |A - R| + |A e + t|/near``. A unit vector with the angle c to the axis that moves

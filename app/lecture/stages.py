@@ -71,8 +71,6 @@ class Morph:
       in float64.
     - `corners_world` (n, 3): corners of the bounding box of the drawing.
 
-    Notes
-    -----
     The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range.
     There 1/w of the far face is near/far itself, which float32 can hold.
     """

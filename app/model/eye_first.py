@@ -64,8 +64,6 @@ class EyeFirst:
 
         `rest` is the rounding error of the points themselves.
 
-        Notes
-        -----
         Ozaki, Ogita, Oishi, Rump, "Error-free transformations of matrix multiplication" (2012):
         offsets and frame are cut in two, so that the products and sums of the large parts are
         whole numbers of a unit, less than 2^53 of them: no order of summing rounds them. The rest

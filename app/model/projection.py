@@ -166,8 +166,6 @@ class Projection(Pipeline):
 
         Raises a `Refusal` if a coordinate is not a finite number.
 
-        Notes
-        -----
         Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """

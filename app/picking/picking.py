@@ -92,8 +92,6 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
 
     None for a point at or behind the eye plane, which has no image.
 
-    Notes
-    -----
     The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
     ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line is the
     un-projected line of the cube between near and far, `distances` are shares of the way, and the
@@ -119,8 +117,6 @@ def dragged(
     moves away (drag up) or nearer (drag down): by the width of a pixel for a parallel lens, in
     proportion to the distance for others, so that it never reaches the eye.
 
-    Notes
-    -----
     Under a free matrix a point keeps its depth in the buffer instead of its plane, and moves along
     its ray by shares of the depth range.
     """

@@ -96,8 +96,6 @@ def cheap(
 
     Raises a `Refusal` for coordinates that are not finite numbers.
 
-    Notes
-    -----
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """

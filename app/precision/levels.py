@@ -228,8 +228,6 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
     `sizes` are `_single_sizes`, and `local`, (3, n), the sizes of the coordinates from the origin.
 
-    Notes
-    -----
     A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
     and 3 from the sums, each of the sum of the products' sizes. A number below float32's least one
     may be lost completely; one beyond its largest is.

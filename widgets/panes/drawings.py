@@ -22,8 +22,9 @@ def _image(*args: Any) -> Any:
     from app.drawings.image import ImageDrawing
     from app.drawings.picture_frame import PictureOptions
 
-    *others, quality = args
-    return ImageDrawing(*others, PictureOptions(quality=quality), live=True)
+    screen, scene, words, style, tolerance_px, quality = args
+    options = PictureOptions(quality=quality)
+    return ImageDrawing(screen, scene, words, style, tolerance_px, options, live=True)
 
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}

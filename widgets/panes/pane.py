@@ -150,6 +150,8 @@ class Pane(QFrame):
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
+        self.is_aimed_at = False
+        """Whether a question asks for a place in the picture."""
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
@@ -159,8 +161,6 @@ class Pane(QFrame):
         )
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
-        self.is_aimed_at = False
-        """Whether a question asks for a place in the picture."""
         self.fades: Callable[[], bool] = lambda: False
         """Whether labels fade from one place to another; otherwise they jump."""
         self._clock = Clock(self)

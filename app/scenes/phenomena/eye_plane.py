@@ -135,8 +135,6 @@ def mirrored_end(
     Both in pixels, of a point ``(x, y, z)`` of view space with z > 0. The right place is that of
     ``(x, y, -z)``, the point as far in front of the eye. None where a pixel is beyond 1e307.
 
-    Notes
-    -----
     With ``x_clip = s x - k w``, where ``k = (r + l)/(r - l)``, the two ends have
     ``x_ndc = -s x/z - k`` and ``s x/z - k``. Their sum is -2k, in pixels twice the principal
     point. So the mirrored end is the frame's size minus the right one if and only if k is 0 in x
@@ -168,8 +166,6 @@ def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | 
     between them are the segment's image; they include an odd multiple of pi if and only if the
     segment crosses the eye plane. None if the image is a single point, or lies at infinity.
 
-    Notes
-    -----
     A point of the image line at s from the point nearest to the picture's middle, in half
     diagonals of the picture, stands at ``2 atan(s)``. With ``s = l/w`` and both linear along the
     segment, ``2 atan2(l, w)`` is continuous through w = 0.
