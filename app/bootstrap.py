@@ -398,7 +398,10 @@ def die_with_parent() -> None:
 def _lock(path: Path) -> Iterator[HeldLock]:
     """Hold a lock that the operating system releases if the process dies."""
 
-    with open(path, "ab") as file:
+    def without_waiting(name: str, flags: int) -> int:  # for the reader of a pipe
+        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0), 0o666)
+
+    with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
             _log("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):

@@ -820,6 +820,12 @@ def test_an_environment_that_is_no_folder_is_left_alone(fresh: Checkout, is_link
     assert os.path.lexists(environment.folder)
 
 
+def test_a_lock_that_is_a_pipe_hangs_no_start(fresh: Checkout) -> None:
+    os.mkfifo(fresh.root / ".venv.lock")
+    with pytest.raises(OSError, match=r"\.venv\.lock"):
+        bootstrap.Environment(fresh.root).make()
+
+
 def test_a_stamp_that_is_no_text_is_not_trusted(fresh: Checkout) -> None:
     environment = bootstrap.Environment(fresh.root)
     environment.folder.mkdir()
