@@ -545,11 +545,9 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
 def applied(matrix: Array, points: Array) -> Array:
     """Apply a projective matrix to points, (n, 3)."""
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
-    result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
-    return result
+    return np.asarray(homogeneous[:, :3] / homogeneous[:, 3:])
 
 
 def fitting(matrix: Array) -> Array:
     """A homogeneous matrix without a common factor that could keep it from float32."""
-    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
-    return fitted
+    return np.asarray(matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1])

@@ -198,8 +198,7 @@ class CameraDrawing(Layer):
             tips = arrow_tips(len(STEPS) - 1, camera)
         reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
-        parts: Array = np.concatenate([BODY_BOX, ends]) @ camera.frame
-        return parts
+        return np.asarray(np.concatenate([BODY_BOX, ends]) @ camera.frame)
 
     @property
     def box(self) -> Array:

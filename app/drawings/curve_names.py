@@ -78,8 +78,7 @@ def beside_curve(
     inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf
     if len(costs) and costs.min() < np.inf:
-        best: Floats = boxes[int(costs.argmin())]
-        return best
+        return np.asarray(boxes[int(costs.argmin())])
     left, top = frame[:2] + GAP_PX
     box = np.array([left, top, left + width, top + height])
     while overlap(box[None], taken).any() and box[3] < frame[3]:

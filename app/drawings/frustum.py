@@ -381,8 +381,7 @@ def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
 
 def normalised(matrix: Array) -> Array:
     """The same projective matrix with entries that float32 can hold."""
-    result: Array = matrix / np.abs(matrix).max()
-    return result
+    return np.asarray(matrix / np.abs(matrix).max())
 
 
 def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:

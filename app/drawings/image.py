@@ -280,8 +280,7 @@ class ImageDrawing(Drawing):
         return self.state.rectangle_in(pane_width_px, pane_height_px)
 
     def spots_of(self, places: Array) -> Array:
-        spots: Array = places * np.diag(self.state.scale) + self.state.rectangle[:2]
-        return spots
+        return np.asarray(places * np.diag(self.state.scale) + self.state.rectangle[:2])
 
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
         left, top, width, height = self.state.rectangle

@@ -62,8 +62,7 @@ class WorldPoints(NamedTuple):
         """`offset`, rounded to float64: less work."""
         if self.rest is not None:
             return self.offset(origin).hi
-        nearest: Array = np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1))
-        return nearest
+        return np.asarray(np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1)))
 
     def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
         """The offset of the points from a world point, (3, n), without cancellation."""
