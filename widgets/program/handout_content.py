@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
@@ -118,7 +119,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
 def _drawn_on(course: Course, picture: str) -> Path | None:
     """The kept slide with its strokes, if there is one."""
     slide = picture_beside(course.lesson.path, picture)
-    return slide if slide.is_file() else None
+    return slide if os.path.isfile(slide) else None
 
 
 def _note(step: Step) -> str:
