@@ -111,7 +111,12 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
     return Illustration(
         (
-            Reading(WORDS["predicted"], most, "px"),
+            Reading.or_why(
+                WORDS["predicted"],
+                most if most < math.inf else None,
+                "px",
+                WORDS.phrase("no-bound"),
+            ),
             Reading(WORDS["measured"], float(gaps.max()), "px"),
             Reading(WORDS["bytes"], 3.0 * each[0].bits / 8.0),
             Reading(WORDS["steps"], tuple(grid.step for grid in each)),
