@@ -14,8 +14,10 @@ import pytest
 from app.measure.vertex_depth import PIECES, measure
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
+from app.scenes.fewer_triangles import LEAST_TRIANGLES, can_be_reduced, reduced
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.vertex_depth import MOST_PIECES, PHENOMENON, borders, largest_factor
+from app.scenes.scene import load
 from tests.oracles.illustrations import showing, subject_of, value
 
 START = PHENOMENON.start
@@ -90,6 +92,13 @@ def test_the_world_shows_the_trough_and_each_pixel_s_floor_is_flat() -> None:
     assert stretched.min() == pytest.approx(1.0)
     assert stretched.max() == pytest.approx(largest_factor(30.0)[0], rel=1e-4)
     assert (flat.projected[FLOOR:] == trough.own[FLOOR:]).all()
+
+
+def test_its_many_strips_are_never_reduced() -> None:
+    """A drag that is too slow reduces meshes, and here every vertex has its place."""
+    scene = load("vertex-depth")
+    assert scene.triangles >= LEAST_TRIANGLES
+    assert not can_be_reduced(scene) and reduced(scene, 0.1) is scene
 
 
 def test_where_there_is_no_floor_it_says_why() -> None:
