@@ -63,8 +63,8 @@ def predicted(near: float, far: float, pieces: int) -> float:
 
 def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatched) -> Trade:
     """Measure trade 7. A `Cancelled` that `watch` raises has the errors, and the times so far."""
-    lens, names = projection.lens, ("each pixel", "each vertex")
-    names += tuple(f"each vertex, {pieces} pieces" for pieces in PIECES[1:])
+    lens, names = projection.lens, ["each pixel", "each vertex"]
+    names += [f"each vertex, {pieces} pieces" for pieces in PIECES[1:]]
     try:
         DepthBuffer("float32", "logarithmic", lens)
     except Refusal as error:
