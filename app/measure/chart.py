@@ -40,6 +40,7 @@ TITLES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "drift": QT_TRANSLATE_NOOP("Measure", "Drift"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -53,6 +54,7 @@ _ACROSS = {
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
@@ -66,6 +68,7 @@ _BYTES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+    "drift": QT_TRANSLATE_NOOP("Measure", "bytes a camera"),
 }
 _FEW_BYTES = 100.0
 """Up to here the axis is linear."""
@@ -76,6 +79,7 @@ _UP = {
     "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    "drift": QT_TRANSLATE_NOOP("Measure", "error after 360°, px"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")

@@ -15,6 +15,7 @@ from app.scenes.phenomena import (
     cheap_arithmetic,
     clipping,
     depth_buffer,
+    drift,
     eye_plane,
     field_of_view,
     focus,
@@ -48,6 +49,7 @@ _ORDER = (
     popping,
     focus,
     cheap_arithmetic,
+    drift,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""

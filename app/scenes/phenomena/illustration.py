@@ -162,8 +162,8 @@ class Appearance:
         Layers that the world pane leaves out and does not frame, as long as nothing of them is
         named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
     pale : frozenset of str
-        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
-        marks beside it matter more.
+        The panes that draw the subject as a pale silhouette, because what is beside it matters
+        more.
     """
 
     requires: frozenset[str] = frozenset()
