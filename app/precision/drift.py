@@ -13,9 +13,10 @@ the distance between the axes and the true ones.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, reduce
+from itertools import islice
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -103,53 +104,45 @@ def turner(angles: Cells) -> Callable[[], Cells]:
     return run
 
 
-class DriftingAxes:
-    """Axes that are turned round after round, as far as is asked for.
+def rounds_of(
+    numbers: str, way: str, turns: Sequence[dd.DoubleDouble]
+) -> Iterator[tuple[Array, Array]]:
+    """Yield the errors (3, 3, ...) of axes after 1, 2, 3, ... rounds, and the bounds (...).
 
     `way` is ``"products"``, ``"renormalised"`` or ``"fast"``, `turns` are the exact ones of a frame
     and of a block, (3, 3, ...).
     """
-
-    def __init__(self, numbers: str, way: str, turns: Sequence[dd.DoubleDouble]) -> None:
-        self._way, (step, self._block), shape = way, turns, turns[0].hi.shape
-        self._first = np.zeros(shape) + np.eye(3).reshape(3, 3, *[1] * (len(shape) - 2))
-        self._axes, self._step = self._first.astype(numbers), step.hi.astype(numbers)
-        self._rounds = [(np.zeros(shape), np.zeros(shape[2:]))]
-
-    def after(self, rounds: int) -> tuple[Array, Array]:
-        """The errors of the axes (3, 3, ...) after whole rounds, and their bounds (...)."""
-        if rounds >= len(self._rounds):
-            with np.errstate(all="ignore"):
-                self._go(rounds + 1 - len(self._rounds))
-        return self._rounds[rounds]
-
-    def _go(self, rounds: int) -> None:
-        axes, blocks = self._axes, FRAMES // BLOCK
-        kept, run = np.empty((rounds * blocks + 1, *axes.shape)), multiplier(self._step, axes)
+    step, (hi, lo) = turns[0].hi, turns[1]
+    first = np.zeros(step.shape) + np.eye(3).reshape(3, 3, *[1] * (step.ndim - 2))
+    axes, bounds, zero = first.astype(numbers), np.zeros(step.shape[2:]), np.zeros(1)
+    run = multiplier(step.astype(numbers), axes)
+    kept = np.array([first] * (FRAMES // BLOCK + 1))
+    while True:
         kept[0] = axes
-        for block in range(1, len(kept)):
-            for _ in range(BLOCK):
-                run()
-            if self._way != "products":
-                axes[:] = orthonormal(axes, self._way == "fast")
-            kept[block] = axes
-        zero, (hi, lo) = np.zeros(1), self._block
-        one, two, three = (
-            dd.multiply(
-                dd.DoubleDouble(hi[:, j, None], lo[:, j, None]),
-                dd.DoubleDouble(kept[:-1, None, j], zero),
-            )
-            for j in range(3)
-        )
-        residual = dd.subtract(dd.add(dd.add(one, two), three), dd.DoubleDouble(kept[1:], zero)).hi
-        grown = np.sqrt((residual**2).sum(axis=(1, 2))).reshape(rounds, -1, *axes.shape[2:])
-        bounds = self._rounds[-1][1] + _ROUNDED_UP * np.cumsum(grown.sum(axis=1), axis=0)
-        self._rounds += zip(kept[blocks::blocks] - self._first, bounds, strict=True)
+        with np.errstate(all="ignore"):
+            for block in range(1, len(kept)):
+                for _ in range(BLOCK):
+                    run()
+                if way != "products":
+                    axes[:] = orthonormal(axes, way == "fast")
+                kept[block] = axes
+            terms = [
+                dd.multiply(
+                    dd.DoubleDouble(hi[:, j, None], lo[:, j, None]),
+                    dd.DoubleDouble(kept[:-1, None, j], zero),
+                )
+                for j in range(3)
+            ]
+            residual = dd.subtract(reduce(dd.add, terms), dd.DoubleDouble(kept[1:], zero)).hi
+            grown = np.sqrt((residual**2).sum(axis=(1, 2))).sum(axis=0)
+        bounds = bounds + _ROUNDED_UP * grown
+        yield kept[-1] - first, bounds
 
 
-@lru_cache(maxsize=9)
-def _drifting(numbers: str, way: str) -> DriftingAxes:
-    return DriftingAxes(numbers, way, (exact_turn(1), exact_turn(BLOCK)))
+@cache
+def _begun(numbers: str, way: str) -> tuple[list[Any], Iterator[Any]]:
+    """The rounds that have been asked for, and the next ones."""
+    return [], rounds_of(numbers, way, (exact_turn(1), exact_turn(BLOCK)))
 
 
 def drifted(numbers: str, way: str, rounds: int) -> tuple[Array, float]:
@@ -159,8 +152,9 @@ def drifted(numbers: str, way: str, rounds: int) -> tuple[Array, float]:
     NaN or infinite where they overflow.
     """
     if way != "sines":
-        off, bound = _drifting(numbers, way).after(rounds)
-        return off, float(bound)
+        done, more = _begun(numbers, way)
+        done += islice(more, max(0, rounds - len(done)))
+        return done[rounds - 1][0], float(done[rounds - 1][1])
     number, unit = np.dtype(numbers).type, float(np.finfo(numbers).eps) / 2.0
     with np.errstate(all="ignore"):
         count = number(FRAMES * rounds)

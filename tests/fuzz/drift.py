@@ -11,12 +11,13 @@ import argparse
 import random
 from collections.abc import Sequence
 from fractions import Fraction
+from itertools import islice
 
 import numpy as np
 
 from app.arithmetic.double_double import DoubleDouble
 from app.model.projection import Array
-from app.precision.drift import BLOCK, DriftingAxes, drifted, errors_px, exact_turn
+from app.precision.drift import BLOCK, drifted, errors_px, exact_turn, rounds_of
 from app.scenes.scene import load
 from tests.oracles.illustrations import random_projection
 
@@ -72,8 +73,7 @@ def ratios_of(dice: random.Random, numbers: str, way: str, count: int) -> tuple[
             each = [drifted(numbers, way, dice.randint(1, ROUNDS)) for _ in axes]
             off, bound = np.stack([one for one, _ in each], axis=-1), np.array([b for _, b in each])
         else:
-            drifting = DriftingAxes(numbers, way, turns)
-            off, bound = drifting.after(dice.randint(1, ROUNDS))
+            *_, (off, bound) = islice(rounds_of(numbers, way, turns), dice.randint(1, ROUNDS))
         of_axes += (bound / np.linalg.norm(off, axis=(0, 1))).tolist()
         for which in range(AXES):
             seen = random_projection(dice, start)

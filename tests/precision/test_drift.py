@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from fractions import Fraction
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -13,11 +14,11 @@ from app.model.projection import Orthographic, Projection
 from app.precision.drift import (
     AXIS,
     BLOCK,
-    DriftingAxes,
     drifted,
     errors_px,
     exact_turn,
     orthonormal,
+    rounds_of,
 )
 from app.scenes.scene import load
 from tests.fuzz.drift import unit_axis
@@ -119,13 +120,10 @@ def test_the_drift_of_a_fast_root_grows_by_as_much_in_each_round() -> None:
 
 
 def test_rounds_that_are_asked_for_one_by_one_are_those_asked_for_at_once() -> None:
-    turns = exact_turn(1), exact_turn(BLOCK)
-    one, other = (DriftingAxes("float32", "fast", turns) for _ in range(2))
-    last = other.after(7)
-    for rounds in (2, 3, 5, 7):
-        off, bound = one.after(rounds)
-    assert (off == last[0]).all() and bound == pytest.approx(float(last[1]), rel=1e-12)
-    assert (one.after(0)[0] == 0.0).all() and one.after(0)[1] == 0.0
+    at_once = [*islice(rounds_of("float32", "fast", (exact_turn(1), exact_turn(BLOCK))), 7)]
+    for rounds in (2, 1, 3, 7):
+        off, bound = drifted("float32", "fast", rounds)
+        assert (off == at_once[rounds - 1][0]).all() and bound == at_once[rounds - 1][1]
 
 
 @pytest.mark.parametrize("way", WAYS)
