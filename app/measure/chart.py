@@ -41,6 +41,7 @@ TITLES = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
     "drift": QT_TRANSLATE_NOOP("Measure", "Drift"),
+    "jitter": QT_TRANSLATE_NOOP("Measure", "Jitter"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -55,6 +56,7 @@ _ACROSS = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
+    "jitter": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
@@ -69,6 +71,7 @@ _BYTES = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
     "drift": QT_TRANSLATE_NOOP("Measure", "bytes a camera"),
+    "jitter": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
 }
 _FEW_BYTES = 100.0
 """Up to here the axis is linear."""
@@ -80,6 +83,7 @@ _UP = {
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
     "drift": QT_TRANSLATE_NOOP("Measure", "error after 360°, px"),
+    "jitter": QT_TRANSLATE_NOOP("Measure", "error of a jump, px"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")

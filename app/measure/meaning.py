@@ -13,6 +13,7 @@ GOOD_ENOUGH = {
     "smoothing": 5.0,
     "detail": 1.0,
     "drift": 0.01,
+    "jitter": 0.01,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -41,6 +42,7 @@ USUAL = {
     "smoothing": "none",
     "detail": "100 %",
     "drift": "float32, two sines",
+    "jitter": "float32, world coordinates",
 }
 """The choice that the others are compared with."""
 _BARGAINS = {

@@ -16,7 +16,7 @@ import vtkmodules
 from app import __version__
 from app.document.codec import to_json
 from app.document.document import Document
-from app.measure import arithmetic, depth, detail, drift, interpolation, smoothing
+from app.measure import arithmetic, depth, detail, drift, interpolation, jitter, smoothing
 from app.measure.results import GAPS, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.measure.sweeps import errors, sweep, values_of
@@ -35,6 +35,9 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "smoothing": smoothing.measure,
     "detail": detail.measure,
     "drift": lambda scene, projection, seconds, watch: drift.measure(
+        projection, scene.sample, seconds, watch
+    ),
+    "jitter": lambda scene, projection, seconds, watch: jitter.measure(
         projection, scene.sample, seconds, watch
     ),
 }

@@ -121,6 +121,8 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "renormalised"),
     QT_TRANSLATE_NOOP("Measure", "fast inverse root"),
     QT_TRANSLATE_NOOP("Measure", "two sines"),
+    QT_TRANSLATE_NOOP("Measure", "object first"),
+    QT_TRANSLATE_NOOP("Measure", "two floats"),
     QT_TRANSLATE_NOOP("Measure", "half resolution"),
     QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
     QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),

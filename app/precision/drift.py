@@ -166,7 +166,7 @@ def drifted(numbers: str, way: str, rounds: int) -> tuple[Array, float]:
 
 
 def errors_px(
-    projection: Projection, points_world: Array, off: Array, bound: float
+    projection: Projection, points_world: Array, off: Array, bound: float | Array
 ) -> tuple[Array, Array]:
     """Errors (n, 2) in pixels of points (n, 3) in front of the eye, and bounds of their lengths.
 
@@ -179,10 +179,10 @@ def errors_px(
     per_px = rows[:2] - trace.ndc[:, :2, None] * rows[2]
     per_px *= np.reshape(np.array(projection.image_size) / (2.0, -2.0), (2, 1))
     change = trace.view @ off.T
-    most = bound * np.linalg.norm(trace.view, axis=1)
     with np.errstate(all="ignore"):
+        most = bound * np.linalg.norm(trace.view, axis=1)
         left = w + change @ rows[2]
         px = (per_px @ change[:, :, None])[:, :, 0] / np.where(left > 0.0, left, np.nan)[:, None]
         least = w - np.linalg.norm(rows[2]) * most
-        bounds = np.linalg.norm(per_px, 2, axis=(1, 2)) * most / np.where(least > 0.0, least, 0.0)
+        bounds = np.linalg.norm(per_px, axis=(1, 2)) * most / np.where(least > 0.0, least, 0.0)
     return px, _ROUNDED_UP * np.where(np.isnan(bounds), np.inf, bounds)

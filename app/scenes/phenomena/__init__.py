@@ -20,6 +20,7 @@ from app.scenes.phenomena import (
     field_of_view,
     focus,
     interpolation,
+    jitter,
     oblique_drawing,
     off_axis_window,
     planar_shadow,
@@ -50,6 +51,7 @@ _ORDER = (
     focus,
     cheap_arithmetic,
     drift,
+    jitter,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""
