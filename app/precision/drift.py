@@ -184,5 +184,7 @@ def errors_px(
         left = w + change @ rows[2]
         px = (per_px @ change[:, :, None])[:, :, 0] / np.where(left > 0.0, left, np.nan)[:, None]
         least = w - np.linalg.norm(rows[2]) * most
-        bounds = np.linalg.norm(per_px, axis=(1, 2)) * most / np.where(least > 0.0, least, 0.0)
+        (one, both), (_, other) = np.moveaxis(per_px @ per_px.swapaxes(1, 2), 0, -1)
+        largest = (one + other) / 2.0 + np.hypot((one - other) / 2.0, both)  # eigenvalue
+        bounds = np.sqrt(largest) * most / np.where(least > 0.0, least, 0.0)
     return px, _ROUNDED_UP * np.where(np.isnan(bounds), np.inf, bounds)
