@@ -14,6 +14,8 @@ GOOD_ENOUGH = {
     "detail": 1.0,
     "drift": 0.01,
     "jitter": 0.01,
+    "vertex-depth": 0.01,
+    "cracks": 0.01,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -43,6 +45,8 @@ USUAL = {
     "detail": "100 %",
     "drift": "float32, two sines",
     "jitter": "float32, world coordinates",
+    "vertex-depth": "each pixel",
+    "cracks": "16 bits, own boxes",
 }
 """The choice that the others are compared with."""
 _BARGAINS = {

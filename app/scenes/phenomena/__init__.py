@@ -14,6 +14,7 @@ from app.scenes.phenomena import (
     camera_obscura,
     cheap_arithmetic,
     clipping,
+    cracks,
     depth_buffer,
     drift,
     eye_plane,
@@ -28,6 +29,7 @@ from app.scenes.phenomena import (
     similar_triangles,
     two_eyes,
     vanishing_points,
+    vertex_depth,
     view_volumes,
 )
 from app.scenes.phenomena.illustration import Phenomenon
@@ -45,6 +47,7 @@ _ORDER = (
     clipping,
     affine_depth,
     depth_buffer,
+    vertex_depth,
     interpolation,
     planar_shadow,
     popping,
@@ -52,6 +55,7 @@ _ORDER = (
     cheap_arithmetic,
     drift,
     jitter,
+    cracks,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""
