@@ -40,6 +40,8 @@ TITLES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -53,6 +55,7 @@ _ACROSS = {
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
@@ -66,6 +69,8 @@ _BYTES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
 }
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
@@ -75,6 +80,8 @@ _UP = {
     "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")

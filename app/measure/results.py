@@ -65,6 +65,7 @@ COLUMNS = {
     "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
+    "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
 }
 """Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
@@ -111,6 +112,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
     QT_TRANSLATE_NOOP("Measure", "affine"),
     QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "each pixel"),
+    QT_TRANSLATE_NOOP("Measure", "each vertex"),
+    QT_TRANSLATE_NOOP("Measure", "own boxes"),
+    QT_TRANSLATE_NOOP("Measure", "common grid"),
     QT_TRANSLATE_NOOP("Measure", "opengl"),
     QT_TRANSLATE_NOOP("Measure", "direct3d"),
     QT_TRANSLATE_NOOP("Measure", "reversed"),
