@@ -1,5 +1,7 @@
 """How the commands write numbers: in full, and in columns aligned at their points."""
 
+from __future__ import annotations
+
 import itertools
 from collections.abc import Sequence
 from dataclasses import fields

@@ -1,5 +1,7 @@
 """The command ``lesson``: check or list lessons and talks, print exercises, mark results."""
 
+from __future__ import annotations
+
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 

@@ -3,6 +3,8 @@
 This module needs only the standard library.
 """
 
+from __future__ import annotations
+
 import io
 import os
 import signal

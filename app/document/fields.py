@@ -4,6 +4,8 @@ The table gives each field's section, how a person types it, and whether a file 
 classes that hold the values check their bounds, once for the whole program.
 """
 
+from __future__ import annotations
+
 import math
 import re
 from collections.abc import Callable, Iterable

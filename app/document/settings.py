@@ -1,5 +1,7 @@
 """Set values by their paths, as ``--set`` and lessons do; resolve compared pictures."""
 
+from __future__ import annotations
+
 import contextlib
 import difflib
 from collections.abc import Collection, Iterable, Sequence

@@ -1,5 +1,7 @@
 """Names beside the points and the curves of a diagram, by the one placer of labels."""
 
+from __future__ import annotations
+
 from functools import partial
 
 import numpy as np

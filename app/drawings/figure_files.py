@@ -1,5 +1,7 @@
 """The files of figures, each written whole or not at all."""
 
+from __future__ import annotations
+
 import io
 import os
 import re

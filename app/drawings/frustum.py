@@ -12,6 +12,8 @@ there::
     0           1                   break   high
 """
 
+from __future__ import annotations
+
 import math
 from functools import partial
 from itertools import pairwise

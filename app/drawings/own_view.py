@@ -14,6 +14,8 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 ======  =========================  ===========  ==========================
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from itertools import product

@@ -4,6 +4,8 @@ K maps x right, y down, z forward to pixels that are counted from the centre of 
 `Intrinsics` describes.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple

@@ -10,6 +10,8 @@
 lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import cache

@@ -4,6 +4,8 @@
 other scripts are not.
 """
 
+from __future__ import annotations
+
 import math
 import re
 

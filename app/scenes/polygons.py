@@ -4,6 +4,8 @@ A polygon whose triangles about one of its corners all turn the same way is thei
 are divided by mapbox-earcut.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 import numpy as np

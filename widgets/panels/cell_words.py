@@ -1,5 +1,7 @@
 """Sentences about a matrix cell: its value, its effect and what it depends on."""
 
+from __future__ import annotations
+
 from PySide6.QtCore import QObject
 
 from app.lecture.letters import Letters, written

@@ -1,5 +1,7 @@
 """The maker of each pane's drawing, which imports VTK when it is called."""
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from typing import Any
 

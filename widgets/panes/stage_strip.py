@@ -3,6 +3,8 @@
 The strip knows positions and words, but no matrix.
 """
 
+from __future__ import annotations
+
 import math
 from functools import partial
 

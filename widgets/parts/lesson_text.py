@@ -4,6 +4,8 @@
 text.
 """
 
+from __future__ import annotations
+
 import math
 from functools import lru_cache
 from typing import Any, cast

@@ -1,5 +1,7 @@
 """Read numbers as a person types them; write them as short as a field shows them."""
 
+from __future__ import annotations
+
 import math
 import re
 

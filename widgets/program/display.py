@@ -1,5 +1,7 @@
 """Check for a screen before Qt does, because Qt ends the process without one."""
 
+from __future__ import annotations
+
 import ctypes
 import os
 import shutil

@@ -3,6 +3,8 @@
 `handout` prints it on A4, `handout_page` writes it for phones.
 """
 
+from __future__ import annotations
+
 import os
 from collections.abc import Iterator
 from functools import partial

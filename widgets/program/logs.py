@@ -1,5 +1,7 @@
 """One log file for the program, Qt and VTK."""
 
+from __future__ import annotations
+
 import logging
 import logging.handlers
 import sys

@@ -6,6 +6,8 @@ Run as a program, this module prints the answer as JSON: ``doctor`` runs it in a
 which a broken driver may crash.
 """
 
+from __future__ import annotations
+
 import json
 import sys
 from dataclasses import asdict, dataclass

@@ -1,5 +1,7 @@
 """Log uncaught exceptions, and report them in one dialog."""
 
+from __future__ import annotations
+
 import logging
 import platform
 import sys

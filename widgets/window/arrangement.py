@@ -9,6 +9,8 @@ The view also holds the panes' own cameras. `Look` restores them, because it bui
 another document.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,5 +1,7 @@
 """The dialog that asks for the topics of a test."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 
 from PySide6.QtCore import QCoreApplication

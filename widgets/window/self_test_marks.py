@@ -1,5 +1,7 @@
 """The end of a test: every exercise with the student's answer beside the right one."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 
 from PySide6.QtWidgets import QWidget

@@ -12,6 +12,8 @@
 A class sees a slide: one pane alone, or two side by side.
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from functools import partial
 

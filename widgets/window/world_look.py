@@ -7,6 +7,8 @@
                       '-----------------------'
 """
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from functools import partial
 

@@ -1,5 +1,7 @@
 """A wrong number beside the right one: the model with each of them, as compared pictures."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import replace
 

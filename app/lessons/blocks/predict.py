@@ -1,5 +1,7 @@
 """``predict``: a choice that must be made before the step continues."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 from app.lessons.blocks.choices import Choices

@@ -1,5 +1,7 @@
 """The orthographic lens: glOrtho, in lecture 001's steps."""
 
+from __future__ import annotations
+
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import ClassVar

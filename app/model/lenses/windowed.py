@@ -1,5 +1,7 @@
 """Lenses that are defined by a window: left, right, bottom and top on the near plane."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from fractions import Fraction

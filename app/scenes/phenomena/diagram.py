@@ -1,5 +1,7 @@
 """A small picture or chart beside the panes, as plain data."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np
