@@ -60,7 +60,7 @@ from app.scenes.shapes import (
 from app.strangers import printable
 
 if TYPE_CHECKING:
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
 WRONG_ENDING = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
@@ -109,15 +109,15 @@ class _MeshField:
     def __set_name__(self, _owner: type, name: str) -> None:
         self._name = name
 
-    def __get__(self, scene: Scene | None, _owner: type | None = None) -> pv.PolyData | None:
+    def __get__(self, scene: Scene | None, _owner: type | None = None) -> PolyMesh | None:
         if scene is None:
             raise AttributeError(self._name)  # it has no default
         held = scene.__dict__[self._name]
         if isinstance(held, LaterMesh):
             held = scene.__dict__[self._name] = held.make()
-        return cast("pv.PolyData | None", held)
+        return cast("PolyMesh | None", held)
 
-    def __set__(self, scene: Scene, mesh: pv.PolyData | LaterMesh | None) -> None:
+    def __set__(self, scene: Scene, mesh: PolyMesh | LaterMesh | None) -> None:
         scene.__dict__[self._name] = mesh
 
 
@@ -131,12 +131,12 @@ class Scene(Appearance):
         One of `BUILT_IN`, or the path of the mesh file as it was given.
     origin : tuple of 3 floats
         World point to which all geometry is relative: ``world = origin + points``.
-    surface : pyvista.PolyData or None
+    surface : PolyMesh or None
         Polygons (m faces) with ``cell_data["rgb"]``, (m, 3) uint8; float32 points.
-    lines : pyvista.PolyData or None
+    lines : PolyMesh or None
         Ground-grid lines, then edges of the objects and the lines of a file, with
         ``cell_data["rgb"]`` like the surface.
-    dots : pyvista.PolyData or None
+    dots : PolyMesh or None
         Points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
     lower, upper : tuple of 3 floats
         World bounds of the objects, without the grid.
@@ -158,7 +158,7 @@ class Scene(Appearance):
     start: Projection
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
-    dots: pv.PolyData | None = None
+    dots: PolyMesh | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
 
