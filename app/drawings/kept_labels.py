@@ -29,14 +29,14 @@ SHIPPED = Path(__file__).parent / "content" / "labels.json.z"
 LARGEST_BYTES = 2**23
 """A larger file is not read."""
 _log = logging.getLogger(__name__)
-_shipped: set[str] = set()
+KEYS_SHIPPED: set[str] = set()
 
 
 def load_shipped() -> None:
     """Take over the labels that come with the program; `save` leaves them out."""
     tree = json.loads(zlib.decompress(SHIPPED.read_bytes()))
     _take(tree)
-    _shipped.update(tree["outlines"], tree["tiles"])
+    KEYS_SHIPPED.update(tree["outlines"], tree["tiles"])
 
 
 def load(path: Path) -> None:
@@ -62,7 +62,7 @@ def _take(tree: Any) -> None:
 
 def save(path: Path) -> None:
     """Write all labels that are set, unless the file has them; one that cannot be is no error."""
-    content = json.dumps({"made_by": _made_by(), **tree_of(_shipped)}).encode()
+    content = json.dumps({"made_by": _made_by(), **tree_of(KEYS_SHIPPED)}).encode()
     try:
         if not os.path.exists(path) or path.read_bytes() != content:
             path.parent.mkdir(parents=True, exist_ok=True)

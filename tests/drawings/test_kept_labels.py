@@ -35,7 +35,7 @@ def drawn() -> list[np.ndarray]:
 
 
 def forget() -> None:
-    kept_labels._shipped.clear()
+    kept_labels.KEYS_SHIPPED.clear()
     typesetting.SET.clear()
     label.TILES.clear()
     for module in (typesetting, label):
