@@ -40,6 +40,7 @@ TITLES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -53,6 +54,7 @@ _ACROSS = {
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
@@ -66,6 +68,7 @@ _BYTES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
 }
 _FEW_BYTES = 100.0
 """Up to here the axis is linear."""
@@ -76,6 +79,7 @@ _UP = {
     "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")

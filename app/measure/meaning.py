@@ -12,6 +12,7 @@ GOOD_ENOUGH = {
     "interpolation": 0.5,
     "smoothing": 5.0,
     "detail": 1.0,
+    "unprojection": 1e-3,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -39,6 +40,7 @@ USUAL = {
     "depth": "fixed24, opengl",
     "smoothing": "none",
     "detail": "100 %",
+    "unprojection": "float32, inverse of P V",
 }
 """The choice that the others are compared with."""
 _BARGAINS = {

@@ -64,6 +64,8 @@ COLUMNS = {
     "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
     "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
+    "error_1": QT_TRANSLATE_NOOP("Measure", "eye 1 from the origin"),
+    "error_1000": QT_TRANSLATE_NOOP("Measure", "eye 1 000 from the origin"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
 }
 """Headings of the further columns whose names are not words."""
@@ -129,6 +131,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "world units"),
     QT_TRANSLATE_NOOP("Measure", "texels"),
     QT_TRANSLATE_NOOP("Measure", "levels RMS"),
+    QT_TRANSLATE_NOOP("Measure", "of the distance"),
+    QT_TRANSLATE_NOOP("Measure", "inverse of P V"),
+    QT_TRANSLATE_NOOP("Measure", "inverses of P and of V"),
+    QT_TRANSLATE_NOOP("Measure", "ray times depth"),
     *COLUMNS.values(),
     QT_TRANSLATE_NOOP("Measure", "triangles"),
     QT_TRANSLATE_NOOP("Measure", "near"),

@@ -25,6 +25,7 @@ from app.scenes.phenomena import (
     popping,
     similar_triangles,
     two_eyes,
+    unprojection,
     vanishing_points,
     view_volumes,
 )
@@ -48,6 +49,7 @@ _ORDER = (
     popping,
     focus,
     cheap_arithmetic,
+    unprojection,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""

@@ -201,6 +201,8 @@ class Phenomenon(Appearance):
         there are 2 to 4 at a time.
     replaces : tuple of str
         The model's controls that the settings replace, such as the lens's ``preset``.
+    clicked : str
+        The setting, a point, that a click in the image puts where it picks; or empty.
     numbers : int
         How many readings are shown before the readout is unfolded.
     follow : callable
@@ -227,6 +229,7 @@ class Phenomenon(Appearance):
     adjustable: tuple[Parameter, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
+    clicked: str = ""
     numbers: int = 3
     follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = lambda given, *_: given
     implied: Callable[[Projection, Settings], ImpliedSettings] = lambda *_: {}
