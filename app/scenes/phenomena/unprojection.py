@@ -96,25 +96,22 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         if seen(moved):
             image += [segment(trace.image[0], moved.image, "u", 1.5)]
             image.append(named("back", moved.image, "u", 1.3, WORDS["back"]))
-    length, distance = float(lengths[0]), math.dist(true[0], eye)
-    bound, none = float(np.linalg.norm(back.error[:, 0])), WORDS.phrase("no-bound")
-    one, two = (off_there(projection, place, way, form, origin) for way in THERE)
-    return Illustration(
-        (
-            Reading.or_why(WORDS["bound"], _known(bound), "", none),
-            Reading.or_why(WORDS["off"], _known(length), "", none),
-            Reading.or_why(WORDS["share"], _known(100.0 * length / distance if distance else math.inf), "%", none),
-            Reading.or_why(WORDS["one"], _known(one), "px", none),
-            Reading.or_why(WORDS["two"], _known(two), "px", none),
-        ),
-        Marks.of(*world),
-        image=Marks.of(*image),
-        grips=grips,
+    away, one, two = (
+        math.dist(true[0], eye),
+        *(off_there(projection, place, way, form, origin) for way in THERE),
     )
-
-
-def _known(value: float) -> float | None:
-    return value if math.isfinite(value) else None
+    values = {
+        "bound": (float(np.linalg.norm(back.error[:, 0])), ""),
+        "off": (float(lengths[0]), ""),
+        "share": (100.0 * float(lengths[0]) / away if away else math.inf, "%"),
+        "one": (one, "px"),
+        "two": (two, "px"),
+    }
+    readings = (
+        Reading.or_why(WORDS[name], x if math.isfinite(x) else None, unit, WORDS.phrase("no-bound"))
+        for name, (x, unit) in values.items()
+    )
+    return Illustration(tuple(readings), Marks.of(*world), image=Marks.of(*image), grips=grips)
 
 
 def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
