@@ -212,12 +212,10 @@ class Player:
         """Takes the progress whenever it changes, as `log` takes each answer for the record."""
         self.blocks: list[PlayedBlock] = []
         """The questions of the step that are shown so far."""
-        self._rest: list[ReadBlock] = []
-        """The parts of the step that are not shown yet."""
+        self._rest: list[ReadBlock] = []  # the parts of the step that are not shown yet
         self.revealed = 0
         """A class's progress: the step's picture alone, then each question asked, and answered."""
-        self._reached: dict[int, int] = {}
-        """How far each step was revealed when it was left."""
+        self._reached: dict[int, int] = {}  # how far each step was revealed when it was left
         self.arrived: Mapping[str, Camera] = {}
         """The panes' cameras when the step was shown."""
         self.posed: Document | None = None

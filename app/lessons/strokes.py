@@ -16,8 +16,7 @@ LARGEST = 8 * 2**20
 """Most bytes of a file."""
 COLOURS = ("ink", "u", "v", "n")
 """Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
-_READABLE = (*COLOURS, "accent", "near")
-"""Colours of strokes in files."""
+_READABLE = (*COLOURS, "accent", "near")  # colours of strokes in files
 NO_STROKES = QT_TRANSLATE_NOOP("Refusal", "has no strokes as Frustum Lab writes them")
 
 Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]

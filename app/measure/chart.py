@@ -70,8 +70,7 @@ _BYTES = {
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
     "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
 }
-_FEW_BYTES = 100.0
-"""Up to here the axis is linear."""
+_FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
 _UP = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
@@ -86,14 +85,10 @@ CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far")
-_WIDEST = 1e6
-"""Largest error in px that a sweep's chart shows; beyond it the picture is useless."""
-_WIDE_DEG = 179.0
-"""A sweep to larger angles has a chart of its own for those above 90 degrees."""
-_SAME = 0.005
-"""Largest distance, in decades, of points that share one name."""
-_HEIGHT = 0.07
-"""Distance of the bars along the top, in parts of the chart."""
+_WIDEST = 1e6  # largest error in px that a sweep's chart shows; beyond it the picture is useless
+_WIDE_DEG = 179.0  # a sweep to larger angles has a chart of its own for those above 90 degrees
+_SAME = 0.005  # largest distance, in decades, of points that share one name
+_HEIGHT = 0.07  # distance of the bars along the top, in parts of the chart
 
 
 def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:

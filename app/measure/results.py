@@ -55,8 +55,7 @@ MEASURED_ONLY = QT_TRANSLATE_NOOP(
 IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
-_BUSY = 3.0
-"""A 95th percentile of more than this many least times comes from other programs."""
+_BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05
 """Least times that differ by a smaller part are equal: rounds repeat them no better."""
 COLUMNS = {
@@ -155,24 +154,18 @@ WORDS = (
 class ChartPoint:
     """One point of a chart.
 
-    Attributes
-    ----------
-    cost, cost_p95 : float or None
-        Least time and 95th percentile, in the trade's unit; None if they were not measured.
-    error : float or None
-        The largest error; None if there is no number. Then `note` gives the reason.
-    predicted : float or None
-        The error that the model predicts before the measurement.
-    values : mapping of str to float
-        Further columns of the table.
-    use : mapping of str to str
-        The settings that the panes take when the user picks this choice: ``{"rung": "float32"}``.
-    bytes : float or None
-        Memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
-    library : bool
-        Another library's code: a reference mark that competes with no choice of this program.
-    steady : bool
-        Whether the least time was repeated before the time ran out; older files do not say it.
+    - `cost`, `cost_p95`: least time and 95th percentile, in the trade's unit; None if they were not
+      measured.
+    - `error`: the largest error; None if there is no number. Then `note` gives the reason.
+    - `predicted`: the error that the model predicts before the measurement.
+    - `values`: further columns of the table.
+    - `use`: the settings that the panes take when the user picks this choice:
+      ``{"rung": "float32"}``.
+    - `bytes`: memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
+    - `library`: another library's code: a reference mark that competes with no choice of this
+      program.
+    - `steady`: whether the least time was repeated before the time ran out; older files do not say
+      it.
     """
 
     name: str
@@ -306,14 +299,9 @@ class Sweep:
 class Measurements:
     """All measurements of one run.
 
-    Attributes
-    ----------
-    date : str
-        ISO 8601 with a time zone.
-    document : mapping
-        The scene and the projection, as in their document.
-    complete : bool
-        False if the run was cancelled.
+    - `date`: ISO 8601 with a time zone.
+    - `document`: the scene and the projection, as in their document.
+    - `complete`: false if the run was cancelled.
     """
 
     date: str

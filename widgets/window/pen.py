@@ -87,8 +87,7 @@ class Pen(QWidget):
         self.is_on = self.erases = False
         self.colour = COLOURS[1]
         self._step = ""
-        self._drawn: list[tuple[float, float]] = []
-        """The stroke that is being drawn."""
+        self._drawn: list[tuple[float, float]] = []  # the stroke that is being drawn
         self._style = LIGHT
         self._acts: dict[int, Callable[[], object]] = {
             _KEYS.Key_E: self.switch_eraser,

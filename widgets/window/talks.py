@@ -61,20 +61,16 @@ class Talks(QObject):
         self._window, self._lessons, self._present = window, lessons, present
         self._messages, self._settings = messages, settings
         self._band, self._question, self._pen = band, question, pen
-        self._drawn_on: Path | None = None
-        """The file of the talk that the strokes belong to."""
+        self._drawn_on: Path | None = None  # the file of the talk that the strokes belong to
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = StepPreparation(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
-        self._looks = False
-        """Whether the slide is being painted for the speaker's window."""
+        self._looks = False  # whether the slide is being painted for the speaker's window
         self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
         self._seen.timeout.connect(self._show_now)
-        self._mistake = ""
-        """The mistake in the open file, which is not shown to the class."""
-        self._refusal = ""
-        """Why the requested step cannot be shown."""
+        self._mistake = ""  # the mistake in the open file, which is not shown to the class
+        self._refusal = ""  # why the requested step cannot be shown
         for signal, act in (
             (self._ahead.done, self._draw_next),
             (self._keys.next, self.next),

@@ -82,8 +82,7 @@ class BlockView(QFrame):
         self.played = played
         self.setAccessibleName(spoken_text(question.text))
         self._responses: list[QWidget] = []
-        self._hint: QWidget | None = None
-        """The newest hint, until another response comes."""
+        self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
