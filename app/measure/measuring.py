@@ -17,7 +17,7 @@ from app import __version__
 from app.document.codec import to_json
 from app.document.document import Document
 from app.measure import arithmetic, depth, detail, interpolation, smoothing, unprojection
-from app.measure.results import GAPS, Measurements, Sweep, Trade
+from app.measure.results import GAPS, OVER_DISTANCE, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.measure.sweeps import errors, sweep, values_of
 from app.model.projection import Projection
@@ -78,6 +78,9 @@ def measure_all(
             trade = TRADES[name](scene, projection, seconds, part)
             results = replace(results, trades=(*results.trades, trade))
         for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
+            if parameter == OVER_DISTANCE:
+                near, far = depth.distances(projection)
+                ends = near if ends[0] is None else ends[0], far if ends[1] is None else ends[1]
             values = values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
             at = depth.gaps if parameter in GAPS else errors
             swept = sweep(parameter, projection, scene.sample, values, part, at)
