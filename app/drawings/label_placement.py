@@ -312,6 +312,12 @@ class Ground:
         )
         return np.asarray(inked / np.maximum((right - left) * (high - low), 1))
 
+    def inked_px(self, left: float, low: float, right: float, high: float) -> float:
+        """Return how many square pixels of a box are ink; it may lie outside the frame."""
+        sides = np.clip([left, low, right, high], 0.0, self.limits[2:] * 2)
+        wide, tall = sides[2:] - sides[:2]
+        return float(self.hidden(sides[None])[0] * wide * tall)
+
 
 # --------------------------------------------------------------------------- the placer
 

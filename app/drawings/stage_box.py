@@ -94,6 +94,11 @@ class StageState(PaneState):
     def take(self, projection: Projection, illustration: Illustration | None) -> None:
         self.projection, self.illustration, self._morph = projection, illustration, None
 
+    def has_volume(self, position: float) -> bool:
+        """Whether there is a volume to show; up to the view it is the frustum, a layer."""
+        hidden = position <= VIEW and "frustum" in self.canvas.hidden
+        return not hidden and self.morph.has_volume(position)
+
     @property
     def placed(self) -> tuple[float, object]:
         """The position, and the projection or depth range that the volume depends on there."""
@@ -252,7 +257,7 @@ class StageBox(Layer):
             return
         self.placed = state.placed
         morph, position = state.morph, state.position
-        stop, drawn = morph.stop_at(position), morph.has_volume(position)
+        stop, drawn = morph.stop_at(position), state.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
         state.stop, state.display_from_box = stop, box

@@ -25,6 +25,7 @@ from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
 from app.lessons.state import State
+from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera
 from app.model.refusal import Refusal
@@ -343,6 +344,12 @@ class Player:
         """What the last of the given answers shows; None for what the step does."""
         answered = self.questions[: self.revealed // 2]
         return next((each.show for each in reversed(answered) if each.show is not None), None)
+
+    @property
+    def picture(self) -> str:
+        """The name of what a class sees: the step, or one of its answers that has a picture."""
+        shows = [answer.show is not None for answer in self.questions[: self.revealed // 2]]
+        return answer_picture(self.step.name, sum(shows)) if any(shows) else self.step.name
 
     def reveal(self) -> bool:
         """Ask the next question, or answer it; return False if all are answered."""

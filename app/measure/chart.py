@@ -40,6 +40,8 @@ TITLES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
     "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
@@ -55,6 +57,7 @@ _ACROSS = {
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
@@ -70,6 +73,8 @@ _BYTES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
     "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
 }
 _FEW_BYTES = 100.0  # up to here the axis is linear
@@ -80,6 +85,8 @@ _UP = {
     "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
     "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")

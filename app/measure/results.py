@@ -67,6 +67,7 @@ COLUMNS = {
     "error_1": QT_TRANSLATE_NOOP("Measure", "eye 1 from the origin"),
     "error_1000": QT_TRANSLATE_NOOP("Measure", "eye 1 000 from the origin"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
+    "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
 }
 """Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
@@ -133,6 +134,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
     QT_TRANSLATE_NOOP("Measure", "affine"),
     QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "each pixel"),
+    QT_TRANSLATE_NOOP("Measure", "each vertex"),
+    QT_TRANSLATE_NOOP("Measure", "own boxes"),
+    QT_TRANSLATE_NOOP("Measure", "common grid"),
     QT_TRANSLATE_NOOP("Measure", "opengl"),
     QT_TRANSLATE_NOOP("Measure", "direct3d"),
     QT_TRANSLATE_NOOP("Measure", "reversed"),

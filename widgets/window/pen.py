@@ -66,9 +66,9 @@ def paint_strokes(
 class Pen(QWidget):
     """Lies over the slide, and takes the mouse while it draws.
 
-    `strokes` are by the names of the steps; so are `pictures`, the slides with the strokes that
-    were drawn since the talk was opened. If it `erases`, the mouse removes the strokes that it
-    touches.
+    `strokes` are by the names of the steps and of the pictures of their answers; so are `pictures`,
+    the slides with the strokes that were drawn since the talk was opened. If it `erases`, the mouse
+    removes the strokes that it touches.
     """
 
     kept = Signal()

@@ -133,7 +133,7 @@ class Talks(QObject):
             self.close_speaker()
             return
         step = player.step
-        self._pen.show_step(step.name)
+        self._pen.show_step(player.picture)
         self._pose()
         if self.is_on:
             self._band.set_screen(self._screen_px)
@@ -175,14 +175,16 @@ class Talks(QObject):
     def _write_pictures(self, talk: Path) -> None:
         """Write the slides with strokes for the handout, and remove those without."""
         lesson = self._lessons.lesson
-        for step in lesson.steps if lesson is not None else ():
-            path = picture_beside(talk, step.name)
+        steps = {step.name for step in lesson.steps} if lesson is not None else ()
+        kept = {path.stem for path in picture_beside(talk, "").parent.glob("*.png")}
+        for name in kept.union(self._pen.pictures):
+            path = picture_beside(talk, name)
             with blamed_on(path, UNWRITABLE):
-                if not self._pen.strokes.get(step.name):
-                    path.unlink(missing_ok=True)
-                elif step.name in self._pen.pictures:
+                if name in self._pen.pictures:
                     path.parent.mkdir(exist_ok=True)
-                    write_bytes_atomically(path, png_of(self._pen.pictures[step.name]))
+                    write_bytes_atomically(path, png_of(self._pen.pictures[name]))
+                elif name.partition(".")[0] in steps and not self._pen.strokes.get(name):
+                    path.unlink(missing_ok=True)
 
     def keep_strokes(self) -> None:
         """Write the strokes beside the talk, where the handout finds them."""

@@ -14,6 +14,7 @@ from app.scenes.phenomena import (
     camera_obscura,
     cheap_arithmetic,
     clipping,
+    cracks,
     depth_buffer,
     eye_plane,
     field_of_view,
@@ -27,6 +28,7 @@ from app.scenes.phenomena import (
     two_eyes,
     unprojection,
     vanishing_points,
+    vertex_depth,
     view_volumes,
 )
 from app.scenes.phenomena.illustration import Phenomenon
@@ -44,11 +46,13 @@ _ORDER = (
     clipping,
     affine_depth,
     depth_buffer,
+    vertex_depth,
     interpolation,
     planar_shadow,
     popping,
     focus,
     cheap_arithmetic,
+    cracks,
     unprojection,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
