@@ -49,8 +49,8 @@ LOOPS = ("repeat", "once", "back-and-forth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = (
-    "arithmetic", "interpolation", "depth", "smoothing", "detail", "vertex-depth", "cracks",
-    "unprojection",
+    "arithmetic", "interpolation", "depth", "smoothing", "detail", "drift", "vertex-depth",
+    "cracks", "jitter", "unprojection",
 )  # fmt: skip
 COSTS = ("time", "bytes")
 SWEEPS = ("near", "far", "fov", "distance", "up", "aspect", "gap")

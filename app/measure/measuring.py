@@ -21,7 +21,9 @@ from app.measure import (
     cracks,
     depth,
     detail,
+    drift,
     interpolation,
+    jitter,
     smoothing,
     unprojection,
     vertex_depth,
@@ -43,10 +45,16 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
     "smoothing": smoothing.measure,
     "detail": detail.measure,
+    "drift": lambda scene, projection, seconds, watch: drift.measure(
+        projection, scene.sample, seconds, watch
+    ),
     "vertex-depth": lambda _scene, projection, seconds, watch: vertex_depth.measure(
         projection, seconds, watch
     ),
     "cracks": lambda _scene, projection, _seconds, _watch: cracks.measure(projection),
+    "jitter": lambda scene, projection, seconds, watch: jitter.measure(
+        projection, scene.sample, seconds, watch
+    ),
     "unprojection": lambda scene, projection, seconds, watch: unprojection.measure(
         projection, scene.sample, seconds, watch
     ),
