@@ -227,12 +227,11 @@ def _readings(
     where = note
     if percent == 0.0:
         w, where = None, WORDS.phrase("straight") if cut or note is None else note
+    why = (no_worst or WORDS.phrase(away)) if worst is None else some
     return (
         Reading(WORDS["deviation"], percent, "%", note),
         Reading(WORDS["where-cut" if cut else "where"], w, note=where),
-        Reading(
-            WORDS[label], worst, "%", (no_worst or WORDS.phrase(away)) if worst is None else some
-        ),
+        Reading(WORDS[label], worst, "%", why),
     )
 
 

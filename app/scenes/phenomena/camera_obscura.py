@@ -15,13 +15,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
-from app.scenes.phenomena.picture import (
-    grip_of_plane,
-    section,
-    seen,
-    seen_lines,
-    world_from_view,
-)
+from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
@@ -122,9 +116,8 @@ def _diagram(d: float, z: float, y: Array) -> Diagram:
         """An arrow of so many times the object's size."""
         tip, length = size * head, size * (head - foot)
         back, wide = tip - 0.12 * length, 0.05 * abs(length)
-        return np.array(
-            [(at, size * foot), (at, tip), (at - wide, back), (at, tip), (at + wide, back)]
-        )
+        x = at + wide * np.array([0.0, 0.0, -1.0, 0.0, 1.0])
+        return np.column_stack([x, [size * foot, tip, back, tip, back]])
 
     return Diagram(
         WORDS["side"],
@@ -150,10 +143,6 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return central.between(d, central.lens.far)
 
 
-def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {"distance": projection.lens.near if projection.lens.central else None}
-
-
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "002"),
@@ -167,7 +156,7 @@ PHENOMENON = Phenomenon(
     replaces=("near",),
     numbers=4,
     follow=_follow,
-    implied=_implied,
+    implied=lambda at, _: {"distance": at.lens.near if at.lens.central else None},
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
     inks={"d": "v"},

@@ -38,11 +38,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     outside = None if len(points) else WORDS.phrase("outside")
     px, bounds = errors_px(projection, points, off, bound)
     lengths = np.where(np.isfinite(px).all(axis=1), np.linalg.norm(px, axis=1), math.inf)
-    measured, predicted = (
-        each if each < math.inf else None
-        for each in (float(each.max(initial=0.0)) for each in (lengths, bounds))
-    )  # fmt: skip
-    times = max(1.0, enlargement(measured or 0.0, _ROOM * projection.image_size[1]) or 1.0)
+    measured, predicted = (float(each.max(initial=0.0)) for each in (lengths, bounds))
+    times = max(1.0, enlargement(measured, _ROOM * projection.image_size[1]) or 1.0)
     axes = np.eye(3) + off
     aside = np.linalg.norm(np.cross(axes, np.eye(3)), axis=1)
     lean = np.degrees(np.arctan2(aside, np.diagonal(axes)))

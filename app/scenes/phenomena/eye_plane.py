@@ -90,9 +90,8 @@ def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictur
     matrix = projection.clip_from_view
     flat = np.empty((3, *clip.shape))
     flat[0, ..., :3], flat[0, ..., 3] = naive_ndc(clip), 1.0
-    flat[1] = np.where(
-        (eye_cut.case == 1)[:, None, None], clip, eye_cut.points_view @ matrix[:, :3].T
-    )
+    is_whole = (eye_cut.case == 1)[:, None, None]
+    flat[1] = np.where(is_whole, clip, eye_cut.points_view @ matrix[:, :3].T)
     flat[2] = clip
     flat[..., 2] = 1.0  # the depth does not matter, as long as it is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
@@ -419,10 +418,8 @@ def _image_marks(drawn: EyePlanePictures) -> Marks:
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        marks += [
-            Polyline(wrong, "u", 1.0),
-            Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]),
-        ]
+        marks.append(Polyline(wrong, "u", 1.0))
+        marks.append(Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]))
     if np.isfinite(right).all():
         marks.append(_ab(right, "accent", 2.0))
         marks += [Dot(end, "accent", 1.2) for end in right]

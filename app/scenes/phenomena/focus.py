@@ -176,9 +176,8 @@ def _readings(
     """The readout; `note` says why a value is None."""
     near = far = depth = hyperfocal = None
     if sharp is not None:
-        near, hyperfocal = sharp.near, sharp.hyperfocal
-        if sharp.far < math.inf:
-            far, depth = sharp.far, sharp.far - sharp.near
+        near, far, hyperfocal = sharp
+        depth = far - near
     return (
         Reading.or_why(WORDS["sharp-from"], near, "m", note),
         Reading.or_why(WORDS["sharp-to"], far, "m", note),

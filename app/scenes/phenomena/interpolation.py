@@ -122,9 +122,8 @@ def planar_texture(subject: Subject) -> Array:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
-    texture = Texture(
-        planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
-    )
+    coordinates = settings["pattern"] == "coordinates"
+    texture = Texture(planar_texture(subject), _CHECKS, affine, parts, coordinates)
     rendering = Rendering(texture=texture)
     mesh = subject.mesh
     triangles, ends, said, cut = _BOARD, _CORNERS[[0, 3]], None, WORDS.phrase("cut")
@@ -148,9 +147,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
     names = ("half-in-world", "target"), ("half-on-screen", "accent")
-    for (name, colour), place, pixel, shown in zip(
-        names, in_world, in_image, seen(middles), strict=True
-    ):
+    each = zip(names, in_world, in_image, seen(middles), strict=True)
+    for (name, colour), place, pixel, shown in each:
         world.append(named(name, place, colour, 1.4, WORDS[name]))
         if shown:
             image.append(named(name, pixel, colour, 1.4, WORDS[name]))

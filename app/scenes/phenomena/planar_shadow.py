@@ -49,10 +49,8 @@ ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "must lie above the plane y = {0}: a light on the plane or under it casts no shadow there",
 )
 FROM_ABOVE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must point upward, to the sun: otherwise its rays never meet the plane",
+    "Refusal", "must point upward, to the sun: otherwise its rays never meet the plane"
 )
-
 
 _PANES = ("world", "ndc", "image")
 _TRUSTED = 1e30  # how far away a mark may be
@@ -141,10 +139,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         met = on_ray(light, height, place)
         if np.isfinite(shadows.places[chosen]).all():
             shadow = shadows.places[chosen]
-    if (
-        light[3] == 1.0
-        and ((np.array(subject.lower) <= light[:3]) & (light[:3] <= np.array(subject.upper))).all()
-    ):
+    inside = (np.array(subject.lower) <= light[:3]) & (light[:3] <= np.array(subject.upper))
+    if light[3] == 1.0 and inside.all():
         warning = WORDS.phrase("in-the-object")
     elif place is None:
         warning = note
@@ -158,9 +154,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     world = _world_marks(settings, subject, light, marked)
     return Illustration(
         (
-            Reading(
-                "S", tuple((matrix + 0.0).reshape(-1).tolist()), note=_formula(settings, light)
-            ),
+            Reading("S", tuple((matrix + 0.0).ravel().tolist()), note=_formula(settings, light)),
             Reading.or_why(WORDS["vertex"], _middle_and_distances(place), why=note),
             Reading.or_why(WORDS["shadow"], _middle_and_distances(measured), why=note),
             Reading.or_why(WORDS["off"], off, why=note),

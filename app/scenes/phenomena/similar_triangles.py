@@ -146,10 +146,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     with np.errstate(over="ignore"):
         product = tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist())
     scale = None if x_p is None else distance / w
+    cells = tuple(matrix.ravel().tolist())
     readings = (
-        Reading(
-            WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
-        ),
+        Reading(WORDS["matrix"], cells, about=_OF_D, cell=_MINUS_ONE_OVER_D),
         Reading(WORDS["product"], product, about=(*_OF_D, *_OF_DEPTH, *_OF_POINT)),
         Reading("x_p = d·x / −z", x_p, note=note, about=_OF_X_P),
         Reading("y_p = d·y / −z", y_p, note=note, about=_OF_Y_P),

@@ -295,9 +295,7 @@ def _image_marks(
         projection, np.array([*starts, start_clip]), np.array([*ends, there.clip]), SIDES
     )
     drawn = zip(pieces, colours, strict=True)
-    marks: list[Mark] = [
-        Polyline(piece, colour, 1.0) for piece, colour in drawn if piece is not None
-    ]
+    marks: list[Mark] = [Polyline(each, colour, 1.0) for each, colour in drawn if each is not None]
     # From C to P, as long as their part of the projective line is in front of the eye.
     if run is not None:
         marks.append(Polyline(run, "accent", 2.0))
