@@ -37,11 +37,8 @@ def measure(
         error, predicted = float(wrong.max()), float(bounds.max())
         choices.append(ChartPoint(name, None, None, error, predicted, {}, "", use, size))
     high = np.ascontiguousarray(points.T, dtype=np.float32)
-    eye, near, (low, rest) = (
-        high[:, :1].copy(),
-        np.empty_like(high),
-        np.zeros((2, *high.shape), "f"),
-    )
+    eye, near = high[:, :1].copy(), np.empty_like(high)
+    low, rest = np.zeros((2, *high.shape), "f")
 
     def subtract() -> None:
         np.subtract(high, eye, near)

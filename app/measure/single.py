@@ -47,9 +47,8 @@ def read_results(path: Path) -> Measurements:
     results = from_json(text, path.name)
     for name in split(results):
         if name not in TITLES:
-            raise Refusal.saying(
-                DAMAGED, path.name, f"{json.dumps(name)} is nothing that is measured"
-            )
+            why = f"{json.dumps(name)} is nothing that is measured"
+            raise Refusal.saying(DAMAGED, path.name, why)
     return results
 
 

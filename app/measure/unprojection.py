@@ -23,9 +23,8 @@ from app.scenes.phenomena.unprojection import origin_away
 AWAY = 1e5
 NEARER = {"error_1": 1.0, "error_1000": 1e3}
 """The distances of the origin in further columns."""
-NAMES = dict(
-    zip(WAYS, ("inverse of P V", "inverses of P and of V", "ray times depth"), strict=True)
-)
+_NAMES = "inverse of P V", "inverses of P and of V", "ray times depth"
+NAMES = dict(zip(WAYS, _NAMES, strict=True))
 
 
 def timed_way(
@@ -80,10 +79,8 @@ def measure(
         nothing = ChartPoint("", None, None, None, note=NO_POINTS)
         return Trade("unprojection", "ns", "of the distance", (nothing,), 0)
     away = np.linalg.norm(projection.world_from_image(pixels) - projection.camera.eye, axis=1)
-    origins = {
-        name: origin_away(projection, distance)
-        for name, distance in (("error", AWAY), *NEARER.items())
-    }
+    distances = {"error": AWAY, **NEARER}
+    origins = {name: origin_away(projection, each) for name, each in distances.items()}
     judged, where = sample(pixels)
     exact = {name: exact_points(projection, judged, origin) for name, origin in origins.items()}
     choices, runs = [], {}
