@@ -29,7 +29,7 @@ from `Projection`.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -76,6 +76,8 @@ class Morph:
     projection: Projection
     origin: Vector
     corners_world: Array
+    _evens: dict[int, Array] = field(default_factory=dict, init=False)
+    _boxes: dict[int, Array] = field(default_factory=dict, init=False)
 
     @property
     def _lens(self) -> Lens:
@@ -91,10 +93,8 @@ class Morph:
         if stop == WORLD:
             return np.eye(4)
         if stop >= NDC:
-            clip_from_local = self.projection.clip_from_local(self.origin)
-            return (
-                clip_from_local if stop == NDC else self.projection.image_from_ndc @ clip_from_local
-            )
+            clip = self.projection.clip_from_local(self.origin)
+            return clip if stop == NDC else self.projection.image_from_ndc @ clip
         matrix: Array = self._view_from_local
         if stop >= CANONICAL_PERSPECTIVE:
             matrix = self._canonical[0] @ matrix
@@ -104,10 +104,8 @@ class Morph:
 
     @cached_property
     def _view_from_local(self) -> Array:
-        matrix: Array = self.projection.view_rotation @ translation(
-            np.asarray(self.origin) - self.projection.camera.eye
-        )
-        return matrix
+        shift = translation(np.asarray(self.origin) - self.projection.camera.eye)
+        return np.asarray(self.projection.view_rotation @ shift)
 
     @cached_property
     def _canonical(self) -> tuple[Array, Array]:
@@ -241,10 +239,6 @@ class Morph:
             self._evens[stop] = self._display_stop(stop) * self._evening(stop)
         return self._evens[stop]
 
-    @cached_property
-    def _evens(self) -> dict[int, Array]:
-        return {}
-
     def _evening(self, stop: int) -> float:
         if stop <= CANONICAL_PERSPECTIVE:
             return 1.0
@@ -284,10 +278,6 @@ class Morph:
                 box = box * float(lens.w(lens.near) / lens.w(self._middle_depth))
             self._boxes[stop] = box
         return self._boxes[stop]
-
-    @cached_property
-    def _boxes(self) -> dict[int, Array]:
-        return {}
 
     @cached_property
     def _view_from_box(self) -> Array:
@@ -498,9 +488,7 @@ def rotation_between(frame: Array, part: float) -> Array:
     diagonal = np.diag(frame)
     squares = np.array([frame.trace(), *diagonal])
     largest = int(squares.argmax())
-    skew = np.array(
-        [frame[2, 1] - frame[1, 2], frame[0, 2] - frame[2, 0], frame[1, 0] - frame[0, 1]]
-    )
+    skew = (frame - frame.T)[[2, 0, 1], [1, 2, 0]]
     if largest == 0:
         quaternion = np.array([1.0 + squares[0], *skew])
     else:
@@ -515,10 +503,8 @@ def rotation_between(frame: Array, part: float) -> Array:
     angle = part * 2.0 * math.atan2(length, quaternion[0])
     x, y, z = quaternion[1:] / length
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    rotation: Array = (
-        np.eye(3) + math.sin(angle) * cross + 2.0 * math.sin(angle / 2.0) ** 2 * (cross @ cross)
-    )
-    return rotation
+    versine = 2.0 * math.sin(angle / 2.0) ** 2
+    return np.asarray(np.eye(3) + math.sin(angle) * cross + versine * (cross @ cross))
 
 
 def _positive_inverse(matrix: Array) -> Array:
