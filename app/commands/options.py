@@ -88,8 +88,7 @@ class Parser(argparse.ArgumentParser):
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
-        self._command = command
-        self._names = names
+        self._command, self._names = command, names
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
     def _print_message(self, message: str, _file: object = None) -> None:
@@ -107,10 +106,8 @@ class Parser(argparse.ArgumentParser):
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
-            where = f"an option of {self._command}" if self._command else "an option of the window"
-            raise CliError(
-                f"{option} is not {where}; the nearest is {nearest(option.lower(), names)}."
-            )
+            where, near = self._command or "the window", nearest(option.lower(), names)
+            raise CliError(f"{option} is not an option of {where}; the nearest is {near}.")
         words: list[str] = [*options.words, *arguments[end + 1 :]]
         command = self._command or "The window"
         if "" in words:
@@ -266,11 +263,8 @@ def _window() -> Parser:
     )
     parser.add_set()
     parser.add_choice("--theme", THEMES, "colours, for this start only")
-    parser.add_choice(
-        "--canvas",
-        CANVASES,
-        "how panes draw (default: opengl with a graphics card, raster without)",
-    )
+    text = "how panes draw (default: opengl with a graphics card, raster without)"
+    parser.add_choice("--canvas", CANVASES, text)
     parser.add_flag("--reset", "delete the settings, then open the window")
     parser.add("--screenshot", "OUT", "save a picture of the window as PNG and quit")
     parser.add("--size", "WIDTHxHEIGHT", "size of the window", read=_size)
@@ -298,8 +292,7 @@ def _export() -> Parser:
         "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
         "each pane",
         read=_parsed(
-            "--size",
-            f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
+            "--size", f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
             parse_size,
         ),
     )  # fmt: skip
@@ -334,11 +327,8 @@ def _export() -> Parser:
     parser.add_flag(
         "--resume", "of --batch: leave out figures that are newer than the list and their document",
     )  # fmt: skip
-    parser.add_choice(
-        "--format",
-        FIGURE_FORMATS,
-        "of --batch with a folder or a lesson: what to write (default: png)",
-    )
+    text = "of --batch with a folder or a lesson: what to write (default: png)"
+    parser.add_choice("--format", FIGURE_FORMATS, text)
     parser.add(
         "--sweep", "NAME=FIRST:LAST",
         "draw a moving picture: a value of --set changes from FIRST to LAST",
