@@ -202,9 +202,8 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     digits = len(match[2].replace(".", "").lstrip("0"))
     if is_endless and digits < DIGITS:
         raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
-    return _bounded(text, TypedNumber(value, digits, Fraction(10) ** (power - len(places)))).times(
-        factor
-    )
+    typed = TypedNumber(value, digits, Fraction(10) ** (power - len(places)))
+    return _bounded(text, typed).times(factor)
 
 
 def _in_one_line(text: str) -> str:

@@ -36,10 +36,9 @@ def between(start: Document, end: Document, part: float) -> Document | None:
             other.depth,
             _fields(one.placement, other.placement, part),
         )
-        before = start.settings
-        settings = {
-            name: _mixed(before.get(name), value, part) for name, value in end.settings.items()
-        }
+        settings = dict(end.settings)
+        for name, value in settings.items():
+            settings[name] = _mixed(start.settings.get(name), value, part)
         return replace(end, projection=projection, settings=settings)
     except Refusal:  # the straight path leads through an impossible state
         return None

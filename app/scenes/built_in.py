@@ -63,8 +63,7 @@ def _cube() -> Parts:
             (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, visible on a light background
         ),
         Projection(
-            Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=38.0, near=1.5, far=3.5),
+            Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)), Perspective(fov_y_deg=38.0, near=1.5, far=3.5)
         ),
     )
 
@@ -100,8 +99,4 @@ def _posts() -> Parts:
     )
 
 
-BUILDERS: dict[str, Callable[[], Parts]] = {
-    "letter-f": _letter_f,
-    "cube": _cube,
-    "posts": _posts,
-}
+BUILDERS: dict[str, Callable[[], Parts]] = {"letter-f": _letter_f, "cube": _cube, "posts": _posts}

@@ -17,12 +17,10 @@ from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
 ONE_POINT = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are at one point, so there is nothing to see; check the export.",
+    "Refusal", "{0}: all vertices are at one point, so there is nothing to see; check the export."
 )
 ONE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are on one line, so there is nothing to see; check the export.",
+    "Refusal", "{0}: all vertices are on one line, so there is nothing to see; check the export."
 )
 WRONG_SIZE = QT_TRANSLATE_NOOP(
     "Refusal",

@@ -49,12 +49,9 @@ def own_mesh(surface: PolyMesh, origin: Vector, pixels: bool) -> OwnMesh:
     longest = points[triangles[_largest(spans.max(axis=1), SUBJECT_TRIANGLES)]].astype(np.float64)
     if not len(longest):  # every face is a line
         longest = edges[:1, [0, 0, 1]]
-    whole = np.empty((0, 3, 3))
-    if pixels:
-        whole = _coarser(points, triangles) + origin
-    return OwnMesh(
-        edges + origin, len(starts), longest + origin, len(longest) < len(triangles), whole
-    )
+    whole = _coarser(points, triangles) + origin if pixels else np.empty((0, 3, 3))
+    more = len(longest) < len(triangles)
+    return OwnMesh(edges + origin, len(starts), longest + origin, more, whole)
 
 
 def _coarser(points: NDArray[np.floating], triangles: Ints) -> Floats:
