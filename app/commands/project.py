@@ -164,10 +164,8 @@ def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
                 known = nothing % tuple(texts[first : first + answer.in_world])
                 lines.append(f"{known}{next(others)}}}")
                 continue
-            if in_front:
-                line = seen % tuple(texts[first : first + count])
-            else:
-                line = unseen % tuple(texts[first : first + before_ndc])
+            form, size = (seen, count) if in_front else (unseen, before_ndc)
+            line = form % tuple(texts[first : first + size])
             inside = "true" if in_front and not outside_of else "false"
             outside = json.dumps(outside_of)
             more = next(others)

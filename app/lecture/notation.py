@@ -211,9 +211,8 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         called = [*filter(None, (names.get(matrix.name, ""), _chain(names, of)))]
         shown[matrix.name] = called[0] if called else matrix.name
         chain = tuple(_chain(shown, [name]) for name in parts)
-        whole_chain.append(
-            matrix._replace(product=parts, factors=factors, called=" = ".join(called), chain=chain)
-        )
+        named = matrix._replace(factors=factors, called=" = ".join(called), chain=chain)
+        whole_chain.append(named._replace(product=parts))
     return tuple(whole_chain)
 
 

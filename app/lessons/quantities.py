@@ -337,9 +337,8 @@ class Quantities:
             return self.projection.placement.object_from_world(row)[XYZ.index(part)]
         if number not in self._traces:
             *place, w = row
-            self._traces[number] = (
-                self.projection.trace(place) if w else trace_at_infinity(self.projection, place)
-            )
+            at = self.projection
+            self._traces[number] = at.trace(place) if w else trace_at_infinity(at, place)
         trace = self._traces[number]
         of_space: Array = trace.depth if part == "depth" else getattr(trace, space)
         value = float(of_space if part == "depth" else of_space[(*XYZ, "w").index(part)])

@@ -237,10 +237,7 @@ def measure(
     seconds: float = 10.0,
     watch: Watch = unwatched,
 ) -> Trade:
-    """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`.
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`."""
     world = looked_at(projection, points_world)
     if not len(world):
         nothing = ChartPoint("", None, None, None, note=NO_POINTS)

@@ -37,8 +37,6 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     The cost is bytes of memory per pixel. The error is the distance behind the target, in world
     units, from which on the buffer separates every surface from it. It is measured by encoding, and
     predicted by the buffer's formula.
-
-    A `Cancelled` that `watch` raises has the choices done.
     """
     lens = projection.lens
     distance = -float(projection.trace(projection.camera.target).view[2])

@@ -162,10 +162,7 @@ def truth(edge: ClipEdge, s: Array) -> Array:
 def measure(
     projection: Projection, corners_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3).
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3)."""
     edge = steepest_edge(projection, corners_world)
     if edge is None:
         nothing = ChartPoint("perspective-correct", None, None, None, note=NOTHING)

@@ -23,10 +23,7 @@ _WAYS = {
 def measure(
     projection: Projection, points_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure the jumps of the scene's vertices (n, 3).
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure the jumps of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
         return Trade("jitter", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0)

@@ -64,8 +64,6 @@ def measure(
 
     The cost is ms per frame, which every choice draws, reads back and scales to the screen. The
     error is the root mean square of the pixels' differences, in levels from 0 to 255.
-
-    A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
     size = picture_size(projection)
     with ExitStack() as stack:

@@ -18,7 +18,7 @@ from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.precision.levels import Prediction, predict, trace
-from app.scenes.phenomena.picture import seen
+from app.scenes.phenomena.picture import image_from_ndc, seen
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -252,10 +252,7 @@ def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answe
     matrix = np.array([elements.GetElement(i, j) for i in range(4) for j in range(4)])
     clip = np.column_stack([world, np.ones(len(world))]) @ matrix.reshape(4, 4).T
     ndc = clip[:, :3] / clip[:, 3:]
-    width, height = projection.image_size
-    answers = np.column_stack(
-        [(ndc[:, 0] + 1.0) * width / 2.0, (1.0 - ndc[:, 1]) * height / 2.0, (ndc[:, 2] + 1.0) / 2.0]
-    )
+    answers = np.column_stack([image_from_ndc(projection, ndc), (ndc[:, 2] + 1.0) / 2.0])
     notes = []
     if fov_y_deg not in (None, camera.GetViewAngle()):
         notes.append(f"clamps the view angle to {camera.GetViewAngle():g}°")

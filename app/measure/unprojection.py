@@ -68,10 +68,7 @@ def timed_way(
 def measure(
     projection: Projection, points_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure the trade with the scene's vertices (n, 3), from their pixels and depths.
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure the trade with the scene's vertices (n, 3), from their pixels and depths."""
     trace = projection.trace(looked_at(projection, points_world))
     pixels = float32_pixels(trace.image, trace.depth)
     pixels = pixels[(pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0)]

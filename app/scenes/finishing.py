@@ -196,9 +196,8 @@ def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints,
     for number, which in enumerate(_blocks(large)):
         ends = np.concatenate([[0], np.cumsum(counts[which])])
         places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
-        triangles, owners = divided(
-            mesh.points, ends, mesh.corners[places], partial(tell, number * _BLOCK)
-        )
+        told = partial(tell, number * _BLOCK)
+        triangles, owners = divided(mesh.points, ends, mesh.corners[places], told)
         corners.append(triangles.ravel())
         face.append(which[owners])
     faces = np.concatenate(face)

@@ -420,9 +420,8 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     first = len(mesh.points) * np.arange(copies)[:, None, None]
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     corners += first
-    rgb, dot_rgb = (
-        None if each is None else np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb)
-    )
+    colours = mesh.rgb, mesh.dot_rgb
+    rgb, dot_rgb = (None if each is None else np.tile(each, (copies, 1)) for each in colours)
     return Mesh(
         points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,
         mesh.painted, (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel(), dot_rgb,

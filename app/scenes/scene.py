@@ -5,9 +5,8 @@ looks the same in the world, in NDC and in the image, and no pane needs a light.
 stored relative to `Scene.origin`, subtracted in float64, because a GPU computes in float32: a mesh
 1e7 away from the world's origin would keep one digit.
 
-The letter F of eight cubes standing on a grid in the xz plane is the scene of lecture 004
-(Horvat); the cube and the receding row of posts prepare and follow it. After them come the
-phenomena of `app.scenes.phenomena`, whose subject can be the user's own mesh.
+The built-in scenes of `app.scenes.built_in` come first, then the phenomena of
+`app.scenes.phenomena`, whose subject can be the user's own mesh.
 
 This package knows neither Qt nor a screen. It only reads files and places the first camera.
 """

@@ -146,9 +146,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "002"),
-    start=Projection(
-        Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(fov_y_deg=38.0, near=4.0, far=10.5)
-    ),
+    start=Projection(Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(38.0, 4.0, 10.5)),
     geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
     adjustable=(Parameter("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),

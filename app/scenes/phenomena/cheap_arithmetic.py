@@ -302,7 +302,7 @@ PHENOMENON = Phenomenon(
     lectures=("000", "002"),
     start=Projection(
         Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)),
-        Perspective(fov_y_deg=48.0, near=4.0, far=20.0),
+        Perspective(48.0, 4.0, 20.0),
         (320, 240),
     ),
     geometry=_geometry,

@@ -331,9 +331,7 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "004"),
-    start=Projection(
-        Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
-    ),
+    start=Projection(Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),

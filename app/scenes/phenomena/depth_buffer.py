@@ -240,10 +240,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "001"),
-    start=Projection(
-        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
-        Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
-    ),
+    start=Projection(Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)), Perspective(45.0, 0.01, 200.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

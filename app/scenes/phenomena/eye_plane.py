@@ -432,9 +432,8 @@ def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
         places = image_from_ndc(projection, naive_ndc(clip))
         inside = (places >= 0.0) & (places <= projection.image_size)
     drawn = inside.all(axis=1) & ((clip[:, 3] > 0.0) | (way in ("faces", "naive")))
-    return Marks.of(
-        *(named(("A'", "B'")[i], places[i], size=1.2) for i in np.flatnonzero(drawn).tolist())
-    )
+    each = zip(("A'", "B'"), places, drawn, strict=True)
+    return Marks.of(*(named(name, place, size=1.2) for name, place, here in each if here))
 
 
 def _ab(ends: Array, colour: str, width: float) -> Marks:
@@ -489,9 +488,7 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "004"),
-    start=Projection(
-        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(fov_y_deg=75.0, near=0.05, far=30.0)
-    ),
+    start=Projection(Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(75.0, 0.05, 30.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
     adjustable=(

@@ -305,9 +305,7 @@ def _diagram(lens: _Focused) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(fov_y_deg=28.0, near=1.7, far=22.0)
-    ),
+    start=Projection(Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(28.0, 1.7, 22.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

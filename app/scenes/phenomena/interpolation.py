@@ -212,9 +212,7 @@ def _readings(
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("002", "003"),
-    start=Projection(
-        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(fov_y_deg=50.0, near=3.0, far=24.0)
-    ),
+    start=Projection(Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(50.0, 3.0, 24.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -155,7 +155,7 @@ PHENOMENON = Phenomenon(
     lectures=("003", "004"),
     start=Projection(
         Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)),
-        Perspective(fov_y_deg=40.0, near=5.0, far=15.0),
+        Perspective(40.0, 5.0, 15.0),
         (1920, 1080),
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),

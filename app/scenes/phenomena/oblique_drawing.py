@@ -166,13 +166,11 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
         world = [_projectors(projection, corners, trace.view[4:12]), *world]
-    segments_clip = projection.trace(segments).clip
+    lines = seen_lines(projection, projection.trace(segments).clip, _COLOURS, 2.0)
     return Illustration(
         _readings(projection, drawn, by_formula, note),
         world=Marks.of(*world),
-        image=Marks.of(
-            *seen_lines(projection, segments_clip, _COLOURS, 2.0), *seen_texts(trace, texts(named))
-        ),
+        image=Marks.of(*lines, *seen_texts(trace, texts(named))),
         warning=warning,
     )
 

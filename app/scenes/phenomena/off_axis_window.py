@@ -175,9 +175,8 @@ def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
     x = 2.0 * left.image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    return Marks.of(
-        plate(corners, "accent", 1.5, 0.2), Text("join", corners[1], "accent", text=WORDS["join"])
-    )
+    name = Text("join", corners[1], "accent", text=WORDS["join"])
+    return Marks.of(plate(corners, "accent", 1.5, 0.2), name)
 
 
 def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:

@@ -270,9 +270,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("002",),
-    start=Projection(
-        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(fov_y_deg=32.0, near=4.0, far=24.0)
-    ),
+    start=Projection(Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(32.0, 4.0, 24.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)),
     show=_show,
     adjustable=(

@@ -277,10 +277,7 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
-        Perspective(fov_y_deg=45.0, near=5.0, far=60.0),
-    ),
+    start=Projection(Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)), Perspective(45.0, 5.0, 60.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -183,9 +183,7 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "001", "002", "004"),
-    start=Projection(
-        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(fov_y_deg=40.0, near=2.0, far=14.0)
-    ),
+    start=Projection(Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(40.0, 2.0, 14.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
     adjustable=(

@@ -119,9 +119,7 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "004"),
-    start=Projection(
-        Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=38.0, near=0.1, far=1000.0)
-    ),
+    start=Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 0.1, 1000.0)),
     geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
     show=_show,
     adjustable=(

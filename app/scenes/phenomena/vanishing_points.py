@@ -291,9 +291,8 @@ def _image_marks(
             starts += list(edges_clip[axis, :, point.far_end])
             ends += [point.clip] * 4
             colours += [_COLOURS[axis]] * 4
-    *pieces, run = cut_in_picture(
-        projection, np.array([*starts, start_clip]), np.array([*ends, there.clip]), SIDES
-    )
+    both = np.array([*starts, start_clip]), np.array([*ends, there.clip])
+    *pieces, run = cut_in_picture(projection, *both, SIDES)
     drawn = zip(pieces, colours, strict=True)
     marks: list[Mark] = [Polyline(each, colour, 1.0) for each, colour in drawn if each is not None]
     # From C to P, as long as their part of the projective line is in front of the eye.
@@ -401,7 +400,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # No ground is seen before the near plane, so that there is room for the marks on it.
-        Perspective(fov_y_deg=70.0, near=3.2, far=11.0),
+        Perspective(70.0, 3.2, 11.0),
     ),
     geometry=_geometry,
     show=_show,

@@ -169,9 +169,7 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
-    ),
+    start=Projection(Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("volume", "pyramid"),),
