@@ -29,7 +29,7 @@ def opened(window: MainWindow) -> StartCard:
     """The card over a window."""
     window.menus.start_card.trigger()
     settle()
-    card = window.start_card
+    card = window.cover
     assert card is not None and card.isVisible()
     return card
 
@@ -40,7 +40,7 @@ def button(card: StartCard, text: str) -> QToolButton:
 
 def is_gone(window: MainWindow) -> bool:
     settle()
-    return window.start_card is None and not any(
+    return window.cover is None and not any(
         card.isVisible() for card in window.findChildren(StartCard)
     )
 
