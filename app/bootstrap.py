@@ -12,6 +12,8 @@
             | fails, and the former .venv still has all that is imported
             +-----------------------------------------> the same, and say what is not up to date
 
+A .venv that another program made is never changed: it is used if it has everything.
+
 The packages and their bounds are in ``pyproject.toml`` (`app.python_packages`), the tested exact
 versions in ``constraints.txt``, the system libraries in `app.system_packages`. This module imports
 the standard library only. It writes to standard error, because standard output belongs to the
@@ -58,8 +60,8 @@ PROGRAM = "python3 -m app" if os.path.exists(ROOT / "pyproject.toml") else "frus
 EXIT_NOT_SET_UP = 3
 #: Space for a fresh environment with the tests' packages, 1.15 GB, and pip's temporary files.
 SPACE_GB = 1.5
-#: Interval at which the progress is repeated: on a terminal in one line, and elsewhere.
-TICK_S, TICK_ELSEWHERE_S = 0.5, 10.0
+#: Interval at which a terminal's line of progress counts its seconds.
+TICK_S = 0.5
 
 _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
@@ -86,14 +88,10 @@ def _ensure_system(missing: Sequence[System]) -> None:
     if not is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
     packages = packages_of(missing)
-    _log(f"this system lacks {' '.join(packages)}")
-    with _stoppable(), _Activity() as progress:
-        for text, command in (
-            # An unreachable repository is no reason to stop: the necessary one may be reachable.
-            ("updating the list of system packages", ["apt-get", "update"]),
-            ("installing system packages", [*APT_INSTALL, *packages]),
-        ):
-            progress.show(text)
+    _log(f"installing system packages: {' '.join(packages)}")
+    with _stoppable():
+        # An unreachable repository is no reason to stop: the necessary one may be reachable.
+        for command in (["apt-get", "update"], [*APT_INSTALL, *packages]):
             done = subprocess.run(
                 command,
                 env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
@@ -113,11 +111,9 @@ def _ensure_system(missing: Sequence[System]) -> None:
 
 # --- the virtual environment ----------------------------------------------------------------------
 
-#: Runs inside an environment: prints which Python it is, whether it has pip, and what is old.
+#: Runs inside an environment: prints which packages are old, unless one cannot be imported.
 _PROBE = """
-import importlib.util, sys
-print(sys.implementation.cache_tag)
-print("pip" if importlib.util.find_spec("pip") else "")
+import sys
 sys.path.insert(0, sys.argv[1])
 from app import bootstrap, python_packages
 wanted = python_packages.requirements(bootstrap.ROOT, sys.argv[2:])
@@ -131,15 +127,14 @@ class Environment:
 
     The stamp has one line for each group of packages that was installed completely: the program's,
     and the program's with extras. A line names the Python, the platform and the exact
-    requirements. While packages are being installed, the stamp ends with a line that says so; an
-    environment with such a stamp but without a lock was left unfinished. Nothing is changed until
-    pip has downloaded everything. An environment that must be replaced is renamed to `aside`, and
-    is restored if its successor fails.
+    requirements. From the moment when pip has downloaded everything until it has installed it, the
+    stamp says that the environment is unfinished. An unfinished environment is made anew, and so is
+    one of another Python.
     """
 
     def __init__(self, root: Path, extras: Sequence[str] = ()) -> None:
         self.root, self.extras = root, tuple(extras)
-        self.folder, self.aside = root / ".venv", root / ".venv.old"
+        self.folder = root / ".venv"
         self.python = self.folder / (
             "Scripts/python.exe" if sys.platform == "win32" else "bin/python"
         )
@@ -177,120 +172,64 @@ class Environment:
             )
         started = time.monotonic()
         with _stoppable(), _lock(self.root / ".venv.lock") as held:
-            self._bring_back()  # left aside by a set-up that was killed
             if self.is_complete():  # another start has just finished it
                 return
             if self.can_be_kept():
                 held.show(f"bringing {self.folder} up to date")
-                self._install(held)
             else:
                 if shutil.disk_usage(self.root).free < SPACE_GB * 1e9:
                     raise _no_space(self.root)
                 held.show(f"first start: setting up {self.folder} (once; needs the network)")
                 self._make_anew(held)
+            self._install(held)
             lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("".join(lines), encoding="utf-8")
             fresh.replace(self.stamp)
-            self._bring_back()
         _log(f"set up in {time.monotonic() - started:.0f} s")
 
     def _make_anew(self, held: HeldLock) -> None:
-        if self.read_stamp() in (None, _UNFINISHED):
-            self._clear(self.folder)
-        else:  # it serves another Python, or the program while the tests' part is half-made
-            with self._not_in_use():
-                self.folder.rename(self.aside)
         try:
-            self.folder.mkdir(parents=True)
-            self.stamp.write_text(_UNFINISHED, encoding="utf-8")
-            output: list[str] = []
-            status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
-            if status != 0:
-                raise self._failure(
-                    status, output, "",
-                    "Python could not make a virtual environment ({}); try it with: "
-                    + command_line([sys.executable, "-m", "venv", "--clear", str(self.folder)]),
-                )  # fmt: skip
-            self._install(held)
-        except BaseException:
-            self._bring_back()
-            raise
-
-    def _bring_back(self) -> None:
-        """Restore the environment that was put aside, unless the new one is complete."""
-        if os.path.exists(self.aside):
-            if self.is_complete():
-                self._clear(self.aside)
-            else:
-                self._clear(self.folder)
-                self.aside.rename(self.folder)
-
-    def _clear(self, folder: Path) -> None:
-        with self._not_in_use():
-            if os.path.exists(folder):
-                shutil.rmtree(folder)
-
-    @contextlib.contextmanager
-    def _not_in_use(self) -> Iterator[None]:
-        try:
-            yield
+            if os.path.exists(self.folder):
+                shutil.rmtree(self.folder)
         except OSError as error:
             raise SetupError(
                 f"{self.folder} could not be removed ({error}); close the programs that run in it "
                 f"and run again: {_command_again()}"
             ) from None
+        self.folder.mkdir(parents=True)
+        self.mark_unfinished()
+        output: list[str] = []
+        status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
+        if status != 0:
+            raise self._failure(
+                status, output, "",
+                "Python could not make a virtual environment ({}); try it with: "
+                + command_line([sys.executable, "-m", "venv", "--clear", str(self.folder)]),
+            )  # fmt: skip
 
-    def mark_unfinished(self, *, whole: bool = True) -> None:
-        """Trust nothing from now on; if only extras are affected, the program's part stays trusted.
-
-        That part must be `whole` according to checks other than the stamp.
-        """
-        whole = whole and self.line() in (self.read_stamp() or "").split("\n")
-        kept = f"{self.line()}\n" if self.extras and whole else ""
-        self.stamp.write_text(kept + _UNFINISHED, encoding="utf-8")
+    def mark_unfinished(self) -> None:
+        self.stamp.write_text(_UNFINISHED, encoding="utf-8")
 
     def can_be_kept(self) -> bool:
         """Whether pip can complete the environment; otherwise it has to be made anew."""
-        tag, has_pip, old = self._look()
-        stamp = self.read_stamp()
-        if stamp is not None:
-            # Neither unfinished nor for another Python or platform (machines may share a folder).
-            return stamp.startswith(_here()) and not stamp.endswith(_UNFINISHED) and has_pip
-        # Another program made it: complete it, or leave it alone.
-        how = _remove(self.folder)
-        if not has_pip and old is not None:
-            raise SetupError(
-                f"{self.folder} was made by another program and has no pip; bring it up to date "
-                f"with that program, or remove it and start again: {how}"
-            )
-        if has_pip and tag != sys.implementation.cache_tag:
-            raise SetupError(
-                f"{self.folder} was made by hand for another Python; remove it and start again: "
-                f"{how}"
-            )
-        return has_pip
+        return (self.read_stamp() or "").startswith(_here())  # machines may share a folder
+
+    def is_foreign(self) -> bool:
+        """Whether another program, such as ``uv venv``, made it."""
+        return self.read_stamp() is None and os.path.exists(self.python)
 
     def serves(self) -> bool:
-        """Whether another program, such as ``uv run``, made it with everything that is needed."""
-        return self.read_stamp() is None and self._look()[2] == ""
+        return self.is_complete() or (self.is_foreign() and self.lacks() == "")
 
-    def still_lacks(self) -> str | None:
+    def lacks(self) -> str | None:
         """Return what is out of date; None if something that is imported is missing."""
-        return self._look()[2] if self.can_be_kept() else None
-
-    def _look(self) -> tuple[str, bool, str | None]:
-        """Return the Python that it runs, whether it has pip, and the packages out of bounds.
-
-        The last is None if a package is missing; all are empty if the Python does not run.
-        """
         command = [str(self.python), "-I", "-c", _PROBE, str(self.root), *self.extras]
         try:
             done = subprocess.run(command, capture_output=True, text=True, check=False)
         except OSError:
-            return "", False, None
-        tag, pip, *old = [*done.stdout.split("\n")[:-1], "", ""][:3]
-        return tag, bool(pip), old[0] if done.stdout.count("\n") > 2 else None
+            return None
+        return done.stdout.strip() if done.stdout else None
 
     def _install(self, held: HeldLock) -> None:
         """Install the tested versions or, if they are not available here, newer ones."""
@@ -331,21 +270,12 @@ class Environment:
             output.append(line)
             if line.startswith(_INSTALLING):  # everything is downloaded: pip changes nothing before
                 self.mark_unfinished()
-                before, count = self._installed(), line.count(",") + 1
-                held.show(
-                    f"  installing packages: {count}",
-                    lambda: f"{max(0, self._installed() - before)} done",
-                )
+                held.show(f"  installing packages: {line.count(',') + 1}")
             elif (text := _progress(line)) is not None and text not in told:
                 told.add(text)
                 held.show(f"  {text}")
 
         return held.run(command, follow), output
-
-    def _installed(self) -> int:
-        """Count the installed packages; pip writes a package's RECORD last."""
-        inside = "Lib" if sys.platform == "win32" else "lib/python*"
-        return sum(1 for _ in self.folder.glob(f"{inside}/site-packages/*.dist-info/RECORD"))
 
 
 def _here() -> str:
@@ -394,68 +324,43 @@ def _last_line(lines: Iterable[str], start: str = "") -> str:
 # --- one set-up at a time -------------------------------------------------------------------------
 
 
-class _Activity:
-    """Shows the current activity repeatedly, so that the program does not seem to hang.
+class HeldLock:
+    """A held lock with its progress. Programs that run under it hold the lock too.
 
-    On a terminal the line counts the seconds; elsewhere a new line appears now and then.
+    If a set-up is killed, its pip may continue for a while (on Linux it is killed too). Because pip
+    inherited the open lock file, the lock is free only when pip has ended. On a terminal the line
+    of progress counts the seconds.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, file: IO[bytes]) -> None:
+        self._file = file
         self._live = sys.stderr is not None and sys.stderr.isatty()
-        self._lock, self._over = threading.Lock(), threading.Event()
+        self._over = threading.Event()
         self._thread = threading.Thread(target=self._tick, daemon=True)
         self._text, self._since = "", 0.0
-        self._more: Callable[[], str] = str
 
     def __enter__(self) -> Self:
-        self._thread.start()
+        if self._live:
+            self._thread.start()
         return self
 
     def __exit__(self, *_: object) -> None:
         self._over.set()
-        self._thread.join()
-        self._end_line()
-
-    def show(self, text: str, more: Callable[[], str] = str) -> None:
-        """Set the current activity; `more` returns its progress."""
-        with self._lock:
-            if text != self._text:
-                self._end_line()
-                self._text, self._more, self._since = text, more, time.monotonic()
-                self._write() if self._live else _log(text)
-
-    def _tick(self) -> None:
-        while not self._over.wait(TICK_S if self._live else TICK_ELSEWHERE_S):
-            with self._lock:
-                if self._text:
-                    self._write()
-
-    def _write(self) -> None:
-        seconds = time.monotonic() - self._since
-        how_far = [self._more(), f"{seconds:.0f} s" if seconds >= 1 else ""]
-        end = "".join(f", {part}" for part in how_far if part)
-        if not self._live:
-            _log(self._text + end)
-            return
-        room = max(0, shutil.get_terminal_size().columns - len("frustum-lab: ") - 1)
-        line = f"{self._text[: max(0, room - len(end))]}{end}".ljust(room)
-        print(f"\rfrustum-lab: {line}", end="", file=sys.stderr, flush=True)
-
-    def _end_line(self) -> None:
-        if self._live and self._text:
+        if self._live:
+            self._thread.join()
             print(file=sys.stderr, flush=True)
 
+    def show(self, text: str) -> None:
+        self._text, self._since = text, time.monotonic()
+        if not self._live:
+            _log(text)
 
-class HeldLock(_Activity):
-    """A held lock with its progress. Programs that run under it hold the lock too.
-
-    If a set-up is killed, its pip may continue for a while (on Linux it is killed too). Because pip
-    inherited the open lock file, the lock is free only when pip has ended.
-    """
-
-    def __init__(self, file: IO[bytes]) -> None:
-        super().__init__()
-        self._file = file
+    def _tick(self) -> None:
+        while not self._over.wait(TICK_S):
+            room = max(0, shutil.get_terminal_size().columns - 1)
+            seconds = f", {time.monotonic() - self._since:.0f} s"
+            line = f"frustum-lab: {self._text}"[: max(0, room - len(seconds))] + seconds
+            print(f"\r{line.ljust(room)}", end="", file=sys.stderr, flush=True)
 
     def run(self, command: Sequence[str], follow: Callable[[str], object]) -> int:
         """Run a command, pass each line of its output to `follow`, and return its exit status."""
@@ -562,8 +467,7 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
     if _is_met(wanted, environment):
         os.environ.pop(_AGAIN, None)
         return True
-    may_go = _AGAIN not in os.environ and not environment.is_running()
-    if may_go and (environment.is_complete() or environment.serves()):
+    if _AGAIN not in os.environ and not environment.is_running() and environment.serves():
         again(environment.python)
     return False
 
@@ -600,7 +504,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         )
     if environment.is_running():
         if environment.is_complete():  # its stamp is complete, but a package has been lost since
-            environment.mark_unfinished(whole=are_importable(requirements(ROOT)))
+            environment.mark_unfinished()
         # An environment cannot be replaced while it runs, so that is done from outside.
         outside = Path(getattr(sys, "_base_executable", sys.executable))
         if sys.platform == "win32":  # where this process would wait and keep its own file open
@@ -609,13 +513,19 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
                 f"{command_line([str(outside), *sys.orig_argv[1:]])}"
             )
         again(outside)
+    if environment.is_foreign():
+        raise SetupError(
+            f"{environment.folder} was made by another program and lacks "
+            f"{environment.lacks() or 'packages'}; complete it with that program, or remove it "
+            f"and start again: {_remove(environment.folder)}"
+        )
     if missing := [*venv_module(), *missing_system(need)]:
         _ensure_system(missing)
     how = "made"
     try:
         environment.make()
     except SetupError as error:
-        lacking = environment.still_lacks()
+        lacking = environment.lacks()
         if lacking is None:
             raise
         _log(f"{error}")

@@ -19,11 +19,8 @@ DAMAGED = "is damaged UTF-16 or UTF-32 text; what cannot be read is shown as \uf
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
     """Open a regular file for reading, or a link to one, but no pipe, device or socket.
 
-    Raises
-    ------
-    OSError
-        If it cannot be opened, is larger than `LARGEST_FILE` or is no regular file; for the
-        system's own reasons as `open` does.
+    Raises an `OSError` if it cannot be opened, is larger than `LARGEST_FILE` or is no regular file;
+    for the system's own reasons as `open` does.
     """
     _check_regular(os.stat(path))  # first: merely opening a device may have an effect
 

@@ -157,8 +157,6 @@ def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Arr
     squares the relative error e of r (Markstein, "Computation of elementary functions on the IBM
     RISC System/6000 processor", 1990).
 
-    Notes
-    -----
     With roundings d_i below u, and s half a step near 0:
     ``w r' - 1 = (1 + e)(1 - e - (1 + e) d_1 - s)(1 + d_2)(1 + d_3) - 1 + w s``.
     """

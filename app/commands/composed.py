@@ -139,11 +139,18 @@ def measure() -> Measure:
 
 
 def states_of(course: Course, place: int) -> list[Document]:
-    """What a step shows, then its predictions, and an exercise with its first numbers."""
+    """What a step shows, then its predictions, an exercise with its first numbers, and replies."""
     here = course.at(place)
     states = [part.show for part in here.step.parts if part.show is not None]
-    drawn = [part.variant(here, 1).here.document for part in here.step.asked if part.varies]
-    return [here.document, *map(here.shown_by, states), *drawn]
+    posed = [(part.varies, part.variant(here, int(part.varies))) for part in here.step.asked]
+    drawn = [variant.here.document for varies, variant in posed if varies]
+    replied = [
+        variant.here.shown_by(reply.state)
+        for _, variant in posed
+        for reply in variant.question.replies
+        if reply.state is not None
+    ]
+    return [here.document, *map(here.shown_by, states), *drawn, *replied]
 
 
 def taken(

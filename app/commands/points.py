@@ -114,8 +114,7 @@ def read(source: str) -> Read:
     return Read(points, has_w, Columns(names, kept))
 
 
-_DECLARED = re.compile(r"sep=(.)\s*")
-"""Excel's own first line."""
+_DECLARED = re.compile(r"sep=(.)\s*")  # Excel's own first line
 
 
 def _separator(text: str) -> str:
@@ -132,8 +131,7 @@ def _separator(text: str) -> str:
     return "," if "," in first else " "
 
 
-_IN_BRACKETS = re.compile(r"[(\[].*[)\]][,;]?")
-"""A row as numpy and this program print it."""
+_IN_BRACKETS = re.compile(r"[(\[].*[)\]][,;]?")  # a row as numpy and this program print it
 
 
 def _lines(text: str, separator: str) -> Iterator[str]:

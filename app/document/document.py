@@ -44,22 +44,14 @@ class Document:
     Raises a `Refusal` if a value is not valid, the scene cannot have this mesh or these settings,
     or the projection moves objects that are fixed.
 
-    Parameters
-    ----------
-    scene : str
-        Name of a built-in scene, or path of a mesh file.
-    extra : dict
-        Keys that this program does not know, at their places in the file:
-        ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
-    view : View
-        How the document is looked at. It is saved, but not compared.
-    settings : mapping
-        The settings of the scene's phenomenon; missing ones get their defaults. Complete and
-        read-only after construction, and empty for every other scene.
-    mesh : str
-        Path of the user's mesh that replaces a phenomenon's own objects; empty for none.
-    quality : Quality
-        The precision and detail of the drawing.
+    - `scene`: name of a built-in scene, or path of a mesh file.
+    - `extra`: keys that this program does not know, at their places in the file:
+      ``{"author": "...", "lens": {"label": "..."}}``. Not to be changed in place.
+    - `view`: how the document is looked at. It is saved, but not compared.
+    - `settings`: the settings of the scene's phenomenon; missing ones get their defaults. Complete
+      and read-only after construction, and empty for every other scene.
+    - `mesh`: path of the user's mesh that replaces a phenomenon's own objects; empty for none.
+    - `quality`: the precision and detail of the drawing.
     """
 
     scene: str = "letter-f"
@@ -96,10 +88,7 @@ class Document:
     def with_settings(self, settings: Mapping[str, Any]) -> Document:
         """Return the document with other settings, and the projection that they require.
 
-        Raises
-        ------
-        Refusal
-            If the scene cannot have them, or no projection fits them.
+        Raises a `Refusal` if the scene cannot have them, or no projection fits them.
         """
         phenomenon = PHENOMENA.get(self.scene)
         if phenomenon is None:

@@ -21,8 +21,7 @@ FRAMES = {"frame-o": "O", "frame-w": "W", "frame-e": "E"}
 and their letters."""
 PROBE_LETTER = "probe-"
 """Before a letter: ``probe-A`` gives the first probe the letter A in place of its number."""
-_CUBE = frozenset(ENDS)
-"""What the cube beside a scene's own picture is named by."""
+_CUBE = frozenset(ENDS)  # what the cube beside a scene's own picture is named by
 
 
 def named_in(

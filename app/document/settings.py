@@ -82,17 +82,14 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     Raises a `Refusal` for an unknown path (naming the nearest known one), a text that is not a
     value, or an invalid result.
 
-    Parameters
-    ----------
-    assignments : iterable of str
-        ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
-        ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row;
-        probes are the numbers x, y, z of each point in turn; hidden layers, and the things that
-        the pictures name, are names separated by commas.
-        ``view.compare=lens.near=2;lens.far=9|lens.near=3`` compares with two pictures, and
-        ``view.compare=NAME`` with those of one of the scene's own comparisons. A picture
-        may have a name, ``eye: settings.preset=eye|phone: settings.preset=phone``; of several
-        pictures one may be the document's own.
+    - `assignments`: ``lens.far=inf``, ``camera.eye=3,2,4``, ``depth=reversed``, ``scene=cube``,
+      ``settings.distance=2``, ``view.stage=pyramid``. A matrix is its 16 cells, row by row; probes
+      are the numbers x, y, z of each point in turn; hidden layers, and the things that the pictures
+      name, are names separated by commas. ``view.compare=lens.near=2;lens.far=9|lens.near=3``
+      compares with two pictures, and ``view.compare=NAME`` with those of one of the scene's own
+      comparisons. A picture may have a name,
+      ``eye: settings.preset=eye|phone: settings.preset=phone``; of several pictures one may be the
+      document's own.
     """
     texts: dict[str, str] = {}
     for assignment in assignments:

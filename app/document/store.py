@@ -80,8 +80,7 @@ class Store(QObject):
             self._undo.append(_UndoStep(saved, self.origin))
         self._gestures = 0
         self._gesture_start: Document | None = None
-        self._before: tuple[Any, ...] | None = None
-        """The state that a refused change goes back to."""
+        self._before: tuple[Any, ...] | None = None  # the state that a refused change goes back to
         self._is_refused = False
 
     @property

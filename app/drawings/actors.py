@@ -114,18 +114,11 @@ class Space:
 class FlatActor(vtkActor):
     """An actor in flat colours, and what its shaders do, for figures without pixels.
 
-    Attributes
-    ----------
-    lift : float
-        How much nearer its vertices are, in NDC of the pane's own camera.
-    depth : float, optional
-        The depth in NDC at which all of it is drawn.
-    paper : (float, float, float), optional
-        The colour of which `PAPER` is mixed into its own.
-    is_shaded : bool
-        Whether shaders decide more than that: its picture is known only in pixels.
-    is_drawing : bool
-        Whether it is a drawing on a plane, of which nothing is hidden.
+    - `lift`: how much nearer its vertices are, in NDC of the pane's own camera.
+    - `depth`: the depth in NDC at which all of it is drawn.
+    - `paper`: the colour of which `PAPER` is mixed into its own.
+    - `is_shaded`: whether shaders decide more than that: its picture is known only in pixels.
+    - `is_drawing`: whether it is a drawing on a plane, of which nothing is hidden.
     """
 
     lift = 0.0
@@ -552,11 +545,9 @@ def lifted(clip_from_local: Array, projection: Projection, scene: Scene) -> Arra
 def applied(matrix: Array, points: Array) -> Array:
     """Apply a projective matrix to points, (n, 3)."""
     homogeneous = np.column_stack([points, np.ones(len(points))]) @ matrix.T
-    result: Array = homogeneous[:, :3] / homogeneous[:, 3:]
-    return result
+    return np.asarray(homogeneous[:, :3] / homogeneous[:, 3:])
 
 
 def fitting(matrix: Array) -> Array:
     """A homogeneous matrix without a common factor that could keep it from float32."""
-    fitted: Array = matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1]
-    return fitted
+    return np.asarray(matrix * 2.0 ** -math.frexp(float(np.abs(matrix).max()))[1])

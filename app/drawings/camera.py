@@ -47,14 +47,9 @@ _WALLS = tuple(FACES[side] for side in SIDES)
 class CameraDrawing(Layer):
     """The camera as an object in the world.
 
-    Attributes
-    ----------
-    solid : tuple of vtkActor
-        The body, `body_size` large in world units.
-    shafts, discs : mapping from str to vtkActor
-        The axes' lines; the dots at eye and target.
-    steps : FrameSteps or None
-        What the frame's construction adds; None before it is first shown.
+    - `solid`: the body, `body_size` large in world units.
+    - `shafts`, `discs`: the axes' lines; the dots at eye and target.
+    - `steps`: what the frame's construction adds; None before it is first shown.
     """
 
     def __init__(self, state: WorldState) -> None:
@@ -203,8 +198,7 @@ class CameraDrawing(Layer):
             tips = arrow_tips(len(STEPS) - 1, camera)
         reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
-        parts: Array = np.concatenate([BODY_BOX, ends]) @ camera.frame
-        return parts
+        return np.asarray(np.concatenate([BODY_BOX, ends]) @ camera.frame)
 
     @property
     def box(self) -> Array:

@@ -215,5 +215,4 @@ def _in_words(lines: Sequence[str], width: int, style: Style) -> Array:
     for place, line in enumerate(lines):
         middle = width / 2.0, (place + 0.5) * line_px
         ImageDraw.Draw(band).text(middle, line, fill=255, font=font, anchor="mm")
-    ink: Array = np.asarray(band, dtype=np.float64).reshape(-1, width) / 255.0
-    return ink
+    return np.asarray(np.asarray(band, dtype=np.float64).reshape(-1, width) / 255.0)

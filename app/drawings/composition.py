@@ -41,8 +41,7 @@ LETTERS = 0.022, 0.03
 """Height of the capitals of words, relative to the height of a screen that a class looks at."""
 CAPITAL = 0.729
 """Height of a capital of DejaVu Sans, in em."""
-_INK = 60
-"""Difference of a colour from the ground from which it is ink: a pale tint hides nothing."""
+_INK = 60  # difference of a colour from the ground from which it is ink: a pale tint hides nothing
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that decide only by what has to be inside whether they fill the pane."""
 

@@ -17,16 +17,12 @@ def beside(
 ) -> list[Floats | None]:
     """Place the names of points; None where a name has no free place.
 
-    Parameters
-    ----------
-    points, sizes : (n, 2) arrays
-        In pixels; the first ones choose first. A name without width gets no place.
-    frame, taken : (4,) and (k, 4) arrays
-        Left, low, right, high: where names may be, and boxes of other names; so is the result.
-    along : (m, 2) array
-        Places along curves, which no name hides.
-    gaps : (n,) array
-        From each point to its name.
+    - `points`, `sizes` (n, 2): in pixels; the first ones choose first. A name without width gets no
+      place.
+    - `frame`, `taken` (4,) and (k, 4): left, low, right, high: where names may be, and boxes of
+      other names; so is the result.
+    - `along` (m, 2): places along curves, which no name hides.
+    - `gaps` (n,): from each point to its name.
     """
     em = float(sizes[:, 1].max())
     ground = Ground(frame.tolist(), em)
@@ -62,16 +58,10 @@ def beside_curve(
 
     Without a free place the name goes into a list at the top left.
 
-    Parameters
-    ----------
-    frame : (4,) array
-        Left, top, right, bottom: where names may be; so are all boxes.
-    along : (n, 2) array
-        Places along the curve, which is `half` pixels wide on either side.
-    taken, lines : (m, 4) and (k, 4) arrays
-        Boxes of other names, and of pieces of all curves.
-    kept : (4,) array, optional
-        The name's last place, which is kept while it is free and beside its curve.
+    - `frame` (4,): left, top, right, bottom: where names may be; so are all boxes.
+    - `along` (n, 2): places along the curve, which is `half` pixels wide on either side.
+    - `taken`, `lines` (m, 4) and (k, 4): boxes of other names, and of pieces of all curves.
+    - `kept` (4,): the name's last place, which is kept while it is free and beside its curve.
     """
     width, height = size
     if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
@@ -88,8 +78,7 @@ def beside_curve(
     inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf
     if len(costs) and costs.min() < np.inf:
-        best: Floats = boxes[int(costs.argmin())]
-        return best
+        return np.asarray(boxes[int(costs.argmin())])
     left, top = frame[:2] + GAP_PX
     box = np.array([left, top, left + width, top + height])
     while overlap(box[None], taken).any() and box[3] < frame[3]:

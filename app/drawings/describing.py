@@ -82,14 +82,10 @@ def in_english(text: str, _context: str) -> str:
 class Description(NamedTuple):
     """Sentences about a document.
 
-    Attributes
-    ----------
-    title : str
-        The scene's.
-    general, cut, risky : tuple of str
-        About scene, camera, lens and marked points; about what lies outside of the view volume;
-        and about what is at risk.
-    panes : dict from {"world", "ndc", "image"} to str
+    - `title`: the scene's.
+    - `general`, `cut`, `risky`: about scene, camera, lens and marked points; about what lies
+      outside of the view volume; and about what is at risk.
+    - `panes`: about each pane, by its name.
     """
 
     title: str

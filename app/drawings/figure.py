@@ -94,32 +94,19 @@ class Figure:
     Raises a `Refusal` for an unknown pane, palette or kind of hidden lines, and for a size, a scale
     or letters that are not possible.
 
-    Parameters
-    ----------
-    scene : Scene
-        The document's.
-    panes : sequence of {"world", "ndc", "image"}
-        From left to right, as wide as `panes_in` says. The image alone is drawn without its frame.
-    size : Size or (int, int), optional
-        By default `PANE_PX` squares, or the image's own size for the image alone.
-    scale : float
-        Multiplies the size with all lines and letters: the same pixels, finer.
-    column : bool
-        Draw the panes below each other.
-    text_pt : float, optional
-        Height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
-    palette : str
-        One of `PALETTES`.
-    hidden : str
-        One of `HIDDEN`, for shapes.
-    crop : bool
-        Leave out what is empty around the content, but for a margin of `CROP_PX`.
-    transparent : bool
-        Leave the background transparent.
-    words : mapping, optional
-        The words in the drawings; by default English with the view's letters.
-    translate : callable
-        Puts the texts of the description into another language.
+    - `scene`: the document's.
+    - `panes`: of "world", "ndc", "image"; from left to right, as wide as `panes_in` says.
+      The image alone is drawn without its frame.
+    - `size`: by default `PANE_PX` squares, or the image's own size for the image alone.
+    - `scale`: multiplies the size with all lines and letters: the same pixels, finer.
+    - `column`: draw the panes below each other.
+    - `text_pt`: height of an em in points, of which 72 are `DPI` pixels; by default `USUAL_TEXT`.
+    - `palette`: one of `PALETTES`.
+    - `hidden`: one of `HIDDEN`, for shapes.
+    - `crop`: leave out what is empty around the content, but for a margin of `CROP_PX`.
+    - `transparent`: leave the background transparent.
+    - `words`: the words in the drawings; by default English with the view's letters.
+    - `translate`: puts the texts of the description into another language.
     """
 
     document: Document
@@ -221,15 +208,11 @@ class Figure:
         The first row is the top one; colours are not multiplied by alpha. Raises `Cancelled` when
         `progress` returned False.
 
-        Parameters
-        ----------
-        progress : callable, optional
-            Called now and then with the fraction done; drawing stops when it returns False.
-        seen : callable, optional
-            Called with the drawing of each pane and how many of its pixels are one of the figure's.
+        - `progress`: called now and then with the fraction done; drawing stops when it returns
+          False.
+        - `seen`: called with the drawing of each pane and how many of its pixels are one of the
+          figure's.
 
-        Notes
-        -----
         Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise
         VTK may use Qt's context for its own.
         """

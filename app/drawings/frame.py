@@ -153,14 +153,12 @@ class ObjectAxes:
     @property
     def origin(self) -> Array:
         """The object's origin, scene-local, (3,)."""
-        origin: Array = self._local_from_object[:3, 3]
-        return origin
+        return np.asarray(self._local_from_object[:3, 3])
 
     @property
     def ends(self) -> Array:
         """The tips of the axes, scene-local, (3, 3), one axis a row."""
-        ends: Array = self.origin + self.reach * self._local_from_object[:3, :3].T
-        return ends
+        return np.asarray(self.origin + self.reach * self._local_from_object[:3, :3].T)
 
 
 def axes_reach(size: float) -> float:

@@ -47,8 +47,7 @@ _FADE_FROM, _FADED = (
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""
-_VOLUME = (*ENDS, "fov")
-"""What the edges of the volume belong to."""
+_VOLUME = (*ENDS, "fov")  # what the edges of the volume belong to
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
 _ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
 """Where on a side of the window its name may stand."""
@@ -65,14 +64,10 @@ _CUBE_FROM_PYRAMID = np.eye(4)[[0, 1, 3, 2]]
 class FrustumDrawing(Layer):
     """The frustum, broken where it is too deep to be drawn to scale.
 
-    Attributes
-    ----------
-    space, apex_space : Space
-        From the cube's corners to scene-local coordinates; of the pyramid from the eye to near.
-    outlines : mapping from str to vtkActor
-        Edges of near and far, by name; `apex` are the lines from the eye to near.
-    dimmable : tuple of vtkActor
-        All but the planes' tints, which `tint` sets.
+    - `space`, `apex_space`: from the cube's corners to scene-local coordinates; of the pyramid from
+      the eye to near.
+    - `outlines`: edges of near and far, by name; `apex` are the lines from the eye to near.
+    - `dimmable`: all but the planes' tints, which `tint` sets.
     """
 
     def __init__(self, state: WorldState) -> None:
@@ -386,8 +381,7 @@ def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:
 
 def normalised(matrix: Array) -> Array:
     """The same projective matrix with entries that float32 can hold."""
-    result: Array = matrix / np.abs(matrix).max()
-    return result
+    return np.asarray(matrix / np.abs(matrix).max())
 
 
 def _broken_edge() -> tuple[Array, list[tuple[int, ...]]]:

@@ -32,7 +32,6 @@ from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
-from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Rendering
 from app.scenes.phenomena.readout import Phrase
@@ -45,18 +44,16 @@ class SceneInPicture(Layer):
     The faces of a phenomenon's copies are among its `marks`.
     """
 
-    def __init__(
-        self, state: ImageState, marks: MarksDrawing, tolerance_px: float, quality: Quality
-    ) -> None:
+    def __init__(self, state: ImageState, marks: MarksDrawing, tolerance_px: float) -> None:
         scene, self._style = state.scene, state.style
-        self._state, self._marks, self._quality = state, marks, quality
+        self._state, self._marks, self._quality = state, marks, state.options.quality
         self._tolerance_px = least_tolerance(scene, tolerance_px)
         self.model = ModelActors(scene, state.style, self._tolerance_px)
         state.canvas.add(*self.model.actors, renderer=state.renderer)
         self._moved = MovedVertices(scene, "projected", self.model.surface)
         self._rasteriser: Rasteriser | None = None
         self._rasterised = scene.requires & RASTERISED
-        if quality.has_depth:
+        if self._quality.has_depth:
             self._rasterised |= {"depth"}
         self.refused_depth: Refusal | None = None
         """Why the picture does not have the depth buffer that was chosen."""
@@ -162,8 +159,7 @@ class SceneInPicture(Layer):
 class ImageDrawing(Drawing):
     """The picture that the model's camera takes.
 
-    `tolerance_px` is the error up to which the GPU's own float32 may draw. The depth buffer is that
-    of `quality`, unless the scene is about a buffer itself.
+    `tolerance_px` is the error up to which the GPU's own float32 may draw.
     """
 
     pane = "image"
@@ -176,7 +172,6 @@ class ImageDrawing(Drawing):
         words: Mapping[str, str],
         style: Style,
         tolerance_px: float = DRAWING_TOLERANCE_PX,
-        quality: Quality = AUTOMATIC,
         options: PictureOptions = FRAMED,
         *,
         live: bool = False,
@@ -188,7 +183,7 @@ class ImageDrawing(Drawing):
         self._hidden: frozenset[str] = frozenset()
         self._add_picture(style)
         self._marks = marks = MarksDrawing(state, over=True)
-        self._scene = SceneInPicture(state, marks, tolerance_px, quality)
+        self._scene = SceneInPicture(state, marks, tolerance_px)
         layers: list[Layer] = [ImageProbes(state), marks, self._scene]
         self._own_camera = canvas.renderer.GetActiveCamera()
         canvas.renderer.SetActiveCamera(identity_camera())
@@ -285,8 +280,7 @@ class ImageDrawing(Drawing):
         return self.state.rectangle_in(pane_width_px, pane_height_px)
 
     def spots_of(self, places: Array) -> Array:
-        spots: Array = places * np.diag(self.state.scale) + self.state.rectangle[:2]
-        return spots
+        return np.asarray(places * np.diag(self.state.scale) + self.state.rectangle[:2])
 
     def image_pixel(self, x_px: float, y_px: float) -> tuple[float, float] | None:
         left, top, width, height = self.state.rectangle

@@ -46,8 +46,7 @@ _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _RIM_EM = 0.45  # of a mark, where its leader begins
-_FAR = 1e9
-"""Cells: a box beyond hides no ink, and its place is still a whole number."""
+_FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
 
 
 class Places(NamedTuple):
@@ -205,8 +204,7 @@ def joined(*places: Places) -> Places:
 
 def _reach(outward: Floats, size: tuple[float, float]) -> Floats:
     """How far the middle of a box is from its rim in directions, (n, 2)."""
-    reach: Floats = (np.array(size) / 2.0 / np.maximum(np.abs(outward), 1e-9)).min(axis=1)
-    return reach
+    return np.asarray((np.array(size) / 2.0 / np.maximum(np.abs(outward), 1e-9)).min(axis=1))
 
 
 def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
@@ -224,8 +222,7 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
     inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
     parts = np.stack([begin, starts + spans * last[:, None]], axis=1)
-    seen: Floats = parts[inside]
-    return seen
+    return np.asarray(parts[inside])
 
 
 # --------------------------------------------------------------------------- what is there
@@ -313,8 +310,13 @@ class Ground:
         inked = (
             counted[right, high] - counted[left, high] - counted[right, low] + counted[left, low]
         )
-        parts: Floats = inked / np.maximum((right - left) * (high - low), 1)
-        return parts
+        return np.asarray(inked / np.maximum((right - left) * (high - low), 1))
+
+    def inked_px(self, left: float, low: float, right: float, high: float) -> float:
+        """Return how many square pixels of a box are ink; it may lie outside the frame."""
+        sides = np.clip([left, low, right, high], 0.0, self.limits[2:] * 2)
+        wide, tall = sides[2:] - sides[:2]
+        return float(self.hidden(sides[None])[0] * wide * tall)
 
 
 # --------------------------------------------------------------------------- the placer
@@ -446,8 +448,7 @@ def _hidden(centres: Floats, turns: Floats, size: Floats, ground: Ground) -> Flo
     half = (across * third + up * third[:, ::-1]) / 2.0
     middles = centres + np.array([-1.0, 0.0, 1.0])[:, None, None] * third[:, :1] * along_it
     parts = ground.hidden(np.concatenate([middles - half, middles + half], axis=2).reshape(-1, 4))
-    hidden: Floats = parts.reshape(3, -1).mean(axis=0)
-    return hidden
+    return np.asarray(parts.reshape(3, -1).mean(axis=0))
 
 
 def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:

@@ -75,8 +75,6 @@ class Board:
         """The texts of the labels that were wanted, and have no place."""
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
-        self.spots: list[tuple[float, float]] = []
-        """All that is named: points, and the corners of planes; and the box of the objects."""
 
     @property
     def boxes(self) -> list[tuple[float, float, float, float]]:
@@ -159,7 +157,6 @@ class Board:
         texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
-        self.spots = [(x, y) for _, wish in texts for x, y in wish.spots if math.isfinite(x + y)]
         self._wishes = []
         before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
         self._waits = {

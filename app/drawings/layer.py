@@ -238,14 +238,14 @@ class Layers:
         state = self._state
         if not state.places_labels:
             return False
-        ground = Ground(state.room, state.em, self._ink)
+        ground = self.ground()
         for layer in self._layers:
             layer.want(ground)
-        has_moved = state.board.settle(ground, afresh=afresh)
-        if len(state.objects):
-            box = state.seen(state.objects)
-            state.board.spots += [(x, y) for x, y, depth in box if depth > 0.0]
-        return has_moved
+        return state.board.settle(ground, afresh=afresh)
+
+    def ground(self) -> Ground:
+        """Where there is ink now."""
+        return Ground(self._state.room, self._state.em, self._ink)
 
     def _ink(self, ground: Ground) -> None:
         for layer in self._layers:

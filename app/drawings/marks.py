@@ -517,5 +517,4 @@ def _cut_polygon(points: Array, limit: float) -> Array:
     if not _within(points, LARGEST_CLIP * min(limit, 1.0)).all():
         return np.empty((0, 3))
     inside = clip_polygon(_in_box(points, limit)).points_clip
-    left: Array = inside[:, :3] / inside[:, 3:] * limit
-    return left
+    return np.asarray(inside[:, :3] / inside[:, 3:] * limit)

@@ -107,8 +107,7 @@ class NearPicture(FacesLayer):
             across, up = (np.where(inside, part / w, np.nan)[..., None] for part in (x, y))
         corner, right, _, top = state.volume.corners[:4]
         way = (across + 1.0) / 2.0 * (right - corner) + (up + 1.0) / 2.0 * (top - corner)
-        on_plane: Array = corner + way
-        return on_plane
+        return np.asarray(corner + way)
 
 
 class Film(NamedTuple):

@@ -85,8 +85,7 @@ class OffScreen:
         _kept.append(self)
 
 
-_MOST_KEPT = 3
-"""As many as a window has panes."""
+_MOST_KEPT = 3  # as many as a window has panes
 _kept: list[OffScreen] = []
 
 

@@ -44,21 +44,13 @@ _GREY = 0.55  # of the background in the colour of hidden lines
 class PanePicture:
     """What one pane of a figure shows, or one of the pictures that are compared in it.
 
-    Parameters
-    ----------
-    pane : {"world", "ndc", "image"}
-    scene : Scene
-        The document's, as it is drawn: perhaps with fewer triangles, or in other colours.
-    size : (int, int)
-        In pixels.
-    framed : bool
-        Whether an image has its frame.
-    caption : str
-        The name of an image.
-    middle : float
-        Where the caption is, as a part of the image's width.
-    bare : bool
-        Whether an image has no pixel axes.
+    - `pane`: one of "world", "ndc", "image".
+    - `scene`: the document's, as it is drawn: perhaps with fewer triangles, or in other colours.
+    - `size`: in pixels.
+    - `framed`: whether an image has its frame.
+    - `caption`: the name of an image.
+    - `middle`: where the caption is, as a part of the image's width.
+    - `bare`: whether an image has no pixel axes.
     """
 
     pane: str
@@ -120,8 +112,9 @@ class PanePicture:
         if pane != "world":
             options["tolerance_px"] = quality.tolerance_px(DRAWING_TOLERANCE_PX)
         if pane == "image":
-            shown = PictureOptions(self.framed, self.caption, self.middle, finer)
-            options |= {"quality": quality, "options": shown}
+            options["options"] = PictureOptions(
+                self.framed, self.caption, self.middle, finer, quality
+            )
         with off_screen(width, height) as screen:
             window, style = screen.render_window, self.style.enlarged(finer)
             drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)

@@ -86,8 +86,7 @@ class OwnView(PaneCamera):
         super().__init__(canvas)
         self._origin = origin
         self.fixed = ""
-        self._heading_deg = 0.0
-        """The azimuth of the model's camera when the picture opened."""
+        self._heading_deg = 0.0  # the azimuth of the model's camera when the picture opened
         self._was_shifted = False
         self._flat: _Flat | None = None
         self._axes = np.eye(3)
@@ -163,8 +162,7 @@ class OwnView(PaneCamera):
         label_px = min(_LABEL_EM * self._em, _SMALL_MARGIN * float(sides.min()))
         taken = _MARGIN * sides + label_px + np.array([0.0, 0.0, below_em, TITLE_EM]) * self._em
         taken[2:] *= min(1.0, _MOST_BESIDE * sides[3] / (taken[2] + taken[3]))
-        slopes: Array = half_height * (sides - 2.0 * taken) / sides[3]
-        return slopes
+        return np.asarray(half_height * (sides - 2.0 * taken) / sides[3])
 
     def _limits(self, axes: Array, framed: Framed, *, flat: bool = False) -> list[Array]:
         """What limits the place of a view with these axes, for `nearest_place`.

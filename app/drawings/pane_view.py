@@ -206,8 +206,7 @@ class Pose(NamedTuple):
 
 
 _LEAST_PART = 1e-12  # of the focus' coordinates, for the distance to it
-_FLATTEST = 0.01
-"""Slope of a camera that is hardly different from a parallel one."""
+_FLATTEST = 0.01  # slope of a camera that is hardly different from a parallel one
 
 
 def _turned(axes: Array, others: Array, angle: float) -> Array:
@@ -220,8 +219,7 @@ def _turned(axes: Array, others: Array, angle: float) -> Array:
     x, y, z = about / length
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     rotation = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
-    turned: Array = axes @ rotation.T
-    return turned
+    return np.asarray(axes @ rotation.T)
 
 
 class PaneCamera:

@@ -19,6 +19,7 @@ from app.lecture.highlight import SIDES, corner_at
 from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.picking.sight import Sight
+from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.marks import Eyes
 
 _SQUARE = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0))
@@ -32,13 +33,15 @@ class PictureOptions(NamedTuple):
 
     Without a frame it has no axes and no margins either. In a frame it has its axes if they are
     named, and perhaps a caption, which stands at `middle` of the picture's width. `finer` is how
-    many pixels of the window, along each side, become one in the end.
+    many pixels of the window, along each side, become one in the end. `quality` has the depth
+    buffer, unless the scene is about a buffer itself.
     """
 
     framed: bool = True
     caption: str = ""
     middle: float = 0.5
     finer: int = 1
+    quality: Quality = AUTOMATIC
 
 
 FRAMED, UNFRAMED = PictureOptions(), PictureOptions(framed=False)

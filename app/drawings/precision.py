@@ -425,5 +425,4 @@ def _between(inside: Array, outside: Array, value_inside: Array, value_outside: 
     Always from the inside outwards, so that neighbours find the same point on a common edge.
     """
     part = value_inside / (value_inside - value_outside)
-    met: Array = inside + part[:, None] * (outside - inside)
-    return met
+    return np.asarray(inside + part[:, None] * (outside - inside))

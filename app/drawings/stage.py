@@ -151,9 +151,13 @@ class StageDrawing(Drawing):
             self.reset_view()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
-        if ("grid" in hidden) != ("grid" in self.state.canvas.hidden):
+        changed = hidden ^ self.state.canvas.hidden
+        if "grid" in changed:
             self._scene.model.show_grid("grid" not in hidden)
         self.state.canvas.show_layers(hidden)
+        if "frustum" in changed and self.state.position <= VIEW:
+            self._show_named()
+            self._layout(*self.state.size_px)
 
     def show_stage(self, position: float) -> None:
         state = self.state
@@ -211,7 +215,7 @@ class StageDrawing(Drawing):
         local = np.vstack([objects, np.array([state.projection.camera.eye, *probes]) - origin])
         shown = np.column_stack([local, np.ones(len(local))]) @ morph.display_from_local(stop).T
         points = shown[:, :3] / np.where(shown[:, 3:] > 0.0, shown[:, 3:], np.nan)
-        if morph.has_volume(stop):
+        if state.has_volume(stop):
             ends = ENDS if self.names.wants(FAR.name) else ENDS[:1]
             volume = volume_ends(fitting(morph.display_from_box(stop)), ends)
             points = np.concatenate([points, volume])

@@ -94,6 +94,11 @@ class StageState(PaneState):
     def take(self, projection: Projection, illustration: Illustration | None) -> None:
         self.projection, self.illustration, self._morph = projection, illustration, None
 
+    def has_volume(self, position: float) -> bool:
+        """Whether there is a volume to show; up to the view it is the frustum, a layer."""
+        hidden = position <= VIEW and "frustum" in self.canvas.hidden
+        return not hidden and self.morph.has_volume(position)
+
     @property
     def placed(self) -> tuple[float, object]:
         """The position, and the projection or depth range that the volume depends on there."""
@@ -119,8 +124,7 @@ class StageState(PaneState):
     @property
     def display_from_ndc(self) -> Array:
         """From OpenGL's cube; 0 without a volume, so that nothing can be pointed at."""
-        display: Array = self.display_from_box @ _BOX_FROM_NDC
-        return display
+        return np.asarray(self.display_from_box @ _BOX_FROM_NDC)
 
     @property
     def display_from_object(self) -> Array:
@@ -154,12 +158,9 @@ class StageState(PaneState):
 class StageBox(Layer):
     """The view volume at a position of the strip.
 
-    Attributes
-    ----------
-    placed : tuple, optional
-        The state's `placed` that is shown.
-    axes : (3, 3, 3) array
-        Start, end along the volume, and tip of each axis, in display space; NaN for a hidden axis.
+    - `placed`: the state's `placed` that is shown.
+    - `axes` (3, 3, 3): start, end along the volume, and tip of each axis, in display space; NaN for
+      a hidden axis.
     """
 
     def __init__(self, state: StageState) -> None:
@@ -168,8 +169,7 @@ class StageBox(Layer):
         self.placed: tuple[float, object] | None = None
         self._space = Space()
         self._at: dict[SceneLabel, Array] = {}
-        self._written: set[SceneLabel] = set()
-        """The labels to show if there is room."""
+        self._written: set[SceneLabel] = set()  # the labels to show if there is room
         self._add_volume()
         self._add_axes()
         self._add_words()
@@ -257,7 +257,7 @@ class StageBox(Layer):
             return
         self.placed = state.placed
         morph, position = state.morph, state.position
-        stop, drawn = morph.stop_at(position), morph.has_volume(position)
+        stop, drawn = morph.stop_at(position), state.has_volume(position)
         box = fitting(morph.display_from_box(position)) if drawn else np.zeros((4, 4))
         has_depth = stop != IMAGE
         state.stop, state.display_from_box = stop, box
@@ -346,8 +346,7 @@ class StageBox(Layer):
         points = np.asarray(points, dtype=np.float64)
         box = self._state.display_from_box
         homogeneous = points @ box[:, :3].T + box[:, 3]
-        shown: Array = homogeneous[..., :3] / homogeneous[..., 3:]
-        return shown
+        return np.asarray(homogeneous[..., :3] / homogeneous[..., 3:])
 
     def _place_words(self, morph: Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
@@ -438,8 +437,7 @@ class StageBox(Layer):
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
         seen = self._state.seen(np.where(np.isfinite(corners), corners, np.nan))
-        spots: Array = np.array(seen)[:, :2]
-        return spots
+        return np.asarray(np.array(seen)[:, :2])
 
 
 def _spots(points: Array, pane: Array) -> list[Spot]:
@@ -461,8 +459,7 @@ def _turn_to(axis: Array) -> Array:
     square = float(between @ between)
     if square < 1e-12:  # the other way round
         return np.diag([-1.0, 1.0, -1.0])
-    turn: Array = 2.0 / square * np.outer(between, between) - np.eye(3)
-    return turn
+    return np.asarray(2.0 / square * np.outer(between, between) - np.eye(3))
 
 
 def _placed(place: Array, turn: Array) -> Array:
@@ -494,5 +491,4 @@ def _edge(box: Array, across: float, up: float, limit: float, z: float) -> Array
     middle = float(start @ along)
     leaves = -middle + math.sqrt(middle**2 + limit**2 - float(start @ start))
     inside = far[3] * leaves >= length  # the corner itself is
-    shown: Array = start + along * (length / far[3] if inside else leaves)
-    return shown
+    return np.asarray(start + along * (length / far[3] if inside else leaves))

@@ -26,8 +26,7 @@ LARGEST = 1_500_000
 """Most bytes of a file: in a document without much else, pdfTeX's memory ends at 2.2 MB."""
 _BP_PER_PX = 72.0 / DPI
 _PT_PER_BP = 72.27 / 72.0
-_FONT_PT = 10.0
-"""Of the font that is scaled: TeX's own smaller ones are wider than a label's place."""
+_FONT_PT = 10.0  # of the font that is scaled: TeX's own smaller ones are wider than a label's place
 _HELD = 0xE000  # the first private letter, which stands for a formula
 _MOST_POINTS = 500  # of a path, which TeX holds in its memory
 _COMMANDS = "|".join((

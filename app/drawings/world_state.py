@@ -166,8 +166,7 @@ class WorldState(PaneState):
 
     def framed(self, points: Array) -> Array:
         away = np.linalg.norm(points - self.standing.eye, axis=1)
-        near: Array = points[away <= _FARTHEST_MARK * self.standing.extent]
-        return near
+        return np.asarray(points[away <= _FARTHEST_MARK * self.standing.extent])
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
         drawn = {"eye", "target", *ENDS, "fov", *SIDES}

@@ -39,8 +39,7 @@ USUAL = {
     "projection": "clip_from_view",
     "viewport": "image_from_ndc",
 }
-_PLANE = "distance"
-"""The setting of the scenes that project onto a plane at this distance."""
+_PLANE = "distance"  # the setting of the scenes that project onto a plane at this distance
 ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
     "plane": (
         "A",

@@ -13,8 +13,7 @@ import numpy as np
 from app.model.limits import Array
 from app.model.projection import Camera, Projection
 
-_NOISE = 2.0**-20
-"""Error of a computation in float32, 16 roundings: a look-at makes up to 11."""
+_NOISE = 2.0**-20  # error of a computation in float32, 16 roundings: a look-at makes up to 11
 _FROM_MEANT = 1.75
 """Most distance of a rounded rotation from the nearest one, in units: it was 1.6 in 40 000."""
 
@@ -87,8 +86,6 @@ def moved_px(view_from_world: Array, camera: Camera, projection: Projection) -> 
 
     It holds for all points in the view volume; infinite if the lens has none, or no bound exists.
 
-    Notes
-    -----
     With ``A`` and ``t`` of the typed matrix and ``R`` and ``e`` of the camera, a point moves by
     ``(A - R)(p - e) + (A e + t)`` in view space. In units of its distance from the eye that is at
     most ``eta = |A - R| + |A e + t|/near``. A unit vector with the angle c to the axis that moves

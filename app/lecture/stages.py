@@ -67,16 +67,10 @@ _FLAT = 0.1  # depth of the picture relative to NDC, invisible from the front
 class Morph:
     """The strip's matrices for one projection and one scene.
 
-    Parameters
-    ----------
-    origin : Vector
-        World point that the scene's geometry is relative to; the eye is subtracted from it in
-        float64.
-    corners_world : (n, 3) array
-        Corners of the bounding box of the drawing.
+    - `origin`: world point that the scene's geometry is relative to; the eye is subtracted from it
+      in float64.
+    - `corners_world` (n, 3): corners of the bounding box of the drawing.
 
-    Notes
-    -----
     The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range.
     There 1/w of the far face is near/far itself, which float32 can hold.
     """
@@ -161,8 +155,7 @@ class Morph:
 
     @property
     def _local_corners(self) -> Array:
-        corners: Array = self.corners_world - np.asarray(self.origin)
-        return corners
+        return np.asarray(self.corners_world - np.asarray(self.origin))
 
     @cached_property
     def _ball(self) -> tuple[Array, float]:
@@ -188,8 +181,7 @@ class Morph:
         """Return the view coordinates of the canonical volume's corners at a z, (4, 3)."""
         corners = np.array([(x, y) for y in (-1.0, 1.0) for x in (-1.0, 1.0)])
         stage = np.column_stack([corners, np.full(4, z), np.ones(4)])
-        view: Array = (stage @ self._view_from_canonical.T)[:, :3]
-        return view
+        return np.asarray((stage @ self._view_from_canonical.T)[:, :3])
 
     @cached_property
     def _view_from_canonical(self) -> Array:
@@ -239,13 +231,11 @@ class Morph:
             return self._display_stop(stop)
         if stop == WORLD:
             middle, _ = self._ball
-            turned: Array = self._turned(part) @ translation(-middle)
-            return turned
+            return np.asarray(self._turned(part) @ translation(-middle))
         return (1.0 - part) * self._even(stop) + part * self._even(stop + 1)
 
     def _display_stop(self, stop: int) -> Array:
-        matrix: Array = self.display_from_stage(stop) @ self.stage_from_local(stop)
-        return matrix
+        return np.asarray(self.display_from_stage(stop) @ self.stage_from_local(stop))
 
     def _even(self, stop: int) -> Array:
         """Return a stop's matrix with w = 1 at the middle of the visible part."""
@@ -283,8 +273,7 @@ class Morph:
             frame[:3, :3] = self.projection.camera.frame
             from_view = self._turned(part) @ frame.T
             middle = self._view_from_local[:3] @ [*self._ball[0], 1.0]
-            matrix: Array = from_view @ translation(-middle) @ self._view_from_box
-            return matrix
+            return np.asarray(from_view @ translation(-middle) @ self._view_from_box)
         if part == 0.0:
             return self._box_stop(stop)
         return (1.0 - part) * self._box_at(stop) + part * self._box_at(stop + 1)
@@ -304,16 +293,13 @@ class Morph:
 
     @cached_property
     def _view_from_box(self) -> Array:
-        matrix: Array = self._view_from_canonical @ self._lens.canonical_from_box
-        return matrix
+        return np.asarray(self._view_from_canonical @ self._lens.canonical_from_box)
 
     def _box_stop(self, stop: int) -> Array:
         if stop == VIEW:
-            matrix: Array = self.display_from_stage(VIEW) @ self._view_from_box
-            return matrix
+            return np.asarray(self.display_from_stage(VIEW) @ self._view_from_box)
         if stop == CANONICAL_PERSPECTIVE:
-            framed: Array = self.display_from_stage(stop) @ self._lens.canonical_from_box
-            return framed
+            return np.asarray(self.display_from_stage(stop) @ self._lens.canonical_from_box)
         across, up, half = 1.0, 1.0, 0.5
         if stop == NDC:
             z_near, z_far = self.projection.depth_range
@@ -379,8 +365,7 @@ class FreeMorph(Morph):
     def _view_from_local(self) -> Array:
         view_from_eye = np.array(self.projection.exact_from_eye[0], dtype=np.float64)
         shift = translation(np.asarray(self.origin) - self.projection.camera.eye)
-        matrix: Array = view_from_eye @ shift
-        return matrix
+        return np.asarray(view_from_eye @ shift)
 
     @cached_property
     def _local_from_box(self) -> Array | None:
@@ -414,8 +399,7 @@ class FreeMorph(Morph):
         seen = framed @ self._view_from_local.T
         seen = seen[seen[:, 3] > 0.0]
         middle, scale = _ball_of(seen[:, :3] / seen[:, 3:]) if len(seen) else (np.zeros(3), 1.0)
-        matrix: Array = _scaled(scale) @ translation(-middle)
-        return matrix
+        return np.asarray(_scaled(scale) @ translation(-middle))
 
     def _evening(self, stop: int) -> float:
         stage = self.stage_from_local(stop if stop < NDC else NDC)
@@ -430,21 +414,18 @@ class FreeMorph(Morph):
         if position < VIEW:
             return (1.0 - position) * self._even(WORLD) + position * self._even(VIEW)
         part = (position - VIEW) / (NDC - VIEW)
-        between: Array = (1.0 - part) * self._even(VIEW) + part * self._even(NDC)
-        return between
+        return np.asarray((1.0 - part) * self._even(VIEW) + part * self._even(NDC))
 
     def display_from_box(self, position: float) -> Array:
         position = self._jumped(position)
         if position < NDC:
             assert self._local_from_box is not None
-            matrix: Array = self.display_from_local(position) @ self._local_from_box
-            return matrix
+            return np.asarray(self.display_from_local(position) @ self._local_from_box)
         part = position - NDC
         cube = self.display_from_stage(NDC) @ self._clip_from_box
         picture = self.display_from_stage(IMAGE) @ self.projection.image_from_ndc
         picture = picture @ self._clip_from_box
-        shown: Array = (1.0 - part) * cube + part * picture
-        return shown
+        return np.asarray((1.0 - part) * cube + part * picture)
 
     @property
     def _clip_from_box(self) -> Array:
@@ -490,15 +471,13 @@ def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Mo
 
 def _euclidean(point: Array) -> Array:
     """Divide a point (4,) by its w if that is positive; return (3,)."""
-    place: Array = point[:3] / (point[3] if point[3] > 0.0 else 1.0)
-    return place
+    return np.asarray(point[:3] / (point[3] if point[3] > 0.0 else 1.0))
 
 
 def _units(matrix: Array, axes: Array) -> Array:
     """Transform the columns of (3, 3) by a matrix; return them as rows of length 1."""
     turned = matrix[:3, :3] @ axes
-    units: Array = (turned / np.linalg.norm(turned, axis=0)).T
-    return units
+    return np.asarray((turned / np.linalg.norm(turned, axis=0)).T)
 
 
 def _ball_of(points: Array) -> tuple[Array, float]:

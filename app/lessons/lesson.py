@@ -371,8 +371,7 @@ class _StepReader:
     ) -> None:
         self._lines, self._first, self._tokens = lines, first, tokens
         self._add_fault = complain
-        self._lacking: list[str] = []
-        """The kinds of the blocks that cannot be read."""
+        self._lacking: list[str] = []  # the kinds of the blocks that cannot be read
         self._names: dict[str, int] = {}
         self._blocks: list[Block] = []
         self._words: list[Token] = []

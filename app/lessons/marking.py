@@ -25,8 +25,7 @@ DIGITS = 3
 """Significant digits required of an inexact number."""
 EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
-_ZERO = 1e-12
-"""A computed value below this is 0."""
+_ZERO = 1e-12  # a computed value below this is 0
 _LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST, _LONGEST_SHOWN = 60, 17
 
@@ -87,8 +86,7 @@ _GROUPED = re.compile(
 )
 """A number whose thousands are certain to be separated."""
 _MAYBE_GROUPED = re.compile(r"[-+]?[1-9][0-9]{0,2}\.[0-9]{3}")
-_PLACE = re.compile(r"\([^(),]*,[^(),]*\)")
-"""Two numbers rather than one with a comma."""
+_PLACE = re.compile(r"\([^(),]*,[^(),]*\)")  # two numbers rather than one with a comma
 _RATIO = re.compile(r"(?<=[0-9]) *: *(?=[0-9])")
 _NAMES = (
     (re.compile(r"(?<![a-z])(arc|a)?tg(?![a-z])"), r"\1tan"),

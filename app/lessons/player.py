@@ -25,6 +25,7 @@ from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
 from app.lessons.state import State
+from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera
 from app.model.refusal import Refusal
@@ -212,12 +213,10 @@ class Player:
         """Takes the progress whenever it changes, as `log` takes each answer for the record."""
         self.blocks: list[PlayedBlock] = []
         """The questions of the step that are shown so far."""
-        self._rest: list[ReadBlock] = []
-        """The parts of the step that are not shown yet."""
+        self._rest: list[ReadBlock] = []  # the parts of the step that are not shown yet
         self.revealed = 0
         """A class's progress: the step's picture alone, then each question asked, and answered."""
-        self._reached: dict[int, int] = {}
-        """How far each step was revealed when it was left."""
+        self._reached: dict[int, int] = {}  # how far each step was revealed when it was left
         self.arrived: Mapping[str, Camera] = {}
         """The panes' cameras when the step was shown."""
         self.posed: Document | None = None
@@ -345,6 +344,12 @@ class Player:
         """What the last of the given answers shows; None for what the step does."""
         answered = self.questions[: self.revealed // 2]
         return next((each.show for each in reversed(answered) if each.show is not None), None)
+
+    @property
+    def picture(self) -> str:
+        """The name of what a class sees: the step, or one of its answers that has a picture."""
+        shows = [answer.show is not None for answer in self.questions[: self.revealed // 2]]
+        return answer_picture(self.step.name, sum(shows)) if any(shows) else self.step.name
 
     def reveal(self) -> bool:
         """Ask the next question, or answer it; return False if all are answered."""

@@ -26,8 +26,7 @@ from app.model.refusal import Refusal
 
 MOST = 12
 """Most exercises of a test, and of what is reviewed at once."""
-_DRAWS = 20
-"""How many seeds are tried until the numbers of an exercise suit."""
+_DRAWS = 20  # how many seeds are tried until the numbers of an exercise suit
 
 
 class PlacedExercise(NamedTuple):

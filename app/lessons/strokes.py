@@ -16,12 +16,11 @@ LARGEST = 8 * 2**20
 """Most bytes of a file."""
 COLOURS = ("ink", "u", "v", "n")
 """Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
-_READABLE = (*COLOURS, "accent", "near")
-"""Colours of strokes in files."""
+_READABLE = (*COLOURS, "accent", "near")  # colours of strokes in files
 NO_STROKES = QT_TRANSLATE_NOOP("Refusal", "has no strokes as Frustum Lab writes them")
 
 Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]
-"""By the names of the steps."""
+"""By the names of the steps, and of the pictures that their answers show."""
 
 
 class Stroke(NamedTuple):
@@ -37,8 +36,13 @@ def path_beside(talk: Path) -> Path:
 
 
 def picture_beside(talk: Path, step: str) -> Path:
-    """Return the file that keeps the slide of a step with its strokes, for the handout."""
+    """Return the file that keeps a slide with its strokes, for the handout."""
     return talk.with_suffix(".strokes") / f"{step}.png"
+
+
+def answer_picture(step: str, number: int) -> str:
+    """Return the name of the picture that an answer of a step shows, counted from 1."""
+    return f"{step}.{number}"
 
 
 def write_strokes(talk: Path, strokes: Strokes) -> Path:

@@ -40,6 +40,8 @@ TITLES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
     "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
@@ -53,6 +55,7 @@ _ACROSS = {
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
     "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
@@ -66,9 +69,10 @@ _BYTES = {
     "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
     "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
 }
-_FEW_BYTES = 100.0
-"""Up to here the axis is linear."""
+_FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
 _UP = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
@@ -76,20 +80,18 @@ _UP = {
     "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
     "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
     "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
+    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
+    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far")
-_WIDEST = 1e6
-"""Largest error in px that a sweep's chart shows; beyond it the picture is useless."""
-_WIDE_DEG = 179.0
-"""A sweep to larger angles has a chart of its own for those above 90 degrees."""
-_SAME = 0.005
-"""Largest distance, in decades, of points that share one name."""
-_HEIGHT = 0.07
-"""Distance of the bars along the top, in parts of the chart."""
+_WIDEST = 1e6  # largest error in px that a sweep's chart shows; beyond it the picture is useless
+_WIDE_DEG = 179.0  # a sweep to larger angles has a chart of its own for those above 90 degrees
+_SAME = 0.005  # largest distance, in decades, of points that share one name
+_HEIGHT = 0.07  # distance of the bars along the top, in parts of the chart
 
 
 def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:

@@ -106,8 +106,6 @@ def smallest_gap(buffer: DepthBuffer, distance: float) -> float:
     It is the widest code from the one at `distance`, between near and far, to two codes behind it;
     infinite if the code at `distance` or the next one is that of the far plane.
 
-    Notes
-    -----
     The worst surface is the first of its code, so this function walks from edge to edge of the
     codes. The formula for a surface at `distance` assumes that a code begins there. Codes in front
     are narrower; the codes behind reach the formula. The code at `distance` itself counts where

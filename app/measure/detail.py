@@ -145,8 +145,7 @@ def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> Piec
 
 def _placed(clip: Array, size: tuple[int, int]) -> Array:
     """Convert clip coordinates (..., 4) to px of the picture, (..., 2)."""
-    placed: Array = (clip[..., :2] / clip[..., 3:] * (0.5, -0.5) + 0.5) * size
-    return placed
+    return np.asarray((clip[..., :2] / clip[..., 3:] * (0.5, -0.5) + 0.5) * size)
 
 
 def _split(segments: Array, sides: Array) -> tuple[Pieces, Array]:

@@ -126,11 +126,15 @@ def affine(edge: ClipEdge, s: Array, splits: int) -> Callable[[], Array]:
     """
     t = np.arange(splits + 1) / splits
     one, other = float(edge.start[3]), float(edge.end[3])
-    breaks = t * other / (one + t * (other - one))  # the split points on the screen
-    steps = (1.0 / splits) / np.diff(breaks)
+    return pieced(t * other / (one + t * (other - one)), t, s)
+
+
+def pieced(breaks: Array, at_breaks: Array, s: Array) -> Callable[[], Array]:
+    """Return a function that interpolates values at breaks on the screen linearly, at s (n,)."""
+    steps = np.diff(at_breaks) / np.diff(breaks)
     piece = np.searchsorted(breaks[1:-1], s)
     slopes, starts, values = aligned(len(s)), aligned(len(s)), aligned(len(s))
-    slopes[:], starts[:] = steps[piece], (t[:-1] - steps * breaks[:-1])[piece]
+    slopes[:], starts[:] = steps[piece], (at_breaks[:-1] - steps * breaks[:-1])[piece]
 
     def run() -> Array:
         np.multiply(s, slopes, out=values)

@@ -12,6 +12,8 @@ GOOD_ENOUGH = {
     "interpolation": 0.5,
     "smoothing": 5.0,
     "detail": 1.0,
+    "vertex-depth": 0.01,
+    "cracks": 0.01,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -39,6 +41,8 @@ USUAL = {
     "depth": "fixed24, opengl",
     "smoothing": "none",
     "detail": "100 %",
+    "vertex-depth": "each pixel",
+    "cracks": "16 bits, own boxes",
 }
 """The choice that the others are compared with."""
 GIVEN_UP = {

@@ -34,8 +34,9 @@ import json
 import math
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields, replace
-from typing import Any
+from dataclasses import dataclass, field, fields, is_dataclass, replace
+from types import UnionType
+from typing import Any, get_args, get_origin, get_type_hints
 
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -54,8 +55,7 @@ MEASURED_ONLY = QT_TRANSLATE_NOOP(
 IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
-_BUSY = 3.0
-"""A 95th percentile of more than this many least times comes from other programs."""
+_BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05
 """Least times that differ by a smaller part are equal: rounds repeat them no better."""
 COLUMNS = {
@@ -65,6 +65,7 @@ COLUMNS = {
     "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
+    "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
 }
 """Headings of the further columns whose names are not words."""
 SWEEP_NOTES = {
@@ -111,6 +112,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
     QT_TRANSLATE_NOOP("Measure", "affine"),
     QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
+    QT_TRANSLATE_NOOP("Measure", "each pixel"),
+    QT_TRANSLATE_NOOP("Measure", "each vertex"),
+    QT_TRANSLATE_NOOP("Measure", "own boxes"),
+    QT_TRANSLATE_NOOP("Measure", "common grid"),
     QT_TRANSLATE_NOOP("Measure", "opengl"),
     QT_TRANSLATE_NOOP("Measure", "direct3d"),
     QT_TRANSLATE_NOOP("Measure", "reversed"),
@@ -148,24 +153,18 @@ WORDS = (
 class ChartPoint:
     """One point of a chart.
 
-    Attributes
-    ----------
-    cost, cost_p95 : float or None
-        Least time and 95th percentile, in the trade's unit; None if they were not measured.
-    error : float or None
-        The largest error; None if there is no number. Then `note` gives the reason.
-    predicted : float or None
-        The error that the model predicts before the measurement.
-    values : mapping of str to float
-        Further columns of the table.
-    use : mapping of str to str
-        The settings that the panes take when the user picks this choice: ``{"rung": "float32"}``.
-    bytes : float or None
-        Memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
-    library : bool
-        Another library's code: a reference mark that competes with no choice of this program.
-    steady : bool
-        Whether the least time was repeated before the time ran out; older files do not say it.
+    - `cost`, `cost_p95`: least time and 95th percentile, in the trade's unit; None if they were not
+      measured.
+    - `error`: the largest error; None if there is no number. Then `note` gives the reason.
+    - `predicted`: the error that the model predicts before the measurement.
+    - `values`: further columns of the table.
+    - `use`: the settings that the panes take when the user picks this choice:
+      ``{"rung": "float32"}``.
+    - `bytes`: memory of a point, an edge, a pixel or a mesh, which is the same on every machine.
+    - `library`: another library's code: a reference mark that competes with no choice of this
+      program.
+    - `steady`: whether the least time was repeated before the time ran out; older files do not say
+      it.
     """
 
     name: str
@@ -272,10 +271,6 @@ class ErrorCurve:
     notes: tuple[str, ...]
 
 
-_CURVE_KEYS = ("error", "error_depth", "predicted", "predicted_depth", "notes")
-"""The file's names of the fields of `ErrorCurve`."""
-
-
 @dataclass(frozen=True)
 class Sweep:
     """The errors over a range of one parameter; `complete` is False after a cancellation."""
@@ -303,14 +298,9 @@ class Sweep:
 class Measurements:
     """All measurements of one run.
 
-    Attributes
-    ----------
-    date : str
-        ISO 8601 with a time zone.
-    document : mapping
-        The scene and the projection, as in their document.
-    complete : bool
-        False if the run was cancelled.
+    - `date`: ISO 8601 with a time zone.
+    - `document`: the scene and the projection, as in their document.
+    - `complete`: false if the run was cancelled.
     """
 
     date: str
@@ -329,6 +319,16 @@ class Measurements:
 # --------------------------------------------------------------------------- text
 
 
+_PLACES = {
+    "cost_unit": ("cost", "unit"),
+    "error_unit": ("error", "unit"),
+    "curves": ("choices",),
+    "errors": ("error",),
+    "errors_depth": ("error_depth",),
+}
+"""Where the file has a field, if not under the field's own name."""
+
+
 def _plain_tree(value: Any) -> Any:
     """Return a value in JSON's own types; NaN becomes None and infinity ``"inf"``."""
     if isinstance(value, float):
@@ -337,107 +337,20 @@ def _plain_tree(value: Any) -> Any:
         return {key: _plain_tree(part) for key, part in value.items()}
     if isinstance(value, (list, tuple)):
         return [_plain_tree(part) for part in value]
-    if isinstance(value, ChartPoint):
-        return {part.name: _plain_tree(getattr(value, part.name)) for part in fields(ChartPoint)}
-    if isinstance(value, ErrorCurve):
-        columns = (_plain_tree(getattr(value, part.name)) for part in fields(ErrorCurve))
-        return dict(zip(_CURVE_KEYS, columns, strict=True))
-    return value
+    if not is_dataclass(value):
+        return value
+    tree: dict[str, Any] = {}
+    for part in fields(value):
+        *above, key = _PLACES.get(part.name, (part.name,))
+        place = tree.setdefault(above[0], {}) if above else tree
+        place[key] = _plain_tree(getattr(value, part.name))
+    return tree | ({"columns": list(value.columns)} if isinstance(value, Trade) else {})
 
 
 def to_json(results: Measurements) -> str:
     """Write the file that `from_json` reads."""
-    plain_fields = ("date", "complete", "machine", "versions", "document")
-    tree = {
-        "format": FORMAT,
-        "version": VERSION,
-        **{name: getattr(results, name) for name in plain_fields},
-        "trades": [
-            {
-                "name": trade.name,
-                "complete": trade.complete,
-                "rounds": trade.rounds,
-                "cost": {"unit": trade.cost_unit},
-                "error": {"unit": trade.error_unit},
-                "columns": trade.columns,
-                "choices": trade.choices,
-            }
-            for trade in results.trades
-        ],
-        "sweeps": [
-            {
-                "parameter": sweep.parameter,
-                "unit": sweep.unit,
-                "values": sweep.values,
-                "complete": sweep.complete,
-                "choices": sweep.curves,
-            }
-            for sweep in results.sweeps
-        ],
-    }
-    return json.dumps(_plain_tree(tree), allow_nan=False, indent=1) + "\n"
-
-
-class _ResultsReader:
-    """A value of the JSON tree with its path, which `DAMAGED` names."""
-
-    def __init__(self, value: Any, path: str, file: str) -> None:
-        self.value, self._path, self._file = value, path, file
-
-    def expect(self, good: bool, what: str) -> None:
-        if not good:
-            raise Refusal.saying(DAMAGED, self._file, f"{self._path or 'it'} must be {what}")
-
-    def __getitem__(self, key: str) -> _ResultsReader:
-        self.expect(isinstance(self.value, dict), "an object")
-        path = f"{self._path}.{key}" if self._path else key
-        if key not in self.value:
-            raise Refusal.saying(DAMAGED, self._file, f"{path} is missing")
-        return _ResultsReader(self.value[key], path, self._file)
-
-    def items(self) -> list[tuple[str, _ResultsReader]]:
-        self.expect(isinstance(self.value, dict), "an object")
-        return [(key, self[key]) for key in self.value]
-
-    def parts(self) -> list[_ResultsReader]:
-        self.expect(isinstance(self.value, list), "a list")
-        return [
-            _ResultsReader(part, f"{self._path}[{i}]", self._file)
-            for i, part in enumerate(self.value)
-        ]
-
-    def text(self) -> str:
-        self.expect(isinstance(self.value, str), "a text")
-        return str(self.value)
-
-    def flag(self) -> bool:
-        self.expect(isinstance(self.value, bool), "true or false")
-        return bool(self.value)
-
-    def number_or_none(self) -> float | None:
-        return None if self.value is None else self.number()
-
-    def number(self) -> float:
-        if self.value == "inf":
-            return math.inf
-        good = isinstance(self.value, (int, float)) and not isinstance(self.value, bool)
-        self.expect(good, "a number")
-        return float(self.value)
-
-    def texts(self) -> dict[str, str]:
-        return {key: part.text() for key, part in self.items()}
-
-
-_READ: dict[str, Callable[[_ResultsReader], Any]] = {
-    "str": _ResultsReader.text,
-    "bool": _ResultsReader.flag,
-    "float | None": _ResultsReader.number_or_none,
-    "Mapping[str, float]": lambda tree: {key: part.number() for key, part in tree.items()},
-    "Mapping[str, str]": _ResultsReader.texts,
-    "tuple[float | None, ...]": lambda tree: tuple(part.number_or_none() for part in tree.parts()),
-    "tuple[str, ...]": lambda tree: tuple(part.text() for part in tree.parts()),
-}
-"""How to read a field of `ChartPoint` or `ErrorCurve`, by its annotation."""
+    tree: dict[str, Any] = {"format": FORMAT, "version": VERSION, **_plain_tree(results)}
+    return json.dumps(tree, allow_nan=False, indent=1) + "\n"
 
 
 def from_json(text: str, file: str = "The file") -> Measurements:
@@ -453,55 +366,61 @@ def from_json(text: str, file: str = "The file") -> Measurements:
         raise Refusal.saying(NOT_RESULTS, file)
     if tree.get("version") != VERSION:
         raise Refusal.saying(NEWER_RESULTS, file, tree.get("version"), VERSION)
-    root = _ResultsReader(tree, "", file)
-    document = root["document"]
-    document.items()
-    return Measurements(
-        root["date"].text(),
-        root["machine"].texts(),
-        root["versions"].texts(),
-        document.value,
-        tuple(map(_trade, root["trades"].parts())),
-        tuple(map(_sweep, root["sweeps"].parts())),
-        root["complete"].flag(),
-    )
+    try:
+        results: Measurements = _read(Measurements, tree, "")
+    except (ValueError, OverflowError) as error:
+        raise Refusal.saying(DAMAGED, file, str(error)) from None
+    return results
 
 
-def _trade(tree: _ResultsReader) -> Trade:
-    return Trade(
-        tree["name"].text(),
-        tree["cost"]["unit"].text(),
-        tree["error"]["unit"].text(),
-        tuple(
-            ChartPoint(
-                **{
-                    part.name: _READ[str(part.type)](choice[part.name])
-                    for part in fields(ChartPoint)
-                    if part.name != "steady" or part.name in choice.value
-                }
-            )
-            for choice in tree["choices"].parts()
-        ),
-        round(tree["rounds"].number()),
-        tree["complete"].flag(),
-    )
+_JSON_TYPES: dict[Any, tuple[Any, str]] = {
+    str: (str, "a text"),
+    bool: (bool, "true or false"),
+    int: ((int, float), "a number"),
+    float: ((int, float), "a number"),
+    tuple: (list, "a list"),
+    Mapping: (dict, "an object"),
+}
 
 
-def _sweep(tree: _ResultsReader) -> Sweep:
-    values = tuple(part.number() for part in tree["values"].parts())
-    curves = {}
-    for name, curve in tree["choices"].items():
-        columns = zip(_CURVE_KEYS, fields(ErrorCurve), strict=True)
-        curves[name] = ErrorCurve(*(_READ[str(part.type)](curve[key]) for key, part in columns))
-        curve.expect(
-            all(
-                len(getattr(curves[name], part.name)) == len(values) for part in fields(ErrorCurve)
-            ),
-            "as long as the sweep's values",
-        )
-    return Sweep(
-        tree["parameter"].text(), tree["unit"].text(), values, curves, tree["complete"].flag()
-    )
+def _read(kind: Any, value: Any, path: str) -> Any:
+    """Return a value of a type, which may be a dataclass; the `path` names it if it is damaged."""
+    made, parts = get_origin(kind) or kind, get_args(kind)
+    if kind is Any:
+        return value
+    if made is UnionType:
+        return None if value is None else _read(parts[0], value, path)
+    if kind is float and value == "inf":
+        return math.inf
+    of_json, name = _JSON_TYPES.get(made, (dict, "an object"))
+    if not isinstance(value, of_json) or (isinstance(value, bool) and kind is not bool):
+        raise ValueError(f"{path} must be {name}")
+    if made is tuple:
+        return tuple(_read(parts[0], part, f"{path}[{i}]") for i, part in enumerate(value))
+    if made is Mapping:
+        return {key: _read(parts[1], part, f"{path}.{key}") for key, part in value.items()}
+    return _read_fields(kind, value, path) if is_dataclass(kind) else made(value)
+
+
+def _read_fields(kind: Any, tree: dict[str, Any], path: str) -> Any:
+    hints, values = get_type_hints(kind), {}
+    for part in fields(kind):
+        if part.name == "steady" and "steady" not in tree:
+            continue
+        value, place = tree, path
+        for key in _PLACES.get(part.name, (part.name,)):
+            value = _read(Mapping[str, Any], value, place)
+            place = f"{place}.{key}".removeprefix(".")
+            if key not in value:
+                raise ValueError(f"{place} is missing")
+            value = value[key]
+        values[part.name] = _read(hints[part.name], value, place)
+    if kind is Sweep:
+        count = len(values["values"])
+        for name, curve in values["curves"].items():
+            if any(len(getattr(curve, part.name)) != count for part in fields(curve)):
+                raise ValueError(f"{path}.choices.{name} must be as long as the sweep's values")
+    return kind(**values)
 
 
 def to_csv(part: Trade | Sweep) -> str:

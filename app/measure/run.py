@@ -17,8 +17,7 @@ import numpy as np
 from app.measure.results import STEADY, Trade
 from app.model.refusal import Cancelled
 
-_SHORTEST = 1e-3
-"""Least duration of one timing in seconds; shorter runs are repeated and averaged."""
+_SHORTEST = 1e-3  # least duration of one timing in seconds; shorter runs are repeated and averaged
 LEAST_ROUNDS = 7
 """Also the number of rounds whose least time must repeat that of all before."""
 MOST_ROUNDS = 2000

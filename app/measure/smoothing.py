@@ -36,14 +36,9 @@ SAME_PICTURE = "the same picture"
 class Smoothing(NamedTuple):
     """One way of smoothing.
 
-    Attributes
-    ----------
-    scale : float
-        Drawn pixels per shown pixel, along each side; below 1 the picture is enlarged.
-    samples : int
-        OpenGL's multisamples; 0 for none.
-    fxaa : bool
-        Whether to blur along the edges found in the finished picture (Lottes, 2009).
+    - `scale`: drawn pixels per shown pixel, along each side; below 1 the picture is enlarged.
+    - `samples`: OpenGL's multisamples; 0 for none.
+    - `fxaa`: whether to blur along the edges found in the finished picture (Lottes, 2009).
     """
 
     name: str

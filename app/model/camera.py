@@ -88,11 +88,8 @@ class Camera:
     Raises a `Refusal` for a coordinate that is not finite or larger than `LARGEST`, for
     ``eye = target`` and ``up = 0``, and for up within `SMALLEST_UP_ANGLE` of the view direction.
 
-    Parameters
-    ----------
-    eye, target, up : sequence of 3 floats
-        World coordinates of the centre of projection and of the point looked at, and the
-        direction that is vertical in the picture (any length, not parallel to the view).
+    - `eye`, `target`, `up`: world coordinates of the centre of projection and of the point looked
+      at, and the direction that is vertical in the picture (any length, not parallel to the view).
     """
 
     eye: Vector = (6.0, 5.0, 9.0)
@@ -198,11 +195,8 @@ class Camera:
     def from_orbit(cls, target: Vector, orbit: Orbit) -> Camera:
         """Place the camera on an orbit about a target.
 
-        Raises
-        ------
-        Refusal
-            For ``distance <= 0``, an elevation outside -90..90, numbers that are not finite, and a
-            distance too small for float64 to tell the eye from the target.
+        Raises a `Refusal` for ``distance <= 0``, an elevation outside -90..90, numbers that are not
+        finite, and a distance too small for float64 to tell the eye from the target.
         """
         target = finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (

@@ -163,8 +163,6 @@ class DepthBuffer:
         Just below a power of two in the depth, where the steps of a float change, the gap is that
         of the larger step, up to twice too large.
 
-        Notes
-        -----
         A step s of the depth is ``w x/(1 - x)`` with ``x = s w (1/n - 1/f)``: for 24 bits and
         far >> near this is slightly more than ``w^2/(n 2^24)``.
         """

@@ -64,8 +64,6 @@ class EyeFirst:
 
         `rest` is the rounding error of the points themselves.
 
-        Notes
-        -----
         Ozaki, Ogita, Oishi, Rump, "Error-free transformations of matrix multiplication" (2012):
         offsets and frame are cut in two, so that the products and sums of the large parts are
         whole numbers of a unit, less than 2^53 of them: no order of summing rounds them. The rest
@@ -284,8 +282,7 @@ class EyeFirst:
         across, down = (row - at_px * rows[3] for row, at_px in zip(rows[:2], pixel, strict=True))
         system = np.array([across[:3], down[:3], -frame[2]])
         fixed = np.full(len(at), -across[3]), np.full(len(at), -down[3]), at
-        points: Array = eye + np.linalg.solve(system, np.array(fixed)).T
-        return points
+        return np.asarray(eye + np.linalg.solve(system, np.array(fixed)).T)
 
     def dragged(
         self, trace: Trace, shift_px: tuple[float, float], *, along_ray: bool

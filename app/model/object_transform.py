@@ -36,8 +36,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
 
 LARGEST_SCALE = 1e30
 """Largest scale: its product with a coordinate up to `LARGEST` does not overflow."""
-_ROUNDINGS = 6.0
-"""Most roundings in the double-double sum of a coordinate."""
+_ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 
 
 class WorldPoints(NamedTuple):
@@ -63,8 +62,7 @@ class WorldPoints(NamedTuple):
         """`offset`, rounded to float64: less work."""
         if self.rest is not None:
             return self.offset(origin).hi
-        nearest: Array = np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1))
-        return nearest
+        return np.asarray(np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1)))
 
     def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
         """The offset of the points from a world point, (3, n), without cancellation."""
@@ -128,16 +126,10 @@ class ObjectTransform:
     Raises a `Refusal` for a number that is not finite or larger than `LARGEST`, a scale beyond
     `LARGEST_SCALE`, or another order.
 
-    Parameters
-    ----------
-    translate : sequence of 3 floats
-        World units.
-    rotate_deg : sequence of 3 floats
-        About the fixed axes x, then y, then z; right-handed.
-    scale : sequence of 3 floats
-        Along the object's own axes; 0 flattens it, a negative number mirrors it.
-    order : {"trs", "rts"}
-        Scale, rotate, move; or scale, move, rotate about the world's origin.
+    - `translate`: world units.
+    - `rotate_deg`: about the fixed axes x, then y, then z; right-handed.
+    - `scale`: along the object's own axes; 0 flattens it, a negative number mirrors it.
+    - `order`: "trs": scale, rotate, move; or "rts": scale, move, rotate about the world's origin.
     """
 
     translate: Vector = (0.0, 0.0, 0.0)

@@ -51,22 +51,15 @@ HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
 class Trace(NamedTuple):
     """Points followed through every stage; ``...`` is the shape of the points without the 3.
 
-    Attributes
-    ----------
-    world, view : (..., 3) float64
-    clip : (..., 4) float64
-        Before the divide; w is the distance from the eye plane (1 for a parallel lens).
-    ndc : (..., 3) float64
-        After the divide; NaN where w <= 0, because a point behind the eye has no picture, and
-        for a point so close to the eye plane that its picture is beyond float64's 1e308.
-    image : (..., 2) float64
-        Pixels, origin top-left; NaN where `ndc` is.
-    depth : (...) float64
-        What a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
-    in_front : (...) bool
-        Whether there is a picture: w > 0.
-    outside : (..., 6) bool
-        Whether the point lies beyond each of `PLANES`.
+    - `world`, `view` (..., 3): coordinates.
+    - `clip` (..., 4): before the divide; w is the distance from the eye plane (1 for a parallel
+      lens).
+    - `ndc` (..., 3): after the divide; NaN where w <= 0, because a point behind the eye has no
+      picture, and for a point so close to the eye plane that its picture is beyond float64's 1e308.
+    - `image` (..., 2): pixels, origin top-left; NaN where `ndc` is.
+    - `depth` (...): what a depth buffer in [0, 1] would hold before quantising; NaN where `ndc` is.
+    - `in_front` (...): whether there is a picture: w > 0.
+    - `outside` (..., 6): whether the point lies beyond each of `PLANES`.
     """
 
     world: Array
@@ -96,16 +89,11 @@ def empty_trace(points: Array) -> Trace:
 class Stage(NamedTuple):
     """One step of the pipeline in numbers.
 
-    Attributes
-    ----------
-    name : str
-        ``target_from_source``.
-    exact : 4 lists of 4 Fraction
-        The matrix before it is rounded.
-    factors : tuple of (str, (4, 4) array)
-        Named factors whose product, in this order, is the matrix; empty for the identity.
-    note : str
-        A remark about the stage for this lens, or empty.
+    - `name`: ``target_from_source``.
+    - `exact` (4, 4): the matrix before it is rounded.
+    - `factors`: names and (4, 4) factors whose product, in this order, is the matrix; empty for
+      the identity.
+    - `note`: a remark about the stage for this lens, or empty.
     """
 
     name: str
@@ -143,14 +131,9 @@ class Pipeline:
 
     Raises a `Refusal` for an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
 
-    Parameters
-    ----------
-    image_size : (int, int)
-        Width and height in pixels.
-    depth : {"opengl", "direct3d", "reversed"}
-        The NDC range of z.
-    placement : ObjectTransform
-        Where the scene's object stands.
+    - `image_size`: width and height in pixels.
+    - `depth`: the NDC range of z: "opengl", "direct3d" or "reversed".
+    - `placement`: where the scene's object stands.
     """
 
     camera: Camera = Camera()

@@ -143,10 +143,8 @@ class Projection(Pipeline):
     def world_from_clip_at(self, origin: ArrayLike) -> Array:
         """The inverse of `clip_from_local`, (4, 4).
 
-        Raises
-        ------
-        Refusal
-            For a typed matrix without an inverse, or with one that float64 cannot hold.
+        Raises a `Refusal` for a typed matrix without an inverse, or with one that float64 cannot
+        hold.
         """
         shift = translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
         return read_only(reduce(np.matmul, self.passage.eye_from_clip, shift))
@@ -168,8 +166,6 @@ class Projection(Pipeline):
 
         Raises a `Refusal` if a coordinate is not a finite number.
 
-        Notes
-        -----
         Depth is ``f/(f - n) * ((w - n)/w)``, not ``A + B/w``: the difference ``w - n`` keeps
         1.3e-16 where the sum of two large numbers keeps 6e-5 (near close to far).
         """
@@ -186,12 +182,9 @@ class Projection(Pipeline):
     def world_from_image(self, points_image: ArrayLike) -> Array:
         """World coordinates, (..., 3), of pixels x, y with a depth in [0, 1].
 
-        Raises
-        ------
-        Refusal
-            If a number is not finite, if a depth is outside [0, 1] or that of a far plane at
-            infinity (or farther than 1e250), where a pixel has a direction but no point, and for
-            a typed matrix without an inverse.
+        Raises a `Refusal` if a number is not finite, if a depth is outside [0, 1] or that of a far
+        plane at infinity (or farther than 1e250), where a pixel has a direction but no point, and
+        for a typed matrix without an inverse.
         """
         return self.passage.world_from_image(checked_pixels(points_image))
 
@@ -286,11 +279,8 @@ class Projection(Pipeline):
             Its lens is a `Perspective` if the pixels are square and the axis is in the middle of
             the image, and a `Frustum` otherwise. Near and far stay.
 
-        Raises
-        ------
-        Refusal
-            For a focal length that is not above 0, a number that is not finite, a K with skew, and
-            a window that a `Frustum` refuses.
+        Raises a `Refusal` for a focal length that is not above 0, a number that is not finite, a K
+        with skew, and a window that a `Frustum` refuses.
         """
         fx, fy, cx, cy = checked_intrinsics(intrinsics, self.image_size)
         width, height = self.image_size

@@ -40,18 +40,11 @@ _LONGEST_FILE = 200
 class Refusal(ValueError):
     """An invalid value of the model, or an invalid part of a document, a file or a scene.
 
-    Parameters
-    ----------
-    field : str
-        Name of the refused parameter (``"eye"``), or its path in a document (``"camera.eye"``);
-        empty for the whole document.
-    value : object
-        The refused value; `Ellipsis` if there is none to show.
-    bound : Bound
-        The condition that the value violates, with ``{0}``, ``{1}`` for the limits.
-    *limits : object
-    file : str, optional
-        The file of the document, or empty; None outside documents.
+    - `field`: name of the refused parameter (``"eye"``), or its path in a document
+      (``"camera.eye"``); empty for the whole document.
+    - `value`: the refused value; `Ellipsis` if there is none to show.
+    - `bound`: the condition that the value violates, with ``{0}``, ``{1}`` for the limits.
+    - `file`: the file of the document, or empty; None outside documents.
     """
 
     def __init__(

@@ -173,8 +173,7 @@ class TypedCells:
             start, end = self.world_from_image(checked_pixels(ends[:, :3]))
         except Refusal:  # a pixel beside the picture may meet infinity
             return None
-        line: Array = start + at[:, None] * (end - start)
-        return line
+        return np.asarray(start + at[:, None] * (end - start))
 
     def _line_in_front(self, ends: Array, shares: Array) -> Array | None:
         """The part of a line in front of the eye plane, if it may reach infinity.

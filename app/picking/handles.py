@@ -52,17 +52,12 @@ Spot: TypeAlias = tuple[float, float]
 class Handle(NamedTuple):
     """A point that can be dragged.
 
-    Attributes
-    ----------
-    name : str
-        As the table of parameters has it, ``grip`` or ``object``.
-    face : str
-        The plane of the view volume that it lies on, if any.
-    at : (float, float)
-        Position on that face, from -1 to 1: a corner, or a side of the window if one part is 0. For
-        the object and up: the drawn length of the axes, twice.
-    setting : str
-        For a grip: the scene setting that it moves. For the object: one of `OBJECT_POINTS`.
+    - `name`: as the table of parameters has it, ``grip`` or ``object``.
+    - `face`: the plane of the view volume that it lies on, if any.
+    - `at`: position on that face, from -1 to 1: a corner, or a side of the window if one part is 0.
+      For the object and up: the drawn length of the axes, twice.
+    - `setting`: for a grip: the scene setting that it moves. For the object: one of
+      `OBJECT_POINTS`.
     """
 
     name: str
@@ -195,6 +190,15 @@ def place(projection: Projection, handle: Handle, drawn: tuple[float, float]) ->
     return np.asarray(_places(projection, drawn)[_ON_FACES.index(handle)])
 
 
+class _HandleDrag(NamedTuple):
+    """A handle, the world point (3,) of it that was grabbed, and the pixel where that shall be."""
+
+    handle: Handle
+    grabbed: Array
+    sight: Sight
+    pixel: Spot
+
+
 def dragged(
     projection: Projection,
     handle: Handle,
@@ -217,6 +221,7 @@ def dragged(
     short of its true distance, a drag inwards puts it where it is drawn, and a drag outwards moves
     it in proportion.
     """
+    drag = _HandleDrag(handle, grabbed, sight, pixel)
     if handle.name in _CAMERA:
         before = getattr(projection.camera, handle.name)
         return {handle.name: moved_point(before, sight, pixel, shift)}
@@ -226,13 +231,13 @@ def dragged(
         longer = np.linalg.norm(camera.up) / max(float(np.linalg.norm(moved)), 1e-300)
         return {UP.name: vector(np.round(longer * moved, 4))}
     if handle.name == "object":
-        return _moved_object(projection.placement, handle, grabbed, sight, pixel, shift)
+        return _moved_object(projection.placement, drag, shift)
     if handle.name in PLANES:
-        return {handle.name: _moved_plane(projection, handle, grabbed, drawn, sight, pixel)}
+        return {handle.name: _moved_plane(projection, drag, drawn)}
     before = projection.lens.fov_y_deg
     if before is not None:
-        return {FOV_Y.name: _opened(projection, before, handle, grabbed, sight, pixel)}
-    return _resized(projection, handle, grabbed, sight, pixel, shift)
+        return {FOV_Y.name: _opened(projection, before, drag)}
+    return _resized(projection, drag, shift)
 
 
 def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
@@ -340,15 +345,9 @@ def _turned(placement: ObjectTransform) -> Array:
     return np.asarray(ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3])
 
 
-def _moved_object(
-    placement: ObjectTransform,
-    handle: Handle,
-    grabbed: Array,
-    sight: Sight,
-    pixel: Spot,
-    shift: bool,
-) -> Change:
+def _moved_object(placement: ObjectTransform, drag: _HandleDrag, shift: bool) -> Change:
     """Move the origin to the pixel, stretch an axis to it, or turn the object."""
+    handle, grabbed, sight, pixel = drag
     reach, turned = handle.at[0], _turned(placement)
     points = object_points(placement, reach)
     origin = points["origin"]
@@ -445,14 +444,8 @@ def _slid(
     return value, abs(value) * (_UPWARDS - 1.0)
 
 
-def _moved_plane(
-    projection: Projection,
-    handle: Handle,
-    grabbed: Array,
-    drawn: tuple[float, float],
-    sight: Sight,
-    pixel: Spot,
-) -> float:
+def _moved_plane(projection: Projection, drag: _HandleDrag, drawn: tuple[float, float]) -> float:
+    handle, grabbed, sight, pixel = drag
     before: float = getattr(projection.lens, handle.name)
     drawn_at = drawn[handle.name == FAR.handle]
     rail = _rail(projection, handle, grabbed)
@@ -471,15 +464,9 @@ def _across(projection: Projection, handle: Handle, grabbed: Array) -> Array:
     return np.asarray(distance * (right * projection.aspect * frame[0] + up * frame[1]))
 
 
-def _opened(
-    projection: Projection,
-    before: float,
-    handle: Handle,
-    grabbed: Array,
-    sight: Sight,
-    pixel: Spot,
-) -> float:
+def _opened(projection: Projection, before: float, drag: _HandleDrag) -> float:
     """Field of view that puts a corner at a pixel; the rail is the diagonal of its face."""
+    handle, grabbed, sight, pixel = drag
     along, slope = _across(projection, handle, grabbed), math.tan(math.radians(before) / 2.0)
     slope, per_px = sight.slide(grabbed - slope * along, along, pixel)
     slope = max(slope, 0.0)
@@ -487,19 +474,13 @@ def _opened(
     return _tidy(fov_y_deg, before, math.degrees(2.0 * per_px / (1.0 + slope * slope)))
 
 
-def _resized(
-    projection: Projection,
-    handle: Handle,
-    grabbed: Array,
-    sight: Sight,
-    pixel: Spot,
-    symmetric: bool,
-) -> Change:
+def _resized(projection: Projection, drag: _HandleDrag, symmetric: bool) -> Change:
     """Window with one corner or side at a pixel, the opposite one fixed or mirrored.
 
     If the window keeps the image's proportions, the grabbed point runs on its diagonal, and the
     fields become those of the visible window.
     """
+    handle, grabbed, sight, pixel = drag
     camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
     window = projection.window
     distance = -float(camera.frame[2] @ (grabbed - camera.eye))

@@ -30,8 +30,7 @@ VERTEX_WITHIN_PX = 6.0
 """A visible vertex within this distance of the pixel is preferred to the face beside it."""
 LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
-_COVERS_PX = 0.25
-"""Half the drawn width of a line, which hides the points behind it."""
+_COVERS_PX = 0.25  # half the drawn width of a line, which hides the points behind it
 CHUNK = 128
 """Lines that follow one another in a file, and are near one another."""
 
@@ -93,8 +92,6 @@ def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Arr
 
     None for a point at or behind the eye plane, which has no image.
 
-    Notes
-    -----
     The points q of a pixel's ray satisfy ``(x w - x_px w) = (y w - y_px w) = 0`` at the distance
     ``-n (q - e)``: three linear equations for any lens. A free matrix has no eye. Its line is the
     un-projected line of the cube between near and far, `distances` are shares of the way, and the
@@ -120,8 +117,6 @@ def dragged(
     moves away (drag up) or nearer (drag down): by the width of a pixel for a parallel lens, in
     proportion to the distance for others, so that it never reaches the eye.
 
-    Notes
-    -----
     Under a free matrix a point keeps its depth in the buffer instead of its plane, and moves along
     its ray by shares of the depth range.
     """

@@ -17,15 +17,11 @@ from app.model.projection import Array, Projection, Vector
 class Sight(NamedTuple):
     """How a pane looks at the world.
 
-    Attributes
-    ----------
-    eye : (3,) array
-        World point that is subtracted first, so that no digits are lost far from the origin.
-    rows : (4, 4) array
-        Applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top left, order
-        times w, and w. The order is smaller in front.
-    limits : (k, 4) array
-        Half-spaces ``limit @ (p - eye, 1) >= 0`` that bound the drawing.
+    - `eye` (3,): world point that is subtracted first, so that no digits are lost far from the
+      origin.
+    - `rows` (4, 4): applied to ``(p - eye, 1)`` they give x w and y w in pixels from the pane's top
+      left, order times w, and w. The order is smaller in front.
+    - `limits` (k, 4): half-spaces ``limit @ (p - eye, 1) >= 0`` that bound the drawing.
     """
 
     eye: Array

@@ -29,10 +29,8 @@ CELLS = 2.0**-48
 
 Other formats lose so much more that it does not show.
 """
-_LEAST = 1e-300
-"""More than what the bounds themselves lose near the smallest float64."""
-_ROUNDED_UP = 1.0 + 2.0**-40
-"""For the roundings of the bounds themselves, less than 200 of 2^-53."""
+_LEAST = 1e-300  # more than what the bounds themselves lose near the smallest float64
+_ROUNDED_UP = 1.0 + 2.0**-40  # for the roundings of the bounds themselves, less than 200 of 2^-53
 
 
 @dataclass(frozen=True)
@@ -72,15 +70,11 @@ class Hardware:
 class CheapPicture(NamedTuple):
     """The picture of n points.
 
-    Attributes
-    ----------
-    image : (n, 2) array
-        Pixels, origin top-left; NaN for no number: behind the eye, or out of a format's range.
-    depth : (n,) array
-        In [0, 1] between near and far; NaN where `image` is.
-    bounds : (n, 3) array
-        Bounds of the errors of x and y in pixels and of the depth. Infinite where nothing is known:
-        the rounded w may be 0, or there is no number.
+    - `image` (n, 2): pixels, origin top-left; NaN for no number: behind the eye, or out of a
+      format's range.
+    - `depth` (n,): in [0, 1] between near and far; NaN where `image` is.
+    - `bounds` (n, 3): bounds of the errors of x and y in pixels and of the depth. Infinite where
+      nothing is known: the rounded w may be 0, or there is no number.
     """
 
     image: Array
@@ -102,8 +96,6 @@ def cheap(
 
     Raises a `Refusal` for coordinates that are not finite numbers.
 
-    Notes
-    -----
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """

@@ -181,16 +181,10 @@ def _divided(projection: Projection, quotients: Array, w: Array, lost: Array, un
 def _lost_dividing(quotients: Array, w: Array, lost: Array, unit: float) -> Array:
     """Bounds of the errors of the quotients, (3, n), with their own rounding.
 
-    Parameters
-    ----------
-    quotients : (3, n) or (3, 1) array
-        Upper bounds of their sizes.
-    w : (n,) array
-        Lower bounds; the result is infinite where w may be 0.
-    lost : (4, n) array
-        Errors of the numerators before the divide.
-    unit : float
-        Half the distance from 1 to the next larger number.
+    - `quotients` (3, n) or (3, 1): upper bounds of their sizes.
+    - `w` (n,): lower bounds; the result is infinite where w may be 0.
+    - `lost` (4, n): errors of the numerators before the divide.
+    - `unit`: half the distance from 1 to the next larger number.
     """
     rest = w - lost[3]
     if not rest.min() > 0.0:
@@ -234,8 +228,6 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
     `sizes` are `_single_sizes`, and `local`, (3, n), the sizes of the coordinates from the origin.
 
-    Notes
-    -----
     A clip coordinate is a sum of four products: 2 u from the rounded factors, 1 from the product
     and 3 from the sums, each of the sum of the products' sizes. A number below float32's least one
     may be lost completely; one beyond its largest is.

@@ -35,18 +35,12 @@ _CHOICES = {
 class Quality:
     """The chosen quality; default values mean automatic.
 
-    Parameters
-    ----------
-    rung : one of `PRECISIONS`
-        The arithmetic of the image and the NDC cube.
-    smoothing : one of `SMOOTHINGS`
-        Only for panes; figures are always averaged.
-    detail : float
-        Drawn share of the scene's triangles and dots, from `LEAST_DETAIL` to 1.
-    depth_format : name in `app.model.depth.FORMATS`, or empty
-        Empty for the graphics card's own, or for ``"fixed24"`` if there is a mapping.
-    depth_mapping : name in `app.model.depth.MAPPINGS`, or empty
-        Empty for the projection's own depth range.
+    - `rung`: one of `PRECISIONS`, the arithmetic of the image and the NDC cube.
+    - `smoothing`: one of `SMOOTHINGS`; only for panes; figures are always averaged.
+    - `detail`: drawn share of the scene's triangles and dots, from `LEAST_DETAIL` to 1.
+    - `depth_format`: in `app.model.depth.FORMATS`; empty for the graphics card's own, or for
+      ``"fixed24"`` if there is a mapping.
+    - `depth_mapping`: in `app.model.depth.MAPPINGS`; empty for the projection's own depth range.
 
     Raises a `Refusal` for an unknown name, or a share that cannot be drawn.
     """

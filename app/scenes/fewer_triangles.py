@@ -28,8 +28,7 @@ SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
 LEAST_TRIANGLES = 1_000
 """A smaller mesh is never reduced."""
 _DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
-_LEAST_DRAGGED = 500
-"""Triangles: with fewer a frame is hardly faster, and the shape is lost."""
+_LEAST_DRAGGED = 500  # triangles: with fewer a frame is hardly faster, and the shape is lost
 QUADRIC_TRIANGLES, QUADRIC_VALENCE = 100_000, 500
 """Larger meshes, or more triangles at one vertex, use boxes: edges would take minutes."""
 

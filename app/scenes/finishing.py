@@ -44,31 +44,21 @@ FACES_WITH_EDGES = 5_000
 than the pixels."""
 FLAT_DOTS = 1_000
 """Most dots that have one colour."""
-_BLOCK = 100_000
-"""Faces that are computed at once, between two reports of progress."""
-_SHARP = math.cos(math.radians(30.0))
-"""Edges whose faces turn by a larger angle are drawn."""
+_BLOCK = 100_000  # faces that are computed at once, between two reports of progress
+_SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angle are drawn
 
 
 class Finished(NamedTuple):
     """A mesh that is ready to be drawn.
 
-    Attributes
-    ----------
-    points : (n, 3) float64
-        World coordinates.
-    offsets, corners : (m + 1,) and (offsets[m],) int64
-        As in `app.scenes.mesh.Mesh`, for faces of three or four corners.
-    rgb : (m, 3) uint8
-        Shaded colour of each face.
-    edges : (k, 2, 3) float64
-        Ends of the faces' edges to draw.
-    lines : (l, 2, 3) float64
-        Ends of the file's own lines.
-    dots : (d, 3) float64
-    dot_rgb : (d, 3) uint8
-    notes : list of tuples
-        As in `app.scenes.mesh.Mesh`.
+    - `points` (n, 3): world coordinates.
+    - `offsets`, `corners` (m + 1,) and (offsets[m],): as in `app.scenes.mesh.Mesh`, for faces of
+      three or four corners.
+    - `rgb` (m, 3): shaded colour of each face.
+    - `edges` (k, 2, 3): ends of the faces' edges to draw.
+    - `lines` (l, 2, 3): ends of the file's own lines.
+    - `dots`, `dot_rgb` (d, 3): the file's own dots and their colours.
+    - `notes`: as in `app.scenes.mesh.Mesh`.
     """
 
     points: Floats

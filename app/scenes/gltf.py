@@ -45,10 +45,8 @@ _READ = re.compile(
 _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
-_OVERHEAD = 400
-"""Vertices that take as long to read as a primitive takes without any."""
-_INFLUENCES = 1 << 18
-"""Joints of vertices that are applied at a time."""
+_OVERHEAD = 400  # vertices that take as long to read as a primitive takes without any
+_INFLUENCES = 1 << 18  # joints of vertices that are applied at a time
 
 _Use: TypeAlias = tuple[int, int | None, tuple[float, ...] | None]
 """A mesh, and the skin and weights of its node: what determines the shape, apart from its place."""
@@ -92,16 +90,10 @@ def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
 class _MeshSize(NamedTuple):
     """The counts of a mesh.
 
-    Attributes
-    ----------
-    elements : int
-        Most triangles, lines and points.
-    targets, sets : int
-        Most morph targets and most sets of four joints of a primitive.
-    weights : int
-        Default morph weights that are not 0.
-    overhead : int
-        Vertices that take as long as its primitives and targets do without any.
+    - `elements`: most triangles, lines and points.
+    - `targets`, `sets`: most morph targets and most sets of four joints of a primitive.
+    - `weights`: default morph weights that are not 0.
+    - `overhead`: vertices that take as long as its primitives and targets do without any.
     """
 
     vertices: int

@@ -136,29 +136,19 @@ PART = QT_TRANSLATE_NOOP(
 class Mesh:
     """Points of a file, and the polygons, lines and dots that it draws with them.
 
-    Attributes
-    ----------
-    points : (n, 3) float64
-        World coordinates.
-    offsets : (m + 1,) int64
-        Face i has the corners ``corners[offsets[i]:offsets[i + 1]]``.
-    corners : (offsets[m],) int64
-        Indices into `points`.
-    rgb : (m, 3) uint8 or None
-        Colour of each face, if the file has colours.
-    painted : bool
-        Whether `rgb` was scanned or painted, and is shown unchanged. A material's colour is shaded
-        first: without shading it shows no shape.
-    lines : (k, 2) int64
-        Ends of line segments: indices into `points`.
-    dots : (d,) int64
-        Points that are drawn by themselves: indices into `points`.
-    dot_rgb : (d, 3) uint8 or None
-        Colour of each dot, if the file has colours.
-    rows : dict of (n,), (m,), (k,) and (d,) int64
-        For "points", "faces", "lines" and "dots" of a text: the line that each is on.
-    notes : list of tuples
-        Templates and parts of sentences, like those of a refusal, that say what was left out.
+    - `points` (n, 3): world coordinates.
+    - `offsets` (m + 1,): face i has the corners ``corners[offsets[i]:offsets[i + 1]]``.
+    - `corners` (offsets[m],): indices into `points`.
+    - `rgb` (m, 3): colour of each face, if the file has colours.
+    - `painted`: whether `rgb` was scanned or painted, and is shown unchanged. A material's colour
+      is shaded first: without shading it shows no shape.
+    - `lines` (k, 2): ends of line segments: indices into `points`.
+    - `dots` (d,): points that are drawn by themselves: indices into `points`.
+    - `dot_rgb` (d, 3): colour of each dot, if the file has colours.
+    - `rows` (n,), (m,), (k,) and (d,): for "points", "faces", "lines" and "dots" of a text: the
+      line that each is on.
+    - `notes`: templates and parts of sentences, like those of a refusal, that say what was left
+      out.
     """
 
     points: Floats = field(default_factory=lambda: np.empty((0, 3)))

@@ -36,8 +36,7 @@ _CORNERS = "vertex_indices", "vertex_index", "indices", "vertices"
 _PLY_ORDERS = {"ascii": "", "binary_little_endian": "<", "binary_big_endian": ">"}
 
 
-_BEYOND = ""
-"""Name of the element of all rows that the header does not count."""
+_BEYOND = ""  # name of the element of all rows that the header does not count
 
 
 class _PlyColumn(NamedTuple):

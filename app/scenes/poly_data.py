@@ -19,16 +19,11 @@ if TYPE_CHECKING:
 class LaterMesh:
     """A mesh that is made when it is first drawn: importing VTK takes longer than showing a window.
 
-    Attributes
-    ----------
-    points : (n, 3) float32 array
-    bounds : (6,) float32 array
-        Least and largest x, y and z.
-    n_cells, corners : int
-        Number of polygons or lines, and of all their corners.
-    rgb : (n_cells, 3) array of uint8
-    cells : (n_cells + 1,) and (corners,) arrays of int
-        Where the corners of each cell begin, and the corners.
+    - `points` (n, 3): float32.
+    - `bounds` (6,): least and largest x, y and z.
+    - `n_cells`, `corners`: number of polygons or lines, and of all their corners.
+    - `rgb` (n_cells, 3): uint8.
+    - `cells` (n_cells + 1,) and (corners,): where the corners of each cell begin, and the corners.
     """
 
     def __init__(

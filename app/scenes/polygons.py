@@ -15,16 +15,11 @@ from app.scenes.mesh import Floats, Ints
 
 _FIRSTS = 8
 """Corners of each polygon that are tried as the centre of a fan, for all polygons at once."""
-_STARTS = 8
-"""Corners from which ears are tried: rounded touches spoil some."""
-_RIGHT = 1e-9
-"""Part of its area by which a divided polygon may differ."""
-_ROUNDING = 1e-15
-"""Part of a polygon's area by which a triangle of its fan may turn backwards."""
-_LEAST_WITH_HOLE = 8
-"""Corners of a triangle with a triangular hole and its bridge."""
-_TRIED = 7
-"""Corners of a ring that decide whether it lies in an outline: one may lie on it."""
+_STARTS = 8  # corners from which ears are tried: rounded touches spoil some
+_RIGHT = 1e-9  # part of its area by which a divided polygon may differ
+_ROUNDING = 1e-15  # part of a polygon's area by which a triangle of its fan may turn backwards
+_LEAST_WITH_HOLE = 8  # corners of a triangle with a triangular hole and its bridge
+_TRIED = 7  # corners of a ring that decide whether it lies in an outline: one may lie on it
 
 
 def following(offsets: Ints) -> Ints:

@@ -125,28 +125,16 @@ class _MeshField:
 class Scene(Appearance):
     """Geometry that is ready to draw, and the first camera.
 
-    Attributes
-    ----------
-    name : str
-        One of `BUILT_IN`, or the path of the mesh file as it was given.
-    origin : tuple of 3 floats
-        World point to which all geometry is relative: ``world = origin + points``.
-    surface : pyvista.PolyData or None
-        Polygons (m faces) with ``cell_data["rgb"]``, (m, 3) uint8; float32 points.
-    lines : pyvista.PolyData or None
-        Ground-grid lines, then edges of the objects and the lines of a file, with
-        ``cell_data["rgb"]`` like the surface.
-    dots : pyvista.PolyData or None
-        Points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
-    lower, upper : tuple of 3 floats
-        World bounds of the objects, without the grid.
-    start : Projection
-        The camera and lens with which the scene opens.
-    phenomenon : Phenomenon or None
-    own_mesh : bool
-        Whether a mesh from a file replaces the phenomenon's subject.
-    notes : tuple of Refusals
-        What of a mesh's file was left out; they are shown, not raised.
+    - `name`: one of `BUILT_IN`, or the path of the mesh file as it was given.
+    - `origin`: world point to which all geometry is relative: ``world = origin + points``.
+    - `surface`: polygons (m faces) with ``cell_data["rgb"]``, (m, 3) uint8; float32 points.
+    - `lines`: ground-grid lines, then edges of the objects and the lines of a file, with
+      ``cell_data["rgb"]`` like the surface.
+    - `dots`: points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
+    - `lower`, `upper`: world bounds of the objects, without the grid.
+    - `start`: the camera and lens with which the scene opens.
+    - `own_mesh`: whether a mesh from a file replaces the phenomenon's subject.
+    - `notes`: what of a mesh's file was left out; they are shown, not raised.
     """
 
     name: str

@@ -145,14 +145,9 @@ def ground_grid(
 
     The lines on the world's x and z axes are darker.
 
-    Parameters
-    ----------
-    lower, upper, spacing : tuple of 2 floats
-        World x and z.
-    height : float
-        World y of the grid.
-    origin : Vector
-        World point to which the lines are relative.
+    - `lower`, `upper`, `spacing`: world x and z.
+    - `height`: world y of the grid.
+    - `origin`: world point to which the lines are relative.
     """
     steps = [
         np.arange(math.floor(low / step), math.ceil(high / step) + 1)

@@ -241,7 +241,8 @@ def test_the_depth_buffer_of_the_document_decides_between_dots(
     colours = []
     for quality in (Quality(), Quality(depth_format="fixed16")):
         screen = off_screen(640, 360)
-        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, quality=quality, options=UNFRAMED)
+        options = UNFRAMED._replace(quality=quality)
+        drawing = ImageDrawing(screen, scene, WORDS, LIGHT, options=options)
         drawing.show_layers(frozenset({"grid"}))
         drawing.show_projection(projection)
         colours.append(screen.pixels()[180, 320, :3].tolist())

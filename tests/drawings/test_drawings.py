@@ -23,6 +23,7 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture import typed_matrix
+from app.lecture.stages import NDC, VIEW
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import (
     DEPTH_RANGES,
@@ -341,6 +342,20 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
     rows, columns = (np.flatnonzero(~empty.all(axis=axis)) for axis in (1, 0))
     filled = max((columns[-1] - columns[0]) / size[0], (rows[-1] - rows[0]) / size[1])
     assert filled > 0.55
+
+
+def test_a_hidden_frustum_is_hidden_up_to_the_view(off_screen: MakeScreen) -> None:
+    scene = load("letter-f")
+    drawing = StageDrawing(off_screen(600, 400), scene, WORDS, LIGHT)
+    drawing.show_names(frozenset({"near"}))
+    drawing.show_projection(scene.start)
+    for position, is_hidden in ((VIEW, True), (0.0, True), (NDC, False)):
+        drawing.show_layers(frozenset())
+        drawing.show_stage(position)
+        assert drawing.box.near.is_visible and drawing.state.display_from_box.any()
+        drawing.show_layers(frozenset({"frustum"}))
+        assert drawing.box.near.is_visible != is_hidden
+        assert drawing.state.display_from_box.any() != is_hidden
 
 
 # --------------------------------------------------------------------------- the image pane

@@ -308,5 +308,8 @@ def test_an_angle_is_written_in_degrees_if_the_view_asks_for_it(off_screen: Make
 
 def test_a_question_knows_where_the_objects_are(off_screen: MakeScreen) -> None:
     drawing = opened(off_screen(*PANE_PX))
-    corners = [(x, y) for x, y, _ in drawing.state.seen(drawing.state.objects)]
-    assert len(corners) == 8 and set(corners) <= set(drawing.board.spots)
+    x, y, _ = np.array(drawing.state.seen(drawing.state.objects)).mean(axis=0).tolist()
+    ground = drawing.layers.ground()
+    assert ground.inked_px(x - 15.0, y - 15.0, x + 15.0, y + 15.0) > 300.0
+    assert ground.inked_px(-200.0, -200.0, 0.0, 0.0) == 0.0
+    assert ground.inked_px(-9.0, -9.0, 9e3, 9e3) < 0.5 * PANE_PX[0] * PANE_PX[1]

@@ -70,6 +70,8 @@ PATIENCE = 12
 """Steps after which a menu or a dialog is left."""
 NESTED_S = 0.3
 """Time after which a step that has not ended waits in a dialog of its own."""
+DROPPED_MS = 300
+"""A text that is being dragged is dropped within that time."""
 SIZES = ((1366, 768), (1920, 1080), (900, 600), (1280, 720))
 PAUSES_MS = (0, 0, 0, 0, 10, 10, 30, 30, 100, 400)
 OFTEN = (
@@ -480,6 +482,9 @@ def in_a_window(folder: Path, options: argparse.Namespace) -> int:
     application.collect_when_idle()
     hands.open()
     QTimer.singleShot(0, hands.beat)  # in the loop, which `exit` ends
+    drops = QTimer(interval=DROPPED_MS)  # QTest ends no drag of selected text
+    drops.timeout.connect(QtGui.QDrag.cancel)
+    drops.start()
     qt.exec()
     hands.measure()
     if hands.window is not None:

@@ -25,6 +25,7 @@ from app.lessons.strokes import (
 from app.model.refusal import Refusal
 from tests.support.window import activate, arrive, move_mouse, pixels, present, rgb_of, settle
 from widgets.program.handout import handout
+from widgets.program.handout_content import StepFigure, contents
 from widgets.window.main_window import MainWindow
 
 TALK = """---
@@ -169,6 +170,51 @@ def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk:
     QTest.keyClick(pen, Qt.Key.Key_Delete)
     QTest.keyClick(pen, Qt.Key.Key_K)
     assert not path.exists() and abs(len(handout(course)) - len(plain)) < 100
+
+
+ANSWERED = """---
+title: A talk
+---
+# One {#one}
+```state
+scene=letter-f
+```
+```predict nearer
+Where is near?
+- [x] At 2 := near
+- [ ] At 3
+  says: It is nearer.
+show: lens.near=2
+```
+"""
+
+
+@pytest.mark.undrawn
+def test_strokes_belong_to_the_picture_that_they_were_drawn_on(
+    window: MainWindow, talk: Path
+) -> None:
+    talk.write_text(ANSWERED)
+    window.lessons.close()
+    assert window.lessons.open(talk)
+    pen = window.slide.pen
+    pen.switch(True)
+    draw(window, (300, 300), (400, 320))
+    assert window.talks.reveal()  # the question changes no picture
+    assert len(pen.here) == 1
+    assert window.talks.reveal()
+    assert pen.here == []
+    draw(window, (300, 300), (400, 320))
+    draw(window, (300, 350), (400, 370))
+    QTest.keyClick(pen, Qt.Key.Key_K)
+    assert {name: len(kept) for name, kept in read_strokes(talk).items()} == {"one": 1, "one.1": 2}
+    course = window.lessons.course
+    assert course is not None
+    figures = [each for each in contents(course, 0, answers=True) if isinstance(each, StepFigure)]
+    assert [each.slide for each in figures] == [
+        picture_beside(talk, name) for name in ("one", "one.1")
+    ]
+    window.talks.previous()
+    assert len(pen.here) == 1
 
 
 @pytest.mark.parametrize(

@@ -1054,7 +1054,7 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
 def test_a_question_hides_the_fewest_names(display: Any) -> None:
     slide, named = QWidget(), list[QRectF]()
     slide.resize(1000, 600)
-    question = QuestionOverlay(slide, lambda: [(named, QRectF())])
+    question = QuestionOverlay(slide, lambda: [(named, lambda _box: 0.0)])
     slide.show()
     corners = []
     for spot in ((), (20, 580), (980, 580), (500, 580), (20, 20)):
@@ -1092,9 +1092,13 @@ def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow
     tip = drawing.board.label("far")
     left, right, low, high = tip.box_px
     top = there.y() + pane.canvas.height() - high
-    ((boxes, whole),) = window.slide.named()
+    ((boxes, hidden_ink),) = window.slide.named()
     name = QRectF(there.x() + left, top, right - left, high - low)
-    assert name in boxes and whole.contains(name)
+    assert name in boxes
+    (x, y, _), *_ = drawing.state.seen(drawing.state.objects.mean(axis=0)[None])
+    spot = QPointF(there.x() + x, there.y() + pane.canvas.height() - y)
+    assert hidden_ink(QRectF(spot - QPointF(10.0, 10.0), spot + QPointF(10.0, 10.0))) > 100.0
+    assert hidden_ink(QRectF(0.0, 0.0, 1.0, 1.0)) == 0.0
 
 
 def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> None:

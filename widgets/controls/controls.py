@@ -21,7 +21,7 @@ from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QWidget
 
 from app.drawings.style import Style
-from app.lecture.highlight import NOTHING, Highlight, made_of
+from app.lecture.highlight import Highlight, made_of
 from app.model.parameter import PARTS, Computed
 from app.model.parameters import (
     DISTANCE,
@@ -44,7 +44,7 @@ from widgets.controls.finder import ControlTexts, find
 from widgets.controls.lens_sliders import LensSliders
 from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
 from widgets.controls.scene_card import SceneCard
-from widgets.parts.fields import Row, RowHolder
+from widgets.parts.fields import Row, RowHolder, report_highlight
 from widgets.parts.focus import lay_out
 from widgets.parts.messages import parameter_text, seen_from, sentence, translated
 from widgets.parts.number_rows import NumberRow
@@ -80,8 +80,7 @@ class Controls(Dock, RowHolder):
         self._has_fixed_objects = False
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
-        self._lent: list[str] = []
-        """The keys of the rows that are outside the dock."""
+        self._lent: list[str] = []  # the keys of the rows that are outside the dock
         self._matches: set[QWidget] | None = None
         """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))
@@ -123,8 +122,7 @@ class Controls(Dock, RowHolder):
         self.sections["object"].toggled.connect(self._emit_object_unfolded)
         for key, binding in self._bindings.items():
             self._connect(binding)
-            about = binding.parameter.highlights
-            binding.row.highlighted.connect(partial(self._highlighted, key, about))
+            report_highlight(binding.row, self.highlighted, key, binding.parameter.highlights)
         self.rows = {name: each.row for name, each in self._bindings.items()}
         self._make_room()
         self._reserve_bar()
@@ -242,9 +240,6 @@ class Controls(Dock, RowHolder):
             names = binding.parameter.highlights.union(binding.parameter.makes)
             binding.row.set_marked(bool(names & shown))
         self.card.show_highlight(shown)
-
-    def _highlighted(self, key: str, about: Highlight, is_highlighted: bool) -> None:
-        self.highlighted.emit(key, about if is_highlighted else NOTHING)
 
     def bring_to_front(self, paths: Collection[str], replaced: Collection[str] = ()) -> None:
         """Show the controls that matter for the scene in its card.

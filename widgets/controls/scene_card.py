@@ -30,7 +30,7 @@ from app.scenes.phenomena.words import Comparison
 from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence
 from widgets.parts.buttons import tool_button
-from widgets.parts.fields import ChoiceRow, Row, RowHolder
+from widgets.parts.fields import ChoiceRow, Row, RowHolder, report_highlight
 from widgets.parts.icons import RefusalLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena, read_text, sentence
@@ -278,7 +278,7 @@ class SceneCard(QWidget, RowHolder):
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
             self._join(row)
-            row.highlighted.connect(partial(self._row_highlighted, setting.path))
+            report_highlight(row, self.highlighted, setting.path, frozenset((setting.path,)))
             if setting.per_second and isinstance(row, NumberRow):
                 self._add_player(setting, row)
             self._rows.addWidget(row)
@@ -300,9 +300,6 @@ class SceneCard(QWidget, RowHolder):
             button.setMinimumWidth(1)  # it must not widen the dock
             self._compares.addWidget(button, 0, Qt.AlignmentFlag.AlignLeft)
             self.comparisons.append(button)
-
-    def _row_highlighted(self, path: str, is_highlighted: bool) -> None:
-        self.highlighted.emit(path, frozenset((path,)) if is_highlighted else NOTHING)
 
     def show_highlight(self, highlighted: Highlight) -> None:
         """Mark the rows and readings about what is highlighted."""

@@ -38,7 +38,7 @@ from widgets.parts.messages import read_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.scales import Log
+from widgets.parts.scales import Linear
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
 from widgets.parts.writing import all_digits, lettering
 
@@ -175,7 +175,7 @@ class FramePanel(Panel):
             self.tr("Turns up towards the view direction, in the plane of both. The frame "
                     "stays the same until up is too close to the view direction to say where"
                     " right is."),
-            Log(1e-14, 180.0), "°", self.tr("degrees"),
+            Linear(0.0, 180.0, 1.0), "°", self.tr("degrees"),
         )  # fmt: skip
         self.angle.setDefault(90.0)
         self.angle.edited.connect(self._turn)

@@ -43,8 +43,7 @@ _CUBE = box_faces((-1.4, -1.5, -0.5), (-0.4, -0.5, 0.5))
 """Position of the cube, off the axis so that a perspective from the front shows three faces."""
 _TINT = 0.45
 _LEAST_ICON, _GAP_PX, _PAD_PX = 18, 7, 4
-_SMALLEST = 0.72
-"""Least text scale of the leaves, in a narrow panel with large letters."""
+_SMALLEST = 0.72  # least text scale of the leaves, in a narrow panel with large letters
 
 
 def _text(text: str) -> str:

@@ -99,8 +99,7 @@ class MatrixPanel(ReadablePanel):
         self._style = LIGHT
         self._plan: object = None
         self._unfolded: set[str] = set()
-        self._speaker: MatrixView | None = None
-        """The view whose cell is explained."""
+        self._speaker: MatrixView | None = None  # the view whose cell is explained
         self._stop = NDC
         self._earlier: tuple[object, tuple[WrittenMatrix, ...]] = (None, ())
         self._words = CellWords(self)

@@ -17,8 +17,7 @@ from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
 from widgets.parts.messages import stage_title
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 
-_NOTE_CHARACTERS = 40
-"""Characters in a line of a note under a narrow matrix."""
+_NOTE_CHARACTERS = 40  # characters in a line of a note under a narrow matrix
 
 
 def _named(matrix: WrittenMatrix, title: str) -> str:

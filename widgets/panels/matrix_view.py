@@ -206,8 +206,7 @@ class MatrixView(QWidget):
         self._writing = MatrixNotation()
         self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
-        self._described: tuple[int, int] | None = None
-        """The cell of the last sentence."""
+        self._described: tuple[int, int] | None = None  # the cell of the last sentence
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setMouseTracking(True)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)

@@ -14,8 +14,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFileDialog,
@@ -80,6 +80,44 @@ _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accen
 _NAME = Qt.ItemDataRole.UserRole
 
 
+class _ResultsTable(QTableWidget):
+    """A table of whole rows, whose last column, the notes, has the remaining width."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._least_notes = 0
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setTabKeyNavigation(False)  # the keyboard could not leave the table
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.verticalHeader().hide()
+        self.setMinimumSize(200, 40)
+        self.horizontalHeader().sectionResized.connect(self._fit_notes)
+
+    def fit_columns(self) -> None:
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        self._least_notes = 0
+        self.resizeColumnsToContents()
+        if self.rowCount():
+            words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
+            self._least_notes = min(words, header.sectionSize(header.count() - 1))
+            header.resizeSection(header.count() - 1, self._least_notes)
+        self._fit_notes()
+
+    def _fit_notes(self) -> None:
+        header = self.horizontalHeader()
+        last = header.count() - 1
+        if self._least_notes and last >= 0:
+            room = self.viewport().width() - header.sectionPosition(last)
+            header.resizeSection(last, max(room, self._least_notes))
+        self.resizeRowsToContents()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_notes()
+
+
 class MeasurePanel(DiagramPanel):
     """Runs measurements, and shows each as a chart, a table and a sentence.
 
@@ -105,19 +143,15 @@ class MeasurePanel(DiagramPanel):
         super().__init__()
         self._document, self._current, self._smoothings = document, current, smoothings
         self._gestures = 0
-        self._picked = ""
-        """The choice that was clicked last, until the document changes."""
-        self._refusal = ""
-        """The last refusal, until the panel is used again."""
-        self._asked: list[str] = []
-        """The trades and sweeps that are being measured."""
+        self._picked = ""  # the choice that was clicked last, until the document changes
+        self._refusal = ""  # the last refusal, until the panel is used again
+        self._asked: list[str] = []  # the trades and sweeps that are being measured
         self.measured: dict[str, Measurements] = {}
         """The last results of every trade and sweep, by name; each holds only that one."""
         self.loaded: dict[str, Measurements] = {}
         """The results from a file, by name."""
         self.words: dict[str, str] = {}
         """Why a trade or sweep has no results."""
-        self._least_notes = 0
         self.measuring = Measuring(self)
         self.measuring.progressed.connect(lambda part: self.progress.setValue(round(1000 * part)))
         self.measuring.finished.connect(self._finished)
@@ -197,18 +231,10 @@ class MeasurePanel(DiagramPanel):
         self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
         selectable = Qt.TextInteractionFlag.TextSelectableByMouse
         self.sentence = PlainLabel(wordWrap=True, textInteractionFlags=selectable)
-        self.table = QTableWidget()
+        self.table = _ResultsTable()
         self.table.setAccessibleName(self.tr("Results"))
-        self.table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.table.setTabKeyNavigation(False)  # the keyboard could not leave the table
-        self.table.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
-        self.table.verticalHeader().hide()
-        self.table.setMinimumSize(200, 40)
         for shown in (self.list, self.table):
             FocusRing(shown)
-        self.table.horizontalHeader().sectionResized.connect(self._fit_notes)
-        self.table.viewport().installEventFilter(self)
         self.table.cellClicked.connect(self._row_used)
         self.table.cellActivated.connect(self._row_used)
 
@@ -236,7 +262,8 @@ class MeasurePanel(DiagramPanel):
         if "scene" in changed:
             here = shown.document.scene
             own = [name for name in chart.TITLES if shown_by(name).get("scene") == here]
-            self.choose(*(own or [self.name]))
+            if own and self.name not in own:
+                self.choose(*own)
         self._readable.changed()  # another choice may be in use
 
     def show_trade(self, name: str) -> None:
@@ -497,15 +524,7 @@ class MeasurePanel(DiagramPanel):
         for y, row in enumerate(rows):
             trade, choice = choices[y] if y < len(choices) else (None, None)
             self._show_row(y, row, trade, choice)
-        header = self.table.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        self._least_notes = 0
-        self.table.resizeColumnsToContents()
-        if rows:
-            words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
-            self._least_notes = min(words, header.sectionSize(len(heads) - 1))
-            header.resizeSection(len(heads) - 1, self._least_notes)
-        self._fit_notes()
+        self.table.fit_columns()
 
     def _show_row(
         self, y: int, row: Sequence[str], trade: Trade | None, choice: ChartPoint | None
@@ -526,20 +545,6 @@ class MeasurePanel(DiagramPanel):
             if 0 < x < len(row) - 1:
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.table.setItem(y, x, cell)
-
-    def _fit_notes(self) -> None:
-        """Give the last column the remaining width, and fit the row heights to it."""
-        header = self.table.horizontalHeader()
-        last = header.count() - 1
-        if self._least_notes and last >= 0:
-            room = self.table.viewport().width() - header.sectionPosition(last)
-            header.resizeSection(last, max(room, self._least_notes))
-        self.table.resizeRowsToContents()
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._fit_notes()
-        return super().eventFilter(watched, event)
 
     # -- using
 

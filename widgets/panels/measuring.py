@@ -28,8 +28,7 @@ from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
 
 PAUSE, RESUME, CANCEL = b"pause\n", b"resume\n", b"cancel\n"
-_KILLED_WITHIN_MS = 30_000
-"""Longest wait for the process to end; usually it ends at once."""
+_KILLED_WITHIN_MS = 30_000  # longest wait for the process to end; usually it ends at once
 
 
 class Measuring(QObject):
@@ -43,13 +42,10 @@ class Measuring(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._process: QProcess | None = None
-        self._file = ""
-        """Holds the document while it is measured."""
+        self._file = ""  # holds the document while it is measured
         self._paused = False
-        self._lines: list[str] = []
-        """The process's standard error, without the fractions."""
-        self._rest = b""
-        """The beginning of an incomplete line."""
+        self._lines: list[str] = []  # the process's standard error, without the fractions
+        self._rest = b""  # the beginning of an incomplete line
 
     @property
     def running(self) -> bool:

@@ -251,8 +251,7 @@ class Compare(QObject):
         self._cuts: list[QRect] = []
         self._laid_out: list[tuple[int, int] | None] = []
         """The sizes of the images in the present layout."""
-        self._screen_px = 0.0
-        """The height of the screen that a class looks at; 0 for a window."""
+        self._screen_px = 0.0  # the height of the screen that a class looks at; 0 for a window
         self.bar = QWidget()
         """Below the picture: says how the pictures differ."""
         self.words = _TwoLineLabel()

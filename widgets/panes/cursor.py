@@ -80,8 +80,7 @@ class Cursor(QObject):
         self._name, self._pane, self._manipulation = name, pane, manipulation
         self._scene: Scene | None = None
         self._thing: Thing | None = None
-        self._notice = ""
-        """A sentence instead of the cursor's place, until the next key."""
+        self._notice = ""  # a sentence instead of the cursor's place, until the next key
         self._is_there = self._is_dragging = self._is_shifted = False
         self._away = QPointF()
         self._why_closed = ""

@@ -20,8 +20,11 @@ def _stage(*args: Any) -> Any:
 
 def _image(*args: Any) -> Any:
     from app.drawings.image import ImageDrawing
+    from app.drawings.picture_frame import PictureOptions
 
-    return ImageDrawing(*args, live=True)
+    screen, scene, words, style, tolerance_px, quality = args
+    options = PictureOptions(quality=quality)
+    return ImageDrawing(screen, scene, words, style, tolerance_px, options, live=True)
 
 
 DRAWINGS: dict[str, Callable[..., Any]] = {"world": _world, "ndc": _stage, "image": _image}

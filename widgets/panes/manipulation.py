@@ -62,8 +62,7 @@ from widgets.parts.plain import PlainLabel, set_tip
 HOLD_WITHIN_PX = 12.0
 """Greatest distance from a probe's mark at which a drag takes hold of it."""
 _APART_PX = 16
-_HALVINGS = 6
-"""How often the way of a refused drag is halved, to stop it at the bound."""
+_HALVINGS = 6  # how often the way of a refused drag is halved, to stop it at the bound
 
 
 class Manipulation(Gestures, QObject):

@@ -121,8 +121,7 @@ class Pane(QFrame):
         self._waits = False
         self.requested = dict(AS_BUILT)
         """The values of `request`."""
-        self._due: set[str] = set()
-        """What the drawing has yet to show."""
+        self._due: set[str] = set()  # what the drawing has yet to show
         self._pointed_at = NOTHING
         self._matrices_ms = 0.0
         self._goes_to: tuple[Camera | None] | None = None
@@ -151,15 +150,17 @@ class Pane(QFrame):
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
+        self.is_aimed_at = False
+        """Whether a question asks for a place in the picture."""
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
         self.hand.moved.connect(self._view_moved)
-        self.hand.clicked.connect(self._clicked)
+        self.hand.clicked.connect(
+            lambda place: (self.aimed if self.is_aimed_at else self.clicked).emit(place)
+        )
         self.hand.hovered.connect(self._point_at)
         self.hand.left.connect(self._point_at)
-        self.is_aimed_at = False
-        """Whether a question asks for a place in the picture."""
         self.fades: Callable[[], bool] = lambda: False
         """Whether labels fade from one place to another; otherwise they jump."""
         self._clock = Clock(self)
@@ -267,9 +268,6 @@ class Pane(QFrame):
         elif self.drawing.show_highlight(highlighted):
             self.canvas.redraw()
 
-    def _clicked(self, place: QPointF) -> None:
-        (self.aimed if self.is_aimed_at else self.clicked).emit(place)
-
     def _point_at(self, place: QPointF | None = None) -> None:
         highlighted = NOTHING
         if place is not None and self.drawing is not None:
@@ -359,13 +357,7 @@ class Pane(QFrame):
             self.unsetCursor()
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
-        """Show a class the picture without buttons, frame and tooltips, and `named` by its title.
-
-        Parameters
-        ----------
-        named : bool
-            Whether the class sees the pane's title.
-        """
+        """Show a class the picture without buttons, frame and tooltips; `named`: with its title."""
         self.header.set_presenting(on, named=named)
         shape = QFrame.Shape.NoFrame if on else QFrame.Shape.StyledPanel
         if self.frameShape() != shape:

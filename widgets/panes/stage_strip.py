@@ -128,8 +128,7 @@ class StageStrip(QWidget, Playing, Gestures):
         self._below.setContentsMargins(0, 0, 0, 0)
         for half in range(2 * len(STOPS)):
             self._below.setColumnStretch(half, 1)
-        self._rows = 0
-        """Rows of names: two where one row is too narrow."""
+        self._rows = 0  # rows of names: two where one row is too narrow
         self.stops = [_Narrow() for _ in STOPS]
         for stop, button in enumerate(self.stops):
             button.clicked.connect(partial(self.go_to, float(stop)))

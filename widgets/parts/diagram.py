@@ -44,8 +44,7 @@ class DiagramView(QWidget):
         self.spot_names: dict[str, QRectF] = {}
         """Places of the spots' names."""
         self._style = LIGHT
-        self._pressed = ""
-        """The key of the spot under the last press of the mouse."""
+        self._pressed = ""  # the key of the spot under the last press of the mouse
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setMinimumSize(115, 90)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)

@@ -14,8 +14,7 @@ from app.scenes.phenomena.diagram import Curve
 Floats = NDArray[np.float64]
 
 _BREAK = np.full((1, 2), math.nan)  # separates lines
-_FAR = 1e6
-"""Largest distance in windows; a farther end only gives the direction, to keep precision."""
+_FAR = 1e6  # largest distance in windows; a farther end only gives the direction, to keep precision
 
 # --------------------------------------------------------------------------- ticks
 

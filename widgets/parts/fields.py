@@ -18,7 +18,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from PySide6.QtCore import QEvent, Qt, Signal
+from PySide6.QtCore import QEvent, Qt, Signal, SignalInstance
 from PySide6.QtGui import (
     QAction,
     QEnterEvent,
@@ -30,6 +30,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
+from app.lecture.highlight import NOTHING, Highlight
 from widgets.parts.buttons import tool_button
 from widgets.parts.combo import Combo
 from widgets.parts.gestures import Gestures
@@ -243,6 +244,11 @@ class Row(TintedWidget, QWidget, Gestures):
         if isinstance(event, QFocusEvent):  # focus by a click is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
         return super().eventFilter(watched, event)
+
+
+def report_highlight(row: Row, highlighted: SignalInstance, key: str, about: Highlight) -> None:
+    """Emit a row's key and what it is about when the row is highlighted, and then `NOTHING`."""
+    row.highlighted.connect(lambda is_here: highlighted.emit(key, about if is_here else NOTHING))
 
 
 class Option(NamedTuple):

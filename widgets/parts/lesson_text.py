@@ -239,8 +239,7 @@ class LessonText(QTextEdit):
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
         self.written, self._is_title = "", title
-        self._heights: dict[int, int] = {}
-        """Cached by width: layouts request heights often."""
+        self._heights: dict[int, int] = {}  # cached by width: layouts request heights often
         self.setDocument(TextDocument(self))
         self.document().setProperty(SPACIOUS, True)
         self.setReadOnly(True)

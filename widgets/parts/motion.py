@@ -7,8 +7,7 @@ import subprocess
 import sys
 from functools import cache
 
-_CLIENT_AREA_ANIMATION = 0x1042
-"""Of Windows' `SystemParametersInfo`."""
+_CLIENT_AREA_ANIMATION = 0x1042  # of Windows' `SystemParametersInfo`
 _ASK_GNOME = ("gsettings", "get", "org.gnome.desktop.interface", "enable-animations")
 _ASK_MACOS = ("defaults", "read", "com.apple.universalaccess", "reduceMotion")
 _PATIENCE_S = 1.0

@@ -40,8 +40,7 @@ VECTOR_CHARACTERS = 6
 """Longest number, without its sign, that fits where three are side by side."""
 EXAMPLES = (0.5, 2e-3)
 """The numbers that `A_NUMBER` names."""
-_NOTCH = 120
-"""A notch of the wheel in Qt's unit, eighths of a degree; a finer wheel turns by less."""
+_NOTCH = 120  # a notch of the wheel in Qt's unit, eighths of a degree; a finer wheel turns by less
 
 
 class _Slider(HeldSlider):

@@ -13,8 +13,7 @@ from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
 
 FIELD_CHARACTERS = 8
 """Longest number, without its sign, that a field shows when it is not being edited."""
-_MOST = 6
-"""Most digits of a number that counts as short."""
+_MOST = 6  # most digits of a number that counts as short
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)
 

@@ -48,8 +48,7 @@ class Readable(QObject):
         self._gestures = 0
         self._pending = False
         self._shown_ms = float("-inf")
-        self._steps = STEPS
-        """Steps since values were shown."""
+        self._steps = STEPS  # steps since values were shown
         self._rest = QTimer(self, singleShot=True, interval=READ_MS)
         self._rest.timeout.connect(self._rested)
 

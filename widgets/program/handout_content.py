@@ -17,7 +17,7 @@ from app.lecture.equation import equation_of, latex_cell
 from app.lecture.notation import matrices
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
-from app.lessons.strokes import picture_beside
+from app.lessons.strokes import answer_picture, picture_beside
 from app.lessons.text import escaped
 from widgets.controls.readout import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
@@ -78,17 +78,16 @@ def planned(lesson: Lesson) -> str:
 def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     """Yield what is handed out of a step; a `Refusal` if its state is impossible."""
     step = course.lesson.steps[place]
-    number = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
-    yield Heading(number + step.title)
+    counted = f"{place + 1}. " if len(course.lesson.steps) > 1 else ""
+    yield Heading(counted + step.title)
     shown, here = course.shown(place).document, course.at(place)
     asked = [part for part in step.parts if part.reveals or part in step.asked]
     texts = [part.text for part in step.parts if part not in asked]
-    slide = picture_beside(course.lesson.path, step.name)
     yield StepFigure(
         shown,
         texts,
         _note(step) if answers else "",
-        slide if os.path.isfile(slide) else None,
+        _drawn_on(course, step.name),
         bool(asked) and not answers,
     )
     if not any("\n|" in part.text for part in step.parts if not part.reveals):
@@ -96,6 +95,7 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     before = course.shown(place - 1).document if place else None
     if "equation" not in shown.view.slide:  # else it has its matrices
         yield _panel(shown, before)
+    number = 0
     for part in asked:
         if not answers:
             yield part.posed()
@@ -105,13 +105,21 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
         whys = [part.why] if part.why else []
         if part.show is not None:
             after = here.shown_by(part.show)
-            yield StepFigure(after, whys)
+            number += part.reveals
+            drawn_on = _drawn_on(course, answer_picture(step.name, number))
+            yield StepFigure(after, whys, slide=drawn_on)
             if "equation" not in after.view.slide:
                 yield _panel(after, shown)
             elif after.view.equation != shown.view.equation:
                 yield EquationTables(list(_equation(after)))
         else:
             yield from whys
+
+
+def _drawn_on(course: Course, picture: str) -> Path | None:
+    """The kept slide with its strokes, if there is one."""
+    slide = picture_beside(course.lesson.path, picture)
+    return slide if os.path.isfile(slide) else None
 
 
 def _note(step: Step) -> str:

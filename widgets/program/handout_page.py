@@ -36,10 +36,8 @@ from widgets.program.handout_content import (
     planned,
 )
 
-_SLIDE_PX = 1280
-"""Width of a picture of a slide."""
-_UNITS = 10.0
-"""Of the outlines, to an em."""
+_SLIDE_PX = 1280  # width of a picture of a slide
+_UNITS = 10.0  # of the outlines, to an em
 _STYLE = """
 body{max-width:46rem}
 h2{font-size:1.15rem;margin:2rem 0 .5rem}

@@ -61,10 +61,8 @@ class Arrangement(QObject):
         self._drawer, self._panels = drawer, dict(zip(PANELS, drawer.all, strict=True))
         self._matrices, self._frame, self._probes = matrices, frame, probes
         self._compare, self._controls = compare, controls
-        self._scene_fixed = ""
-        """The viewpoint with which the scene opens."""
-        self._given = View()
-        """The view shown last; it keeps the values that no widget can change."""
+        self._scene_fixed = ""  # the viewpoint with which the scene opens
+        self._given = View()  # the view shown last; it keeps the values that no widget can change
 
     @property
     def view(self) -> View:

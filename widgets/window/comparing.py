@@ -49,8 +49,7 @@ class Comparing(QObject):
         super().__init__(image)
         self._panes = panes
         self._store, self._slots, self._menus, self._messages = store, slots, menus, messages
-        self._was_large: str | None = None
-        """The pane that had the large slot before the comparison."""
+        self._was_large: str | None = None  # the pane that had the large slot before the comparison
         self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
         self.button = tool_button(
             self.tr("Compare"), menus.compare.toolTip(), self.toggle,

@@ -29,8 +29,7 @@ from widgets.parts.panel import Panel, ShownData
 from widgets.parts.plain import set_tip
 
 LEAST_EM = 4
-_UNLIMITED_PX = 2**24 - 1
-"""Qt's own largest height."""
+_UNLIMITED_PX = 2**24 - 1  # Qt's own largest height
 LARGEST_SHARE = 1 / 3
 """Largest share of the window's height for the open panel."""
 STEADY_LINES = 4
@@ -74,15 +73,12 @@ class Panels(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._shown: ShownData | None = None
-        self._last_shown: dict[Panel, ShownData] = {}
-        """The snapshot that each panel shows."""
+        self._last_shown: dict[Panel, ShownData] = {}  # the snapshot that each panel shows
         self._buttons: list[QToolButton] = []
         self._tips: list[str] = []
         self._why_closed = ""
-        self._empty: set[Panel] = set()
-        """The panels that have nothing to show."""
-        self._wanted: Panel | None = None
-        """The panel that was to be opened while all were closed."""
+        self._empty: set[Panel] = set()  # the panels that have nothing to show
+        self._wanted: Panel | None = None  # the panel that was to be opened while all were closed
         self.names = QWidget()
         """The row of names, which the owner places where it is always visible."""
         self.names.setObjectName("drawerNames")

@@ -39,8 +39,7 @@ DIGITS, FEWER_DIGITS = 4, 3
 EDGE = 0.05
 """Free at the left and at the right, in heights of the screen."""
 _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
-_WORD = 0.55
-"""Size of a word below a part of a matrix."""
+_WORD = 0.55  # size of a word below a part of a matrix
 _APART_EM = 1.5
 
 

@@ -90,10 +90,8 @@ class LessonCard(QFrame):
         self._late.timeout.connect(self._keep)
         self._player: Player | None = None
         """The lesson whose progress is kept: that of the page, or the one that was just opened."""
-        self._shown: int | None = None
-        """The step of the page."""
-        self._over: Course | None = None
-        """The talk whose last page is shown."""
+        self._shown: int | None = None  # the step of the page
+        self._over: Course | None = None  # the talk whose last page is shown
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
         self._title = PlainLabel(wordWrap=True)

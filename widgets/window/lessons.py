@@ -63,14 +63,9 @@ class WayOfPanes(Protocol):
 class Lessons(QObject):
     """Shows the steps of the open lesson.
 
-    Parameters
-    ----------
-    stand_still : callable
-        Stops all animations before another step is shown.
-    to_stage : callable
-        Moves the stage strip to a position.
-    look_from : callable
-        Sets the cameras of panes; other panes get their default camera.
+    - `stand_still`: stops all animations before another step is shown.
+    - `to_stage`: moves the stage strip to a position.
+    - `look_from`: sets the cameras of panes; other panes get their default camera.
     """
 
     opened = Signal()

@@ -66,9 +66,9 @@ def paint_strokes(
 class Pen(QWidget):
     """Lies over the slide, and takes the mouse while it draws.
 
-    `strokes` are by the names of the steps; so are `pictures`, the slides with the strokes that
-    were drawn since the talk was opened. If it `erases`, the mouse removes the strokes that it
-    touches.
+    `strokes` are by the names of the steps and of the pictures of their answers; so are `pictures`,
+    the slides with the strokes that were drawn since the talk was opened. If it `erases`, the mouse
+    removes the strokes that it touches.
     """
 
     kept = Signal()
@@ -87,8 +87,7 @@ class Pen(QWidget):
         self.is_on = self.erases = False
         self.colour = COLOURS[1]
         self._step = ""
-        self._drawn: list[tuple[float, float]] = []
-        """The stroke that is being drawn."""
+        self._drawn: list[tuple[float, float]] = []  # the stroke that is being drawn
         self._style = LIGHT
         self._acts: dict[int, Callable[[], object]] = {
             _KEYS.Key_E: self.switch_eraser,

@@ -63,8 +63,7 @@ class Pointing(QObject):
     def __init__(self, panes: Mapping[str, Pane], window: QWidget) -> None:
         super().__init__(window)
         self._panes = panes
-        self._view: ClickView | None = None
-        """The question for which the crosshair is moved."""
+        self._view: ClickView | None = None  # the question for which the crosshair is moved
         self._asked: Sequence[ClickView] = ()
         self._answered: ClickView | None = None
         self._at: QPointF | None = None

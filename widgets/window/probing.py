@@ -44,8 +44,7 @@ class Probing(QObject):
         super().__init__(window)
         self._window, self._shown = window, shown
         self._panes, self._panel, self._manipulation = panes, panel, manipulation
-        self._held: Probe | None = None
-        """The dragged probe, as it was before the drag."""
+        self._held: Probe | None = None  # the dragged probe, as it was before the drag
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
         self._is_pointing = False

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable
 from itertools import product
+from typing import TypeAlias
 
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize
 from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPalette, QWheelEvent
@@ -24,19 +25,23 @@ PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0), (0.5, 0.0)
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)
 """Sizes of the letters, in heights of the screen: the largest are preferred."""
+INK_SHARE = 0.002
+"""Ink in shares of the slide that makes a place worse."""
 EDGE_SHARE = 0.02
 """Free on each side, in heights of the screen."""
+
+HiddenInk: TypeAlias = Callable[[QRectF], float]
 
 
 class QuestionOverlay(QFrame):
     """Lies over a slide where it hides the least; what does not fit is reached by the wheel.
 
-    `named` returns for each picture what it should not hide, and where all that is named lies, in
-    the slide's pixels.
+    `named` returns for each picture what it should not hide, in the slide's pixels, and how many
+    pixels of ink a box would hide.
     """
 
     def __init__(
-        self, slide: QWidget, named: Callable[[], Iterable[tuple[list[QRectF], QRectF]]]
+        self, slide: QWidget, named: Callable[[], Iterable[tuple[list[QRectF], HiddenInk]]]
     ) -> None:
         super().__init__(slide)
         self.setObjectName("question")
@@ -59,7 +64,7 @@ class QuestionOverlay(QFrame):
     def place(self) -> None:
         """Lie where the fewest names are hidden, in the largest letters that allow it.
 
-        Of such places those are preferred that hide little of where all that is named lies.
+        Of such places those are preferred that hide little ink.
         """
         if self.isHidden():
             return
@@ -73,10 +78,11 @@ class QuestionOverlay(QFrame):
             for order, (across, down) in enumerate(PLACES):
                 place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
                 hidden = sum(map(place.intersects, named))
-                under = max((_share(whole, place) for _, whole in pictures), default=0.0)
+                inked = sum(ink(QRectF(place)) for _, ink in pictures)
+                inked /= INK_SHARE * room.width() * room.height()
                 area = size.width() * size.height()
                 cost = (
-                    level == len(SHARES), hidden, round(under, 1), level, letters, area, order,
+                    level == len(SHARES), hidden, round(inked), level, letters, area, order,
                 )  # fmt: skip
                 tried.append((cost, place, widest))
         (_, _, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
@@ -120,9 +126,3 @@ class QuestionOverlay(QFrame):
         place = room.topLeft() - QPointF(0.0, self._moved_px)
         self._document.paint(painter, place, self.palette())
         painter.end()
-
-
-def _share(box: QRectF, over: QRect) -> float:
-    """Which part of a box lies under another one."""
-    under = box.intersected(QRectF(over))
-    return under.width() * under.height() / max(1.0, box.width() * box.height())

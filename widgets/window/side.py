@@ -33,8 +33,7 @@ class Side(QSplitter):
         self.controls.setMinimumHeight(2 * self.fontMetrics().height())  # its search remains
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._card: LessonCard | None = None
-        self._before: list[int] = []
-        """Widths of pictures and column without a lesson."""
+        self._before: list[int] = []  # widths of pictures and column without a lesson
         self._own: list[int] = []
         """Heights of card and controls while the card has some of the controls' height."""
         self.splitterMoved.connect(lambda *_: self._own.clear())

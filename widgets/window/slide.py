@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import reduce
+from functools import partial
 
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import QPolygonF, QResizeEvent, QTransform
+from PySide6.QtGui import QResizeEvent, QTransform
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
+from app.drawings.label_placement import Ground
 from widgets.panes.pane import Pane
 from widgets.parts.layouts import in_row
 from widgets.parts.note import Title
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
-from widgets.window.question import QuestionOverlay
+from widgets.window.question import HiddenInk, QuestionOverlay
 from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7
@@ -57,10 +58,10 @@ class Slide(QWidget):
         self._row.setStretch(0, round(100 * share) if has_equation else 0)
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
 
-    def named(self) -> Iterator[tuple[list[QRectF], QRectF]]:
-        """What a question should not hide, and if possible, of each picture and of the equation.
+    def named(self) -> Iterator[tuple[list[QRectF], HiddenInk]]:
+        """What a question should not hide, and how much of each picture a box would hide.
 
-        These are the names and points, and all that is named; the equation's cells; the titles.
+        The first are names and points, the equation's cells, and titles.
         """
         for pane in self.findChildren(Pane):  # also those that are compared
             canvas, drawing = pane.canvas, pane.drawing
@@ -75,20 +76,18 @@ class Slide(QWidget):
                 from_pixels.mapRect(QRectF(left, low, right - left, high - low))
                 for left, low, right, high in board.boxes
             ]
-            spots = QPolygonF([QPointF(*spot) for spot in board.spots])
-            whole = from_pixels.mapRect(spots.boundingRect())
-            inside = QRectF(canvas.mapTo(self, QPointF()), canvas.size().toSizeF())
-            yield boxes, reduce(QRectF.united, boxes, whole).intersected(inside)
+            to_pixels, _ = from_pixels.inverted()
+            yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels)
         if self.equation.isVisible():
             at = self.equation.mapTo(self, QPointF())
-            yield [cell.translated(at) for cell in self.equation.cells], QRectF()
+            yield [cell.translated(at) for cell in self.equation.cells], _none
         titles = [
             QRectF(each.rect()).translated(each.mapTo(self, QPointF()))
             for each in self.findChildren(Title)
             if each.isVisible() and each.text()
         ]
         if titles:
-            yield titles, QRectF()
+            yield titles, _none
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -101,3 +100,13 @@ class Slide(QWidget):
         if event.type() == QEvent.Type.TouchBegin:
             self.touched.emit()  # not accepted: the touch is a click of the pane, too
         return super().event(event)
+
+
+def _hidden_ink(ground: Ground, to_pixels: QTransform, box: QRectF) -> float:
+    px = to_pixels.mapRect(box)
+    area = px.width() * px.height() / (box.width() * box.height())
+    return ground.inked_px(px.left(), px.top(), px.right(), px.bottom()) / area
+
+
+def _none(_box: QRectF) -> float:
+    return 0.0

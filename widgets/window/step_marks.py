@@ -33,8 +33,7 @@ class StepMarks(QWidget):
         self.setAccessibleName(self.tr("Steps"))
         give_role(self, QAccessible.Role.PageTabList)
         self._numbers: list[QToolButton] = []
-        self._heads: list[QWidget] = []
-        """The words before the marks of steps with an exercise."""
+        self._heads: list[QWidget] = []  # the words before the marks of steps with an exercise
         self._counted = PlainLabel()
         self._counted.setObjectName("paneNote")
         self._row = in_row(FREE, self._counted, on=self, margins=(0, 0, 0, 0), gap=2)

@@ -48,11 +48,9 @@ class StepPage(QScrollArea):
         self.setAccessibleName(self.tr("Step"))
         self.blocks: list[BlockView] = []
         self._player: Player | None = None
-        self._current: BlockView | None = None
-        """The block that has the cursor, or had it last."""
+        self._current: BlockView | None = None  # the block that has the cursor, or had it last
         self._hides: frozenset[str] = frozenset()
-        self._responding: BlockView | None = None
-        """The block whose response is not shown yet."""
+        self._responding: BlockView | None = None  # the block whose response is not shown yet
         # Not `QTimer.singleShot`, which comes before Qt shows the widgets that are added meanwhile.
         self._response_timer = QTimer(self, singleShot=True, interval=0)
         self._response_timer.timeout.connect(self._reveal)

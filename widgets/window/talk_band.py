@@ -65,8 +65,7 @@ class TalkBand(QFrame):
         self._title, self._words = TextDocument(self), TextDocument(self)
         self._number = self.message = self.left_out = ""
         self.is_cut = False
-        self._texts: list[str] = [""]
-        """What the line may say: the first that fits is taken."""
+        self._texts: list[str] = [""]  # what the line may say: the first that fits is taken
         self._step = ""
         self._screen_px = 0.0
         self._style = LIGHT

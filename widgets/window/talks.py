@@ -61,20 +61,16 @@ class Talks(QObject):
         self._window, self._lessons, self._present = window, lessons, present
         self._messages, self._settings = messages, settings
         self._band, self._question, self._pen = band, question, pen
-        self._drawn_on: Path | None = None
-        """The file of the talk that the strokes belong to."""
+        self._drawn_on: Path | None = None  # the file of the talk that the strokes belong to
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = StepPreparation(lessons, look, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
-        self._looks = False
-        """Whether the slide is being painted for the speaker's window."""
+        self._looks = False  # whether the slide is being painted for the speaker's window
         self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
         self._seen.timeout.connect(self._show_now)
-        self._mistake = ""
-        """The mistake in the open file, which is not shown to the class."""
-        self._refusal = ""
-        """Why the requested step cannot be shown."""
+        self._mistake = ""  # the mistake in the open file, which is not shown to the class
+        self._refusal = ""  # why the requested step cannot be shown
         for signal, act in (
             (self._ahead.done, self._draw_next),
             (self._keys.next, self.next),
@@ -137,7 +133,7 @@ class Talks(QObject):
             self.close_speaker()
             return
         step = player.step
-        self._pen.show_step(step.name)
+        self._pen.show_step(player.picture)
         self._pose()
         if self.is_on:
             self._band.set_screen(self._screen_px)
@@ -179,14 +175,16 @@ class Talks(QObject):
     def _write_pictures(self, talk: Path) -> None:
         """Write the slides with strokes for the handout, and remove those without."""
         lesson = self._lessons.lesson
-        for step in lesson.steps if lesson is not None else ():
-            path = picture_beside(talk, step.name)
+        steps = {step.name for step in lesson.steps} if lesson is not None else ()
+        kept = {path.stem for path in picture_beside(talk, "").parent.glob("*.png")}
+        for name in kept.union(self._pen.pictures):
+            path = picture_beside(talk, name)
             with blamed_on(path, UNWRITABLE):
-                if not self._pen.strokes.get(step.name):
-                    path.unlink(missing_ok=True)
-                elif step.name in self._pen.pictures:
+                if name in self._pen.pictures:
                     path.parent.mkdir(exist_ok=True)
-                    write_bytes_atomically(path, png_of(self._pen.pictures[step.name]))
+                    write_bytes_atomically(path, png_of(self._pen.pictures[name]))
+                elif name.partition(".")[0] in steps and not self._pen.strokes.get(name):
+                    path.unlink(missing_ok=True)
 
     def keep_strokes(self) -> None:
         """Write the strokes beside the talk, where the handout finds them."""

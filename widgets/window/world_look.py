@@ -70,8 +70,7 @@ class WorldLook(QObject):
         self._panes, self._world, self._menus = panes, panes["world"], menus
         self.fixed, self.hidden = "", frozenset[str]()
         self.names: tuple[str, ...] | None = None
-        self._chosen: tuple[str, ...] | None = None
-        """The names to return to from everything."""
+        self._chosen: tuple[str, ...] | None = None  # the names to return to from everything
         self._views = FixedViews()
         self._views.menu.menu().addActions(list(menus.fixed.values()))
         self._world.header.add(self._views, self._views.menu)

@@ -30,8 +30,7 @@ MOST_NAMES, MOST_VALUES = 8, 1000
 LEAST_VARIANTS = 20
 """Fewer variants are learnt by heart."""
 LARGEST_SEED = 9999
-_DRAWS = 40
-"""How often numbers are drawn until they suit; rarer ones would be slow to find."""
+_DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5
 """How many seeds a check draws, and for how many it checks the whole question."""
 

@@ -32,20 +32,13 @@ TABLE = LensTable(
 class FreeMatrix(Lens):
     """A projection matrix that belongs to no lens.
 
-    Parameters
-    ----------
-    clip_from_view : (4, 4) sequence of floats
-        For the depth range in use.
-    view_from_world : (4, 4) sequence of floats, optional
-        Replaces the camera's view matrix, if it was edited and no camera has it.
-    former : Lens
-        The lens before the edit, to which choosing another kind returns.
+    - `clip_from_view` (4, 4): for the depth range in use.
+    - `view_from_world` (4, 4): replaces the camera's view matrix, if it was edited and no camera
+      has it.
+    - `former`: the lens before the edit, to which choosing another kind returns.
 
-    Raises
-    ------
-    Refusal
-        Naming the cell, as ``clip_from_view[0, 2]``, that is not finite, beyond `LARGEST`, or
-        below `SMALLEST_CELL` in size and not 0.
+    Raises a `Refusal` naming the cell, as ``clip_from_view[0, 2]``, that is not finite, beyond
+    `LARGEST`, or below `SMALLEST_CELL` in size and not 0.
     """
 
     kind: ClassVar[str] = "matrix"

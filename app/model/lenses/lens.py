@@ -72,27 +72,18 @@ class Seen(NamedTuple):
 class Lens(Geometry):
     """The interface that a projection needs of a lens.
 
-    Attributes
-    ----------
-    window_stays : bool
-        Whether the window is given in numbers that do not change when near moves.
-    symmetric : bool
-        Whether the window is symmetric, so that a field of view describes all of it.
-    title, tip, shape : str
-        The name of the lens, its description, and the shape of its view volume, marked for
-        translation.
-    tables : tuple of LensTable
-        The table for a finite far plane and, if it may be infinite, that for an infinite one.
-    parameters : tuple of Parameter
-        Those that only this lens has: its fields except near, far and the sides of a window.
-    roundings : (float, float, float, float)
-        Number of roundings of x, y, depth and w before the divide, as `Projection.trace` computes
-        them.
+    - `window_stays`: whether the window is given in numbers that do not change when near moves.
+    - `symmetric`: whether the window is symmetric, so that a field of view describes all of it.
+    - `title`, `tip`, `shape`: the name of the lens, its description, and the shape of its view
+      volume, marked for translation.
+    - `tables`: the table for a finite far plane and, if it may be infinite, that for an infinite
+      one.
+    - `parameters`: those that only this lens has: its fields except near, far and the sides of a
+      window.
+    - `roundings`: number of roundings of x, y, depth and w before the divide, as `Projection.trace`
+      computes them.
 
-    Raises
-    ------
-    Refusal
-        If a typed matrix is asked for planes, a window, or what follows from them.
+    Raises a `Refusal` if a typed matrix is asked for planes, a window, or what follows from them.
     """
 
     far_may_be_infinite: ClassVar[bool] = False

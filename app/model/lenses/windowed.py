@@ -22,23 +22,18 @@ from app.model.limits import (
 )
 from app.model.refusal import Refusal, format_value
 
-_ROUNDING = 1e-12
-"""Relative difference of aspects that counts as rounding."""
+_ROUNDING = 1e-12  # relative difference of aspects that counts as rounding
 
 
 @dataclass(frozen=True)
 class Windowed(Lens):
     """The six numbers of glFrustum and glOrtho, and how the window follows the image.
 
-    Parameters
-    ----------
-    left, right, bottom, top : float
-        The window on the near plane, ``left < right``, ``bottom < top``.
-    near, far : float
-        Distances of the clipping planes from the eye plane, ``near < far``.
-    keep : {"stretch", "x", "y"}
-        How the window follows the image's aspect: not at all, or by adjusting the y range
-        (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    - `left`, `right`, `bottom`, `top`: the window on the near plane, ``left < right``,
+      ``bottom < top``.
+    - `near`, `far`: distances of the clipping planes from the eye plane, ``near < far``.
+    - `keep`: how the window follows the image's aspect: not at all (``"stretch"``), or by adjusting
+      the y range (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
     """
 
     window_stays: ClassVar[bool] = True

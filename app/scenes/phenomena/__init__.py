@@ -14,6 +14,7 @@ from app.scenes.phenomena import (
     camera_obscura,
     cheap_arithmetic,
     clipping,
+    cracks,
     depth_buffer,
     eye_plane,
     field_of_view,
@@ -26,6 +27,7 @@ from app.scenes.phenomena import (
     similar_triangles,
     two_eyes,
     vanishing_points,
+    vertex_depth,
     view_volumes,
 )
 from app.scenes.phenomena.illustration import Phenomenon
@@ -43,11 +45,13 @@ _ORDER = (
     clipping,
     affine_depth,
     depth_buffer,
+    vertex_depth,
     interpolation,
     planar_shadow,
     popping,
     focus,
     cheap_arithmetic,
+    cracks,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""

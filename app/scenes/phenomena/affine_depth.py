@@ -114,8 +114,6 @@ class Deviation(NamedTuple):
 def deviation(projection: Projection, part: Inside) -> Deviation:
     """The largest deviation of each bow from its chord, in closed form.
 
-    Notes
-    -----
     Between ends at w0 and w1 the bow differs from its chord in z' alone, by
     ``a (w - w0 - s (w1 - w0))`` with ``1/w = (1 - s)/w0 + s/w1`` and the slope a. Its derivative is
     0 where ``w^2 = w0 w1``: at the geometric mean, at ``s = sqrt(w1)/(sqrt(w0) + sqrt(w1))``, where

@@ -72,15 +72,10 @@ def _geometry() -> tuple[Coloured, Coloured]:
 class Cut(NamedTuple):
     """A polygon after one more plane, in clip coordinates.
 
-    Attributes
-    ----------
-    corners : (m, 4) array
-        What is left of it; m may be 0.
-    new : (k, 4) array
-        Those of the corners that the plane has made: 2 where it crosses the polygon, or fewer
-        where it goes through an old corner.
-    off : (j, 4) array
-        The part that the plane has cut off; j may be 0.
+    - `corners` (m, 4): what is left of it; m may be 0.
+    - `new` (k, 4): those of the corners that the plane has made: 2 where it crosses the polygon, or
+      fewer where it goes through an old corner.
+    - `off` (j, 4): the part that the plane has cut off; j may be 0.
     """
 
     corners: Array

@@ -43,8 +43,7 @@ _FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is line
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
 # A ramp that leads away, so that one picture has many distances.
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
-_ASIDE = 3.0
-"""How far the hidden ramp reaches out at the side, so that two surfaces are seen."""
+_ASIDE = 3.0  # how far the hidden ramp reaches out at the side, so that two surfaces are seen
 # A Fibonacci lattice has as many rows and columns as places: stripes are rows or columns.
 _SAMPLES, _STRIDE = 1597, 987
 _LATTICE = (np.arange(_SAMPLES)[:, None] * (1, _STRIDE) % _SAMPLES + 0.5) / _SAMPLES

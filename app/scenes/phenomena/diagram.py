@@ -29,15 +29,11 @@ class Curve:
 class Spot:
     """A point of a diagram, in its units, with a name.
 
-    Attributes
-    ----------
-    name : str
-        Written beside it, where there is room; it is in `tip` too.
-    key : str
-        Reported when it is clicked; empty if it cannot be chosen.
-    faded, marked, broken, hollow : bool
-        Drawn paler, because another one is better; drawn as the present choice; drawn as a cross,
-        because something ends here; drawn as a circle, because it is only a reference.
+    - `name`: written beside it, where there is room; it is in `tip` too.
+    - `key`: reported when it is clicked; empty if it cannot be chosen.
+    - `faded`, `marked`, `broken`, `hollow`: drawn paler, because another one is better; drawn as
+      the present choice; drawn as a cross, because something ends here; drawn as a circle, because
+      it is only a reference.
     """
 
     x: float
@@ -56,19 +52,13 @@ class Spot:
 class Diagram:
     """A small picture or chart beside the panes.
 
-    Attributes
-    ----------
-    title, x_label, y_label : str
-        Translatable; an empty label for none.
-    left, right, bottom, top : float
-        Its window; if `bottom` is greater than `top`, y runs down, as in an image.
-    equal : bool
-        Whether both axes have the same scale, as in a picture. A picture without axis labels has no
-        numbers either.
-    x_ticks, y_ticks : (n,) arrays, optional
-        Where lines are drawn across, such as the codes of a depth buffer.
-    spots : tuple of Spot
-        Drawn over the curves; the first ones get the better places for their names.
+    - `title`, `x_label`, `y_label`: translatable; an empty label for none.
+    - `left`, `right`, `bottom`, `top`: its window; if `bottom` is greater than `top`, y runs down,
+      as in an image.
+    - `equal`: whether both axes have the same scale, as in a picture. A picture without axis labels
+      has no numbers either.
+    - `x_ticks`, `y_ticks` (n,): where lines are drawn across, such as the codes of a depth buffer.
+    - `spots`: drawn over the curves; the first ones get the better places for their names.
     """
 
     title: str

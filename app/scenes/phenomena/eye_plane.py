@@ -65,22 +65,15 @@ _DASHES = 7  # of a piece that has no image
 class EyePlanePictures(NamedTuple):
     """Three drawings of the same m segments, in pixels, cut to the frame.
 
-    Attributes
-    ----------
-    naive, cut, right : (m, 2, 2) arrays
-        By the divide alone, by lecture 004's cut, by homogeneous clipping; NaN where nothing is
-        drawn.
-    case : (m,) int array
-        Lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
-    wrong_px : (m,) array
-        Length that only the naive drawing has inside the frame: all that it draws of a segment with
-        an end behind the eye, because its arc and the right one share only their ends.
-    missed_px : (m,) array
-        Length that the right drawing has and the naive one lacks.
-    left_out_px : (m,) array
-        Length that lecture 004's cut removes in front of the eye.
-    part : (m, 2) array
-        Where the part begins and ends that the right drawing shows, from 0 to 1; NaN for nothing.
+    - `naive`, `cut`, `right` (m, 2, 2): by the divide alone, by lecture 004's cut, by homogeneous
+      clipping; NaN where nothing is drawn.
+    - `case` (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
+    - `wrong_px` (m,): length that only the naive drawing has inside the frame: all that it draws of
+      a segment with an end behind the eye, because its arc and the right one share only their ends.
+    - `missed_px` (m,): length that the right drawing has and the naive one lacks.
+    - `left_out_px` (m,): length that lecture 004's cut removes in front of the eye.
+    - `part` (m, 2): where the part begins and ends that the right drawing shows, from 0 to 1; NaN
+      for nothing.
     """
 
     naive: Array
@@ -142,8 +135,6 @@ def mirrored_end(
     Both in pixels, of a point ``(x, y, z)`` of view space with z > 0. The right place is that of
     ``(x, y, -z)``, the point as far in front of the eye. None where a pixel is beyond 1e307.
 
-    Notes
-    -----
     With ``x_clip = s x - k w``, where ``k = (r + l)/(r - l)``, the two ends have
     ``x_ndc = -s x/z - k`` and ``s x/z - k``. Their sum is -2k, in pixels twice the principal
     point. So the mirrored end is the frame's size minus the right one if and only if k is 0 in x
@@ -175,8 +166,6 @@ def circle_angles(projection: Projection, clip: Array) -> tuple[float, float] | 
     between them are the segment's image; they include an odd multiple of pi if and only if the
     segment crosses the eye plane. None if the image is a single point, or lies at infinity.
 
-    Notes
-    -----
     A point of the image line at s from the point nearest to the picture's middle, in half
     diagonals of the picture, stands at ``2 atan(s)``. With ``s = l/w`` and both linear along the
     segment, ``2 atan2(l, w)`` is continuous through w = 0.

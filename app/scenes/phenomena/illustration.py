@@ -40,18 +40,12 @@ _FREE = QT_TRANSLATE_NOOP(
 class Illustration:
     """What a phenomenon shows for one projection and one choice of its settings.
 
-    Attributes
-    ----------
-    warning : Phrase, optional
-        Why something cannot be shown at present.
-    measured : tuple of (str, float)
-        Distances from the eye plane and their letters, which the flat views of the world measure.
-        Unless there is a d among them, d is the target's.
-    idle : bool
-        The phenomenon shows nothing, whatever its settings; `warning` says why.
-    about : tuple of str
-        Names of `app.lecture.highlight` that are highlighted in all panes and panels until the user
-        points at something else.
+    - `warning`: why something cannot be shown at present.
+    - `measured`: distances from the eye plane and their letters, which the flat views of the world
+      measure. Unless there is a d among them, d is the target's.
+    - `idle`: the phenomenon shows nothing, whatever its settings; `warning` says why.
+    - `about`: names of `app.lecture.highlight` that are highlighted in all panes and panels until
+      the user points at something else.
     """
 
     readings: tuple[Reading, ...]
@@ -74,18 +68,14 @@ class Illustration:
 class OwnMesh:
     """The parts of a user's mesh that a phenomenon computes with, in world coordinates.
 
-    Attributes
-    ----------
-    edges : (m, 2, 3) array
-        The edges of its faces, each once, the longest first; of a large mesh only the longest.
-    edge_count : int
-        The number of all its edges.
-    triangles : (t, 3, 3) array
-        As they are rasterised, those with the longest sides first; of a larger mesh only those.
-    more_triangles : bool
-        Whether it has more than these.
-    surface : (s, 3, 3) array
-        All its triangles, simplified for a large mesh; empty unless its pixels are computed.
+    - `edges` (m, 2, 3): the edges of its faces, each once, the longest first; of a large mesh only
+      the longest.
+    - `edge_count`: the number of all its edges.
+    - `triangles` (t, 3, 3): as they are rasterised, those with the longest sides first; of a larger
+      mesh only those.
+    - `more_triangles`: whether it has more than these.
+    - `surface` (s, 3, 3): all its triangles, simplified for a large mesh; empty unless its pixels
+      are computed.
     """
 
     edges: Array
@@ -99,14 +89,9 @@ class OwnMesh:
 class Subject:
     """The object of the scene, without the ground grid.
 
-    Attributes
-    ----------
-    lower, upper : tuple of 3 floats
-        World bounds.
-    points : (n, 3) array
-        Its vertices in world coordinates; a sample of those of a large mesh.
-    mesh : OwnMesh, optional
-        The user's mesh, if it replaces the built-in subject.
+    - `lower`, `upper`: world bounds.
+    - `points` (n, 3): its vertices in world coordinates; a sample of those of a large mesh.
+    - `mesh`: the user's mesh, if it replaces the built-in subject.
     """
 
     lower: Vector
@@ -140,30 +125,21 @@ FIRST_SHOT = Shot(-66.0, 18.0, "camera")
 class Appearance:
     """How the panes draw a scene, and from where they look at it first.
 
-    Attributes
-    ----------
-    requires : frozenset of str
-        What drawings build for this scene beyond faces, lines and marks.
-    leading : str
-        The pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
-    names : tuple of str
-        The ids of the things that its pictures name, unless the document has a list of its own.
-    inks : dict of str
-        The colours, fields of `Style`, of the lengths that a flat view measures, by their names.
-    shot : Shot
-        From where the world pane looks as the scene opens.
-    upright : Shot, optional
-        Likewise in a pane that is higher than wide, if another side shows more there.
-    cube_side : (float, float), optional
-        From where the cube is seen at first: degrees to the right of its near face, and upwards.
-    fixed : str
-        The fixed view of the world with which the scene opens; empty for the free one.
-    leaves_out : frozenset of str
-        Layers that the world pane leaves out and does not frame, as long as nothing of them is
-        named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
-    pale : frozenset of str
-        The panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette, because the
-        marks beside it matter more.
+    - `requires`: what drawings build for this scene beyond faces, lines and marks.
+    - `leading`: the pane that shows it best: ``"world"``, ``"ndc"`` or ``"image"``.
+    - `names`: the ids of the things that its pictures name, unless the document has a list of its
+      own.
+    - `inks`: the colours, fields of `Style`, of the lengths that a flat view measures, by their
+      names.
+    - `shot`: from where the world pane looks as the scene opens.
+    - `upright`: likewise in a pane that is higher than wide, if another side shows more there.
+    - `cube_side`: from where the cube is seen at first: degrees to the right of its near face, and
+      upwards.
+    - `fixed`: the fixed view of the world with which the scene opens; empty for the free one.
+    - `leaves_out`: layers that the world pane leaves out and does not frame, as long as nothing of
+      them is named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
+    - `pale`: the panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette,
+      because the marks beside it matter more.
     """
 
     requires: frozenset[str] = frozenset()
@@ -182,41 +158,26 @@ class Appearance:
 class Phenomenon(Appearance):
     """A phenomenon that the lectures name, as a scene.
 
-    Attributes
-    ----------
-    words : Words
-        Its name and its texts.
-    lectures : tuple of str
-        The numbers of the lectures that show it, "000" to "004".
-    start : Projection
-        The camera and lens with which it opens.
-    geometry : callable
-        ``geometry() -> (faces, lines)`` makes the scene.
-    show : callable
-        ``show(projection, settings, subject) -> Illustration``.
-    adjustable : tuple of Parameter
-        Its settings, without their words.
-    controls : tuple of str
-        The model's controls that matter here: ``lens.near``, ``camera.distance``. With the settings
-        there are 2 to 4 at a time.
-    replaces : tuple of str
-        The model's controls that the settings replace, such as the lens's ``preset``.
-    numbers : int
-        How many readings are shown before the readout is unfolded.
-    follow : callable
-        ``follow(projection, before, after)`` returns the projection for changed settings, where a
-        setting moves the camera; `before` comes from `implied`.
-    implied : callable
-        ``implied(projection, settings)`` returns the values that `follow` would need for this
-        projection. Where several values give the same projection it keeps those in `settings`; a
-        value is None, or not finite, where no value gives it.
-    check : callable
-        Raises a `Refusal` for settings that do not go together.
-    own_mesh : bool
-        Whether a user's mesh, scaled and moved into its bounds, can replace the built-in subject.
-    own_mesh_crosses : bool
-        Whether that mesh reaches beyond the bounds instead: as wide or as high as they are, its
-        front where theirs is, and its right side a sixth of their width farther out.
+    - `words`: its name and its texts.
+    - `lectures`: the numbers of the lectures that show it, "000" to "004".
+    - `start`: the camera and lens with which it opens.
+    - `geometry`: ``geometry() -> (faces, lines)`` makes the scene.
+    - `show`: ``show(projection, settings, subject) -> Illustration``.
+    - `adjustable`: its settings, without their words.
+    - `controls`: the model's controls that matter here: ``lens.near``, ``camera.distance``. With
+      the settings there are 2 to 4 at a time.
+    - `replaces`: the model's controls that the settings replace, such as the lens's ``preset``.
+    - `numbers`: how many readings are shown before the readout is unfolded.
+    - `follow`: ``follow(projection, before, after)`` returns the projection for changed settings,
+      where a setting moves the camera; `before` comes from `implied`.
+    - `implied`: ``implied(projection, settings)`` returns the values that `follow` would need for
+      this projection. Where several values give the same projection it keeps those in `settings`; a
+      value is None, or not finite, where no value gives it.
+    - `check`: raises a `Refusal` for settings that do not go together.
+    - `own_mesh`: whether a user's mesh, scaled and moved into its bounds, can replace the built-in
+      subject.
+    - `own_mesh_crosses`: whether that mesh reaches beyond the bounds instead: as wide or as high as
+      they are, its front where theirs is, and its right side a sixth of their width farther out.
     """
 
     words: PhenomenonWords

@@ -61,17 +61,11 @@ class Dot:
 class Text:
     """A few letters beside a point (2 or 3,).
 
-    Attributes
-    ----------
-    name : str
-        Its plain name in ``view.names``: ``y_p``, ``film``.
-    colour : str
-        Of its concept; empty for ink.
-    away_from : (2 or 3,) array, optional
-        In the world and in NDC the letters are placed away from this point: the middle of a figure
-        with an edge here, for example.
-    text : str
-        What is written, as of `app.drawings.label`; by default the name.
+    - `name`: its plain name in ``view.names``: ``y_p``, ``film``.
+    - `colour`: of its concept; empty for ink.
+    - `away_from` (2 or 3,): in the world and in NDC the letters are placed away from this point:
+      the middle of a figure with an edge here, for example.
+    - `text`: what is written, as of `app.drawings.label`; by default the name.
     """
 
     name: str
@@ -234,18 +228,12 @@ class Vertices:
 class Texture:
     """A checkerboard laid over the scene's faces by a parallel projection of its own.
 
-    Attributes
-    ----------
-    texture_from_world : (2, 4) array
-        Gives s and t of a world point, 0 to 1 across the board.
-    checks : int
-        Along each side.
-    affine : bool
-        Interpolate s and t linearly on the screen, without the divide that makes them right.
-    subdivision : int
-        Each side of a face is cut into so many parts.
-    coordinates : bool
-        Show s as red and t as green instead of the checks.
+    - `texture_from_world` (2, 4): gives s and t of a world point, 0 to 1 across the board.
+    - `checks`: along each side.
+    - `affine`: interpolate s and t linearly on the screen, without the divide that makes them
+      right.
+    - `subdivision`: each side of a face is cut into so many parts.
+    - `coordinates`: show s as red and t as green instead of the checks.
     """
 
     texture_from_world: Array

@@ -27,21 +27,13 @@ class Phrase:
 class Reading:
     """One line of the readout.
 
-    Attributes
-    ----------
-    label : str
-        Translatable, with letters as in the lectures.
-    value : float, tuple of floats, str or None
-        A str is a translatable word. None means that there is no value, and `note` says why.
-    unit : str
-        ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
-    counted : bool
-        The value is counted later in the pixels of the picture, and None until then. `note` says
-        why, if there turns out to be nothing to count.
-    about : tuple of str
-        The names of `app.lecture.highlight` that it is highlighted with.
-    cell : int, optional
-        Of a matrix, the only cell that is highlighted, counted row by row.
+    - `label`: translatable, with letters as in the lectures.
+    - `value`: a str is a translatable word. None means that there is no value, and `note` says why.
+    - `unit`: ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
+    - `counted`: the value is counted later in the pixels of the picture, and None until then.
+      `note` says why, if there turns out to be nothing to count.
+    - `about`: the names of `app.lecture.highlight` that it is highlighted with.
+    - `cell`: of a matrix, the only cell that is highlighted, counted row by row.
     """
 
     label: str

@@ -52,13 +52,9 @@ def seen_distances(projection: Projection, triangles: Array, gap: float) -> tupl
 class _Corners:
     """The triangles that are at least partly in front of the near plane.
 
-    Attributes
-    ----------
-    clip : (3, 3, t) array
-        x, y, w; of each corner; of each triangle.
-    depth : (3, t) array
-    low, high : (2, t) arrays
-        Bounds in NDC.
+    - `clip` (3, 3, t): x, y, w; of each corner; of each triangle.
+    - `depth` (3, t): likewise.
+    - `low`, `high` (2, t): bounds in NDC.
     """
 
     def __init__(self, projection: Projection, view: Array) -> None:

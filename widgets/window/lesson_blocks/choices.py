@@ -180,7 +180,7 @@ class ChoiceView(BlockView):
             said = self.tr("You said {0}; the model says {1}.").format(
                 *(_quoted(question.replies[each].text) for each in (number, right))
             )
-            self._refute(verdict, said)
+            self._refute(verdict, said, show)
             self._add_text("check", "", question.why)
         if show is not None and not question.retries:
             self._offer_state(

@@ -82,8 +82,7 @@ class BlockView(QFrame):
         self.played = played
         self.setAccessibleName(spoken_text(question.text))
         self._responses: list[QWidget] = []
-        self._hint: QWidget | None = None
-        """The newest hint, until another response comes."""
+        self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None
         """The button that shows the right answer, once it is offered."""
@@ -239,15 +238,21 @@ class BlockView(QFrame):
         self._add_text("check", self.tr("Right"), verdict.says or self.tr("Right."))
         self._speak(self.tr("Right."), verdict.says)
 
-    def _refute(self, verdict: Verdict, head: str = "") -> None:
-        """Name the wrong idea, refute it, and offer a state that shows why."""
+    def _refute(self, verdict: Verdict, head: str = "", seen: Document | None = None) -> None:
+        """Name the wrong idea, refute it, and offer a state that shows why.
+
+        What the window shows already is not offered: `seen`, or else the step's state.
+        """
+        state, seen = verdict.state, seen or self.played.here.document
+        if state is not None and (state, state.view) == (seen, seen.view):
+            state = None
         if verdict.title:
             behind = self.tr("The idea behind it: “{0}”.").format(verdict.title)
             head = f"{head} {behind}".strip()
         self._add_text("close", self.tr("Wrong"), head or self.tr("That is not it."))
         self._add_text("", "", verdict.says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
-        self._offer_state(verdict.state, self.tr("Sho&w it"), tip)
+        self._offer_state(state, self.tr("Sho&w it"), tip)
         tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
         self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
         self._speak(head, verdict.says)

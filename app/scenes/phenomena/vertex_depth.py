@@ -1,0 +1,203 @@
+"""Depth at the vertices: a logarithmic depth is right per pixel, and too far between vertices.
+
+On the screen 1/w is linear along a face. A depth log w that only its vertices have is interpolated
+there as if it were linear, too. A piece from the distance m to r m, at the share s of it on the
+screen, is drawn at m r^s instead of at m / (1 - s + s/r), too far by the factor
+
+    r^s (1 - s + s/r)    at most q exp(1/q - 1) with q = (1 - 1/r) / log r, at s log r = 1/q - 1,
+
+where the derivative is 0. It is never below 1: it is an arithmetic mean over a geometric one, of
+1/w. The same quotient bounds it inside a triangle with the ratio r of its distances (Specht, 1960).
+
+The floor lies in y = 0, from near to far, in pieces of equal length. Depths are moved as vertices
+are: along its projector, to where the standard depth is what its logarithm is. So the rasteriser
+itself interpolates them. The world shows the floor as the depths say: a trough.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+
+import numpy as np
+
+from app.model.parameter import Parameter
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices, outline
+from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.settings import Settings, number
+from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.shapes import Coloured, box_corners, box_faces, flat, ground_grid, joined
+
+WORDS = PhenomenonWords("vertex-depth")
+
+MOST_PIECES = 1024
+_START = Projection(
+    Camera((0.0, 1.7, 10.0), (0.0, 0.2, 0.0)), Perspective(fov_y_deg=60.0, near=1.0, far=30.0)
+)
+_WIDTH = 12.0
+_WALL = (-2.5, 0.0, -0.4), (2.5, 3.0, 0.0)
+_FOUNDATION = (-2.5, -3.0, -0.4), (2.5, 0.0, 0.0)
+_FLOOR_RGB, _WALL_RGB, _FOUNDATION_RGB = (150, 205, 185), (86, 180, 233), (213, 94, 0)
+_BEYOND = 1e-3  # of the nearness at far: no depth lies much farther, and the far plane cuts it
+_LEVEL = 1e-3  # of the view direction: one that is nearer to the vertical has no floor ahead
+
+
+def most_too_far(ratio: Array) -> Array:
+    """Return the largest factor of the module's text for each ratio of distances, at least 1."""
+    span = np.log(ratio)
+    q = np.divide(-np.expm1(-span), span, out=np.ones_like(span), where=span > 0.0)
+    return np.asarray(q * np.exp(1.0 / q - 1.0))
+
+
+def borders(near: float, far: float, pieces: int) -> Array:
+    """Return the distances where pieces of equal length begin and end, (pieces + 1,)."""
+    return near + (far - near) * np.arange(pieces + 1) / pieces
+
+
+def along(ends: Array, count: int) -> tuple[Array, Array]:
+    """Return true and drawn distances at `count` places, evenly over the pieces on the screen."""
+    place = np.linspace(0.0, len(ends) - 1.0, count)
+    piece = np.minimum(place.astype(np.intp), len(ends) - 2)
+    s, m, r = place - piece, ends[piece], ends[piece + 1] / ends[piece]
+    return m / (1.0 - s + s / r), m * r**s
+
+
+@cache
+def _own() -> Array:
+    """The vertices: of the floor's borders left and right, then of wall and foundation."""
+    floor = _floor(_START, borders(_START.lens.near, _START.lens.far, MOST_PIECES))
+    wall = box_corners(*_WALL)
+    return np.concatenate([floor.reshape(-1, 3), box_corners(*_FOUNDATION), wall[wall[:, 1] > 0.0]])
+
+
+def _geometry() -> tuple[Coloured, Coloured]:
+    floor = _own()[: 2 * MOST_PIECES + 2].reshape(-1, 2, 3)
+    quads = np.stack([floor[:-1, 0], floor[:-1, 1], floor[1:, 1], floor[1:, 0]], axis=1)
+    faces = joined(
+        (quads, flat(_FLOOR_RGB, len(quads))),
+        (box_faces(*_WALL), flat(_WALL_RGB, 6)),
+        (box_faces(*_FOUNDATION), flat(_FOUNDATION_RGB, 6)),
+    )
+    return faces, ground_grid((-4.0, -2.0), (4.0, 2.0), (1.0, 1.0), _FOUNDATION[0][1])
+
+
+def _floor(projection: Projection, w: Array) -> Array:
+    """Return the floor's left and right points at distances from the eye plane, (k, 2, 3)."""
+    (x, height, z), n = projection.camera.eye, projection.camera.frame[2]
+    level = math.hypot(n[0], n[2])
+    ahead = np.array([-n[0], 0.0, -n[2]]) / level
+    middle = np.array([x, 0.0, z]) + ((w - height * n[1]) / level)[:, None] * ahead
+    side = _WIDTH / 2.0 * np.array([-ahead[2], 0.0, ahead[0]])
+    return np.stack([middle - side, middle + side], axis=1)
+
+
+def _standard(projection: Projection, w: Array) -> Array:
+    """Return the distances whose standard depth is the logarithmic depth of distances w > 0."""
+    near, far = projection.lens.near, projection.lens.far
+    span = math.log(far / near)
+    below = (math.log(far) - np.log(w)) / near + (np.log(w) - math.log(near)) / far
+    return np.asarray(span / np.maximum(below, _BEYOND * span / far))
+
+
+def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
+    lens, eye, n = projection.lens, np.array(projection.camera.eye), projection.camera.frame[2]
+    why = WORDS.of_parallel(projection)
+    if lens.far == math.inf or math.hypot(n[0], n[2]) < _LEVEL:
+        why = why or WORDS.phrase("no-far" if lens.far == math.inf else "steep")
+    if why is not None:
+        return Illustration((), warning=why)
+    pieces, is_right = int(number(settings, "pieces")), settings["depth"] == "pixel"
+    ends, wall = borders(lens.near, lens.far, pieces), _own()[2 * MOST_PIECES + 2 :]
+    rows = np.minimum(np.arange(MOST_PIECES + 1), pieces)  # the further strips have no length
+    w_foot, *w_wall = -projection.trace([(0.0, 0.0, 0.0), *wall]).view[:, 2]
+    true, drawn = along(ends, MOST_PIECES + 1)
+    drawn = true if is_right else drawn
+    trough = eye + (_floor(projection, true) - eye) * (drawn / true)[:, None, None]
+    places = np.concatenate([_floor(projection, ends)[rows].reshape(-1, 3), wall])
+    if not is_right:
+        w = np.concatenate([np.repeat(ends[rows], 2), w_wall])
+        scale = np.divide(_standard(projection, np.abs(w)), w, out=np.ones_like(w), where=w > 0.0)
+        places = eye + (places - eye) * scale[:, None]
+    stored = np.concatenate([trough.reshape(-1, 3), wall])
+    return Illustration(
+        _readings(ends, float(w_foot), is_right),
+        world=_marks(projection, trough[:: MOST_PIECES // 64]),
+        diagrams=(_diagram(true, drawn, float(w_foot)),),
+        vertices=Vertices(_own(), stored, places),
+        warning=None if min(w_wall) > 0.0 else WORDS.phrase("behind"),
+    )
+
+
+def _readings(ends: Array, w_foot: float, is_right: bool) -> tuple[Reading, ...]:
+    """The largest factor, which the nearest piece has, and the floor that the wall hides."""
+    m, r = float(ends[0]), float(ends[1] / ends[0])
+    most = float(most_too_far(np.array(r)))
+    q = most if is_right or r == 1.0 else -math.expm1(-math.log(r)) / math.log(r)
+    drawn = m * math.exp(1.0 / q - 1.0)
+    hidden = None
+    if ends[0] < w_foot < ends[-1]:
+        piece = int(np.searchsorted(ends, w_foot, side="right")) - 1
+        a, b = ends[piece : piece + 2].tolist()
+        s = 0.0 if is_right else math.log(w_foot / a) / math.log(b / a)
+        hidden = 0.0 if is_right else w_foot - a / (1.0 - s + s * a / b)
+    return (
+        Reading(WORDS["most"], 1.0 if is_right else most, "×"),
+        Reading(WORDS["true"], drawn / most),
+        Reading(WORDS["drawn"], drawn),
+        Reading.or_why(WORDS["hidden"], hidden, why=WORDS.phrase("outside")),
+        Reading(WORDS["ratio"], r),
+    )
+
+
+def _marks(projection: Projection, trough: Array) -> Marks:
+    """The floor's outline, and the names of what is seen."""
+    near, far = _floor(projection, np.array([projection.lens.near, projection.lens.far]))
+    lowest = trough[np.argmin(trough[:, 0, 1])]
+    return Marks.of(
+        Polyline(outline(np.array([*near, *far[::-1]])), "muted", 1.0),
+        Text("floor", far[1], text=WORDS["floor"]),
+        *(Polyline(side, "accent", 1.5, name="drawn") for side in trough.swapaxes(0, 1)),
+        Text("drawn", lowest[1], "accent", (), lowest[0], WORDS["buffer"]),
+        Text("foundation", np.array(_FOUNDATION[0]), "u", text=WORDS["foundation"]),
+    )
+
+
+def _diagram(true: Array, drawn: Array, w_foot: float) -> Diagram:
+    """The drawn over the true distance, both logarithmic, and the wall."""
+    ends = float(true[0]), float(true[-1])
+    wall = np.array([(ends[0], w_foot), (w_foot, w_foot)])
+    curves = [
+        Curve(np.column_stack([true, true]), "muted", WORDS["per-pixel"]),
+        Curve(np.column_stack([true, drawn]), "accent", WORDS["per-vertex"], 2.0),
+    ]
+    if ends[0] < w_foot < ends[1]:
+        curves.append(Curve(wall, "u", WORDS["wall"]))
+    return Diagram(
+        WORDS["diagram"], tuple(curves), *ends, *ends,
+        x_label=WORDS["true-w"], y_label=WORDS["drawn-w"], x_log=True, y_log=True,
+    )  # fmt: skip
+
+
+PHENOMENON = Phenomenon(
+    WORDS,
+    lectures=("000", "002"),
+    start=_START,
+    geometry=_geometry,
+    show=_show,
+    adjustable=(
+        Parameter("depth", "vertex"),
+        Parameter(
+            "pieces", 1.0, 1.0, float(MOST_PIECES), logarithmic=True, whole=True,
+            only_with=("depth", "vertex"),
+        ),
+    ),
+    controls=("lens.far",),
+    leading="image",
+    requires=frozenset({"vertices"}),
+    names=("floor", "drawn", "foundation"),
+    shot=Shot(-64.0, 12.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
+)  # fmt: skip
