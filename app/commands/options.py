@@ -48,7 +48,10 @@ WIDTHS_PT = 200.0, 1500.0
 LOOPS = ("repeat", "once", "back-and-forth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
-TRADES = ("arithmetic", "interpolation", "depth", "smoothing", "detail", "vertex-depth", "cracks")
+TRADES = (
+    "arithmetic", "interpolation", "depth", "smoothing", "detail", "drift", "vertex-depth",
+    "cracks", "jitter",
+)  # fmt: skip
 COSTS = ("time", "bytes")
 SWEEPS = ("near", "far", "fov", "distance", "up", "aspect")
 SETTABLE = (

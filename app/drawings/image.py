@@ -15,7 +15,7 @@ import numpy as np
 from vtkmodules.vtkRenderingCore import vtkRenderer
 
 from app.drawings import AXES
-from app.drawings.actors import identity_camera
+from app.drawings.actors import identity_camera, make_pale
 from app.drawings.blurring import Blurring
 from app.drawings.drawing import Drawing, Rectangle
 from app.drawings.handles import HandleMarks
@@ -49,6 +49,8 @@ class SceneInPicture(Layer):
         self._state, self._marks, self._quality = state, marks, state.options.quality
         self._tolerance_px = least_tolerance(scene, tolerance_px)
         self.model = ModelActors(scene, state.style, self._tolerance_px)
+        if state.pane in scene.pale:
+            make_pale(self.model.actors, state.style)
         state.canvas.add(*self.model.actors, renderer=state.renderer)
         self._moved = MovedVertices(scene, "projected", self.model.surface)
         self._rasteriser: Rasteriser | None = None

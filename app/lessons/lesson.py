@@ -89,7 +89,7 @@ STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no lin
 BLOCK_INDENTED = QT_TRANSLATE_NOOP(
     "Refusal", "begins a block, but is indented: ``` must begin the line"
 )
-TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L25, separated by commas")
+TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L27, separated by commas")
 
 AddFault: TypeAlias = Callable[[Refusal], object]
 
@@ -122,7 +122,7 @@ class Lesson:
     steps: tuple[Step, ...]
     lecture: str = ""
     topics: tuple[str, ...] = ()
-    """``L1`` to ``L25``."""
+    """``L1`` to ``L27``."""
     language: str = "en"
     letters: Letters | None = None
     """The lecture whose letters the formulas use; None for the window's choice."""
@@ -201,7 +201,7 @@ def _lines(text: str) -> list[str]:
     return lines
 
 
-_TOPIC = re.compile(r"L([1-9]|1\d|2[0-5])")
+_TOPIC = re.compile(r"L([1-9]|1\d|2[0-7])")
 _TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "version")
 
 

@@ -116,7 +116,7 @@ def _contained(path: Path) -> Course:
 
 @cache
 def topics() -> Mapping[str, Course]:
-    """Return the lessons that come with the program by their topics, ``L1`` to ``L25``."""
+    """Return the lessons that come with the program by their topics, ``L1`` to ``L27``."""
     courses = [_contained(path) for path in contained() if path.stem.startswith("l")]
     return {course.lesson.topics[0]: course for course in courses if course.lesson.topics}
 

@@ -23,7 +23,7 @@ from app.model.clipping import clip_segments
 from app.model.limits import vector
 from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
-from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, reduced
+from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, can_be_reduced, reduced
 from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
@@ -49,7 +49,7 @@ def measure(
 
     A `Cancelled` that `watch` raises has the choices so far.
     """
-    own = scene.triangles >= LEAST_TRIANGLES
+    own = scene.triangles >= LEAST_TRIANGLES and can_be_reduced(scene)
     if not own:
         scene = sphere(projection)
     size = picture_size(projection)

@@ -12,6 +12,8 @@ GOOD_ENOUGH = {
     "interpolation": 0.5,
     "smoothing": 5.0,
     "detail": 1.0,
+    "drift": 0.01,
+    "jitter": 0.01,
     "vertex-depth": 0.01,
     "cracks": 0.01,
 }
@@ -41,6 +43,8 @@ USUAL = {
     "depth": "fixed24, opengl",
     "smoothing": "none",
     "detail": "100 %",
+    "drift": "float32, two sines",
+    "jitter": "float32, world coordinates",
     "vertex-depth": "each pixel",
     "cracks": "16 bits, own boxes",
 }

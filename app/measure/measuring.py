@@ -16,7 +16,17 @@ import vtkmodules
 from app import __version__
 from app.document.codec import to_json
 from app.document.document import Document
-from app.measure import arithmetic, cracks, depth, detail, interpolation, smoothing, vertex_depth
+from app.measure import (
+    arithmetic,
+    cracks,
+    depth,
+    detail,
+    drift,
+    interpolation,
+    jitter,
+    smoothing,
+    vertex_depth,
+)
 from app.measure.results import GAPS, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.measure.sweeps import errors, sweep, values_of
@@ -34,10 +44,16 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
     "smoothing": smoothing.measure,
     "detail": detail.measure,
+    "drift": lambda scene, projection, seconds, watch: drift.measure(
+        projection, scene.sample, seconds, watch
+    ),
     "vertex-depth": lambda _scene, projection, seconds, watch: vertex_depth.measure(
         projection, seconds, watch
     ),
     "cracks": lambda _scene, projection, _seconds, _watch: cracks.measure(projection),
+    "jitter": lambda scene, projection, seconds, watch: jitter.measure(
+        projection, scene.sample, seconds, watch
+    ),
 }
 """Every trade, in the order of measurement."""
 NEED_OPENGL = ("smoothing", "detail")

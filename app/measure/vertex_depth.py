@@ -18,9 +18,9 @@ from app.measure.run import Watch, timed, unwatched
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.vertex_depth import borders, most_too_far
+from app.scenes.phenomena.vertex_depth import borders, largest_factor
 
-PIECES = (1, 4, 16, 64, 256, 1024)
+PIECES = 1, 4, 16, 64, 256, 1024
 NO_EARLY_TEST = QT_TRANSLATE_NOOP(
     "Measure", "this also switches off the early depth test, whose loss is not in this time"
 )
@@ -55,45 +55,36 @@ def too_far(near: float, far: float, s: Array, depth: Array) -> float:
 
 
 def predicted(near: float, far: float, pieces: int) -> float:
-    """Return a bound of `too_far`: by the formula of the scene, and for rounding."""
+    """Return a bound of `too_far`, for rounding alone if there are 0 pieces."""
     lost = _ROUNDINGS * (far / near + math.log(far / near))
-    if not pieces:  # every pixel is its own
-        return lost
-    ends = borders(near, far, pieces)
-    return float(most_too_far((ends[1:] / ends[:-1]).max())) * (1.0 + lost) - 1.0 + lost
+    factor = largest_factor(1.0 + (far / near - 1.0) / pieces)[0] if pieces else 1.0
+    return factor - 1.0 + lost * factor
 
 
 def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatched) -> Trade:
     """Measure trade 7. A `Cancelled` that `watch` raises has the errors, and the times so far."""
-    lens, height = projection.lens, projection.image_size[1]
+    lens, names = projection.lens, ["each pixel", "each vertex"]
+    names += [f"each vertex, {pieces} pieces" for pieces in PIECES[1:]]
     try:
         DepthBuffer("float32", "logarithmic", lens)
     except Refusal as error:
-        nothing = ChartPoint("each pixel", None, None, None, note=str(error))
+        nothing = ChartPoint(names[0], None, None, None, note=str(error))
         return Trade("vertex-depth", "ns", "w", (nothing,), 0)
     near, far = lens.near, lens.far
-    s = aligned(SAMPLES_A_PIXEL * height)
+    s = aligned(SAMPLES_A_PIXEL * projection.image_size[1])
     s[:] = np.linspace(0.0, 1.0, len(s))
-    runs = {"each pixel": per_pixel(near, far, s)}
-    runs |= {_name(pieces): per_vertex(near, far, s, pieces) for pieces in PIECES}
+    runs = [per_pixel(near, far, s), *(per_vertex(near, far, s, pieces) for pieces in PIECES)]
     choices = []
-    for (name, run), pieces in zip(runs.items(), (0, *PIECES), strict=True):
+    for name, run, pieces in zip(names, runs, (0, *PIECES), strict=True):
         use = {"scene": "vertex-depth", "settings.depth": "vertex" if pieces else "pixel"}
-        if pieces:
-            use["settings.pieces"] = str(pieces)
+        note, ends = "" if pieces else NO_EARLY_TEST, max(1, pieces) + 1.0
+        use |= {"settings.pieces": str(pieces)} if pieces else {}
+        errors = too_far(near, far, s, run()), predicted(near, far, pieces)
         choices.append(
-            ChartPoint(
-                name, None, None, too_far(near, far, s, run()), predicted(near, far, pieces),
-                note="" if pieces else NO_EARLY_TEST, use=use,
-                bytes=AFFINE_BYTES * (max(1, pieces) + 1.0),
-            )
-        )  # fmt: skip
+            ChartPoint(name, None, None, *errors, note=note, use=use, bytes=AFFINE_BYTES * ends)
+        )
     trade = Trade("vertex-depth", "ns", "w", tuple(choices), 0)
     # However many pieces there are, a pixel's work is the same: it is timed once.
-    same = {_name(pieces): _name(1) for pieces in PIECES}
-    once = {name: runs[name] for name in ("each pixel", _name(1))}
+    same = dict.fromkeys(names[1:], names[1])
+    once = dict(zip(names[:2], runs, strict=False))
     return timed(trade, once, seconds, 1e9 / len(s), watch, same)
-
-
-def _name(pieces: int) -> str:
-    return f"each vertex, {pieces} pieces" if pieces > 1 else "each vertex"

@@ -40,7 +40,8 @@ _reduced: WeakKeyDictionary[Scene, dict[float, Scene]] = WeakKeyDictionary()
 
 def can_be_reduced(scene: Scene) -> bool:
     """Whether the scene has enough triangles or dots to be reduced."""
-    return scene.triangles >= LEAST_TRIANGLES or scene.dot_count >= LEAST_TRIANGLES
+    many = max(scene.triangles, scene.dot_count) >= LEAST_TRIANGLES
+    return many and "vertices" not in scene.requires  # which are drawn elsewhere, each of them
 
 
 def reduced(scene: Scene, share: float) -> Scene:

@@ -282,7 +282,7 @@ def test_after_ctrl_c_there_is_no_half_file(
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"--topics": "L99"}, "--topics = 'L99': must be topics from L1 to L25, or files"),
+        ({"--topics": "L99"}, "--topics = 'L99': must be topics from L1 to L27, or files"),
         ({"--topics": "L3,L3"}, "--topics = 'L3,L3': names L3 twice."),
         ({"--topics": "001"}, "--topics = 'talk-001': has no exercise that can be solved on paper"),
         ({"--topics": ""}, "lesson print needs --topics."),

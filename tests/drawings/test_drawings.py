@@ -122,7 +122,7 @@ def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -
     assert min(checked.values()) > 200, checked
 
 
-@pytest.mark.parametrize("name", BUILT_IN)
+@pytest.mark.parametrize("name", [each for each in BUILT_IN if "image" not in load(each).pale])
 def test_a_face_has_the_same_colour_in_all_panes(name: str, off_screen: MakeScreen) -> None:
     scene = without_lines(load(name))
     assert scene.surface is not None

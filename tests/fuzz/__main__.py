@@ -7,6 +7,8 @@
 | `regexes` | measures every regular expression on long texts of its own characters |
 | `documents` | looks for silent NaNs in random documents |
 | `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
+| `drift` | compares the bounds of turned cameras with their errors, about random axes |
+| `jitter` | compares the bounds of jumps far from the origin with their errors |
 | `variants` | draws the variants of all exercises, and types right and wrong answers |
 | `hands` | uses the window as a restless person does, and looks for errors, leaks and long steps |
 
@@ -23,7 +25,17 @@ from app import bootstrap
 
 if __name__ == "__main__":
     tool, *words = sys.argv[1:] or [""]
-    tools = "golden", "hostile", "documents", "cheap", "variants", "hands", "regexes"
+    tools = (
+        "golden",
+        "hostile",
+        "documents",
+        "cheap",
+        "drift",
+        "jitter",
+        "variants",
+        "hands",
+        "regexes",
+    )
     if tool not in tools:
         sys.exit(__doc__)
     bootstrap.start("tests", extras=("test",))

@@ -1,4 +1,4 @@
-"""Right and wrong answers of the lessons L17 to L25 and of talk 001, reckoned by hand.
+"""Right and wrong answers of the lessons L17 to L27 and of talk 001, reckoned by hand.
 
 Each number is the lecture's formula with the numbers of its step written out, in 50 digits; nothing
 is asked of the program. A wrong one is the rule of its idea (TEACHING, section 2).
@@ -170,6 +170,20 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     ("l25-how-many-bits", "far/gap", "seven-digits"): lambda: mpf(10) ** (6 - 7),
     ("l25-how-many-bits", "far/left", "right"): lambda: 100 * mpf(2) ** -5 / 10,
     ("l25-how-many-bits", "far/left", "seven-digits"): lambda: 100 * mpf(10) ** -7,
+    # L27 of this program. Drawn at the mean logarithm, sqrt(n f); 1/w is the mean of 1/n and 1/f.
+    ("l27-where-precision-goes", "rule/half", "right"): lambda: (
+        sqrt(mpf(100)) * (mpf(1) + mpf(1) / 100) / 2
+    ),
+    ("l27-where-precision-goes", "rule/half", "half-world"): lambda: sqrt(mpf(100)) / mpf("50.5"),
+    ("l27-where-precision-goes", "rule/half", "log-better"): lambda: mpf(1),
+    # A step is the box over 2^b - 1, in per cent of that of 8 bits.
+    ("l27-where-precision-goes", "seam/bits", "1"): lambda: mpf(800) / 12,
+    ("l27-where-precision-goes", "seam/bits", "2"): lambda: (
+        100 * (mpf(10) / 4095) / (mpf(10) / 255)
+    ),
+    ("l27-where-precision-goes", "gap/apart", "right"): lambda: mpf(5) / 255 + mpf("1.5") / 255,
+    ("l27-where-precision-goes", "gap/apart", "one-grid"): lambda: mpf(5) / 255,
+    ("l27-where-precision-goes", "gap/apart", "whole-steps"): lambda: mpf(10) / 255 + mpf(3) / 255,
     # Talk 001. h' = -d h/z; d = 4, h = 5, z = 18. from-plane: z from the film, 22.
     ("talk-001", "obscura/film", "1"): lambda: -mpf(4) * 5 / 22,
     ("talk-001", "obscura/film", "2"): lambda: -mpf(4) * 5 / 18,

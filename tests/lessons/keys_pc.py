@@ -1,4 +1,4 @@
-"""Right and wrong answers of the exercises of L17 to L25, reckoned without the lessons' formulas.
+"""Right and wrong answers of the exercises of L17 to L27, reckoned without the lessons' formulas.
 
 Each is reckoned another way than the lesson's formula: by the lecture's matrix and its divide, by
 cutting a ray with a plane, by bisecting for a limit, in 40 digits. The numbers are those of the
@@ -181,7 +181,14 @@ _17, _18, _19 = "l17-depth-buffer", "l18-interpolation", "l19-planar-shadow"
 _20, _21, _22 = "l20-zoom-or-walk", "l21-camera-obscura", "l22-walk-round-the-f"
 _23, _24 = "l23-popping", "l24-focus"
 _25 = "l25-how-many-bits"
+_27 = "l27-where-precision-goes"
 _P: tuple[Any, ...] = mpf("1.5"), mpf(5), mpf("0.5")
+
+
+def _mean_of_nearness(q: Any, n: Any) -> Any:
+    """The distance whose 1/w is half-way between near n and far n q^2."""
+    return 1 / ((1 / n + 1 / (n * q**2)) / 2)
+
 
 KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     # L17. 003's A and B; 000's gap; TEACHING linear-z, ndc-01, w-kept.
@@ -293,6 +300,19 @@ KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     (_25, "practise-2/half-gap", "seven-digits"): lambda u, m: m * u / 10**7,
     (_25, "practise-2/half-gap", "one-bit-more"): lambda u, m: _next_to(m * u / 2) / 2,
     # From D the picture has as many pixels a unit as the error needs; from 2 D half of them.
+    # L27. Drawn at the geometric mean of near and far, true at their harmonic mean.
+    (_27, "practise-1/half", "right"): lambda q, n: sqrt(n * n * q**2) / _mean_of_nearness(q, n),
+    (_27, "practise-1/half", "half-world"): lambda q, n: n * q / ((n + n * q**2) / 2),
+    (_27, "practise-1/half", "only-drawn"): lambda q, n: sqrt(n * n * q**2) / n,
+    # Copies half a step off each, on 255 steps of each box; 1080 lines over D units.
+    (_27, "practise-2/gap", "right"): lambda a, b, D: (
+        sqrt(2 * ((a / mpf(255) + b / mpf(255)) / 2) ** 2) / (D / 1080)
+    ),
+    (_27, "practise-2/gap", "one-grid"): lambda a, b, D: sqrt(2) * a / mpf(510) / (D / 1080),
+    (_27, "practise-2/gap", "whole-steps"): lambda a, b, D: (
+        sqrt(2) * (a + b) / mpf(255) / (D / 1080)
+    ),
+    (_27, "practise-2/gap", "one-axis"): lambda a, b, D: (a + b) / mpf(510) / (D / 1080),
     (_25, "practise-3/stand", "done"): lambda D, h: _set(camera__eye=(mpf(0), mpf("2.5"), D)),
     (_25, "practise-3/stand", "whole-step"): lambda D, h: (
         _set(camera__eye=(mpf(0), mpf("2.5"), 2 * D))

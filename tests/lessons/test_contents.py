@@ -134,7 +134,8 @@ def test_no_wrong_idea_counts_as_right() -> None:
 def test_there_is_a_lesson_for_each_topic_and_a_talk_for_each_lecture() -> None:
     lessons = [read(path) for path in contained()]
     topics = [lesson.topics for lesson in lessons if not lesson.is_talk and lesson.topics]
-    assert sorted(topics) == sorted((f"L{number}",) for number in range(1, 26))
+    assert len(set(topics)) == len(topics) and ("L27",) in topics
+    assert {(f"L{number}",) for number in range(1, 26)} <= set(topics)
     talks = [lesson.lecture for lesson in lessons if lesson.is_talk]
     assert talks == ["000", "001", "002", "003", "004"]
     for lesson in lessons:

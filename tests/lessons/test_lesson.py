@@ -203,7 +203,7 @@ FILES = [
     ("---\ntitle: T\n```state\n---\n", "line 3 = '```state': lacks a line --- above it"),
     ("---\ntitle: T\nlecture: 1\ntitle: U\n---\n# A\n", "line 4 has title twice"),
     ("---\ntitle: T\ntopic: L2, L99\n---\n# A\n", "line 3 = 'L2, L99': must be topics from L1"),
-    ("---\ntitle: T\ntopic: L0\n---\n# A\n", "line 3 = 'L0': must be topics from L1 to L25"),
+    ("---\ntitle: T\ntopic: L0\n---\n# A\n", "line 3 = 'L0': must be topics from L1 to L27"),
     (TOP, "line 3 has no steps"),
     (TOP + "Text\n", "line 4 = 'Text': must begin a step with its title"),
     (TOP + "## Two\n", "line 4 = '## Two': must begin a step with its title"),

@@ -14,9 +14,11 @@ import pytest
 from app.measure.vertex_depth import PIECES, measure
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
+from app.scenes.fewer_triangles import LEAST_TRIANGLES, can_be_reduced, reduced
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.vertex_depth import MOST_PIECES, PHENOMENON, borders, most_too_far
-from tests.oracles.illustrations import showing, subject_of, value, why
+from app.scenes.phenomena.vertex_depth import MOST_PIECES, PHENOMENON, borders, largest_factor
+from app.scenes.scene import load
+from tests.oracles.illustrations import showing, subject_of, value
 
 START = PHENOMENON.start
 shown = showing(PHENOMENON, subject_of(PHENOMENON))
@@ -36,8 +38,8 @@ def test_the_largest_factor_is_the_one_that_a_search_finds() -> None:
         for r in (1.0, 1.0001, 1.9756, 30.0, 63.4375, 1000.0, 1e6):
             shares = [mpmath.mpf(s) / 4000 for s in range(4001)]
             most = max(factor(r, s) for s in shares)
-            assert float(most_too_far(np.array(r))) == pytest.approx(float(most), rel=2e-5)
-            assert float(most_too_far(np.array(r))) >= float(most) * (1 - 1e-15)
+            assert largest_factor(r)[0] == pytest.approx(float(most), rel=2e-5)
+            assert largest_factor(r)[0] >= float(most) * (1 - 1e-14)
 
 
 @pytest.mark.parametrize("pieces, told", [(1, 53.6), (16, 5.9), (1024, 1.06)])
@@ -49,8 +51,7 @@ def test_a_floor_to_a_thousand_is_drawn_as_much_too_far_as_the_lesson_says(
     assert most == pytest.approx(told, rel=6e-3)
     true, drawn = value(illustration, "its distance w"), value(illustration, "drawn at")
     assert drawn / true == pytest.approx(most, rel=1e-12)
-    r = value(illustration, "far over near")
-    assert r == pytest.approx(1 + 999 / pieces, rel=1e-12)
+    r = 1 + 999 / pieces
     with mpmath.workdps(40):
         s = (1 - 1 / mpmath.mpf(true)) / (1 - 1 / mpmath.mpf(r))
         assert float(factor(r, s)) == pytest.approx(most, rel=1e-12)
@@ -89,20 +90,15 @@ def test_the_world_shows_the_trough_and_each_pixel_s_floor_is_flat() -> None:
     eye = np.array(START.camera.eye)
     stretched = (eye - trough.stored[:FLOOR])[:, 1] / eye[1]
     assert stretched.min() == pytest.approx(1.0)
-    assert stretched.max() == pytest.approx(float(most_too_far(np.array(30.0))), rel=1e-4)
+    assert stretched.max() == pytest.approx(largest_factor(30.0)[0], rel=1e-4)
     assert (flat.projected[FLOOR:] == trough.own[FLOOR:]).all()
 
 
-def test_the_floor_before_the_wall_that_it_is_drawn_behind() -> None:
-    """At the share where m r^s is the wall's distance."""
-    projection = to_far(1000.0)
-    w = -float(projection.trace((0.0, 0.0, 0.0)).view[2])
-    with mpmath.workdps(30):
-        s = mpmath.log(w) / mpmath.log(1000)
-        true = 1 / (1 - s + s / 1000)
-        assert value(shown(projection), "behind it") == pytest.approx(float(w - true), rel=1e-9)
-    assert value(shown(projection, depth="pixel"), "behind it") == 0.0
-    assert "between near and far" in why(shown(to_far(5.0)), "behind it")
+def test_its_many_strips_are_never_reduced() -> None:
+    """A drag that is too slow reduces meshes, and here every vertex has its place."""
+    scene = load("vertex-depth")
+    assert scene.triangles >= LEAST_TRIANGLES
+    assert not can_be_reduced(scene) and reduced(scene, 0.1) is scene
 
 
 def test_where_there_is_no_floor_it_says_why() -> None:

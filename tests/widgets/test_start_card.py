@@ -139,12 +139,12 @@ def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
     window.settings.keep_progress("l03-field-of-view", kept)
     window.settings.keep_progress("l04-view-volumes", Progress(done=6, of=6))
     card = opened(window)
-    for text, count in (("Lessons", 25), ("Talks", 5)):
+    heads = [read(path) for path in contained() if path.stem.startswith("l")]
+    for text, count in (("Lessons", len(heads)), ("Talks", 5)):
         menu = button(card, text).menu()
         menu.aboutToShow.emit()
         assert len(menu.actions()) == count
     lessons = button(card, "Lessons").menu().actions()
-    heads = [read(path) for path in contained()[:25]]
     assert [action.text().partition("\t")[0] for action in lessons] == [
         " ".join((*head.topics[:1], head.title)) for head in heads
     ]

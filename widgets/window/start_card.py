@@ -23,7 +23,7 @@ from widgets.window.cover_card import CoverCard
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 
-COLUMNS = 4
+COLUMNS = 5
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
 
@@ -60,9 +60,7 @@ class StartCard(CoverCard):
         self.tiles = {name: self._tile(name, titles[name]) for name in BUILT_IN}
         grid = QGridLayout()
         grid.setSpacing(2)
-        width = max(tile.sizeHint().width() for tile in self.tiles.values())
         for place, tile in enumerate(self.tiles.values()):
-            tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
             PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),

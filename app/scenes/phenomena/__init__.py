@@ -16,10 +16,12 @@ from app.scenes.phenomena import (
     clipping,
     cracks,
     depth_buffer,
+    drift,
     eye_plane,
     field_of_view,
     focus,
     interpolation,
+    jitter,
     oblique_drawing,
     off_axis_window,
     planar_shadow,
@@ -51,6 +53,8 @@ _ORDER = (
     popping,
     focus,
     cheap_arithmetic,
+    drift,
+    jitter,
     cracks,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})

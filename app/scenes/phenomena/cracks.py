@@ -71,7 +71,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
     quads = [np.stack([outer[:-1], seam[:-1], seam[1:], outer[1:]], axis=1) for outer, seam in both]
     colours = (flat(SIDE_RGB[row], len(SEAM) - 1) for row in (5, 3))
     faces = joined(*zip(quads, colours, strict=True), (_LIGHT, flat(_LIGHT_RGB, 1)))
-    return faces, ground_grid((-10.0, -2.0), (3.0, 4.0), (1.0, 1.0), -_HIGH - 0.1)
+    return faces, ground_grid((-10.0, -1.0), (3.0, 2.0), (1.0, 1.0), -_HIGH - 0.1)
 
 
 def bound_px(projection: Projection, seam: Array, half: float) -> Array:
@@ -111,7 +111,12 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
     return Illustration(
         (
-            Reading(WORDS["predicted"], most, "px"),
+            Reading.or_why(
+                WORDS["predicted"],
+                most if most < math.inf else None,
+                "px",
+                WORDS.phrase("no-bound"),
+            ),
             Reading(WORDS["measured"], float(gaps.max()), "px"),
             Reading(WORDS["bytes"], 3.0 * each[0].bits / 8.0),
             Reading(WORDS["steps"], tuple(grid.step for grid in each)),

@@ -138,8 +138,8 @@ class Appearance:
     - `fixed`: the fixed view of the world with which the scene opens; empty for the free one.
     - `leaves_out`: layers that the world pane leaves out and does not frame, as long as nothing of
       them is named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
-    - `pale`: the panes, ``"world"`` or ``"ndc"``, that draw the subject as a pale silhouette,
-      because the marks beside it matter more.
+    - `pale`: the panes that draw the subject as a pale silhouette, because what is beside it
+      matters more.
     """
 
     requires: frozenset[str] = frozenset()

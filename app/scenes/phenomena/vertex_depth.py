@@ -4,10 +4,9 @@ On the screen 1/w is linear along a face. A depth log w that only its vertices h
 there as if it were linear, too. A piece from the distance m to r m, at the share s of it on the
 screen, is drawn at m r^s instead of at m / (1 - s + s/r), too far by the factor
 
-    r^s (1 - s + s/r)    at most q exp(1/q - 1) with q = (1 - 1/r) / log r, at s log r = 1/q - 1,
+    r^s (1 - s + s/r)    at most q exp(1/q - 1) with q = (1 - 1/r) / log r, at w = m/q,
 
-where the derivative is 0. It is never below 1: it is an arithmetic mean over a geometric one, of
-1/w. The same quotient bounds it inside a triangle with the ratio r of its distances (Specht, 1960).
+where the derivative is 0. It is never below 1: an arithmetic mean over a geometric one, of 1/w.
 
 The floor lies in y = 0, from near to far, in pieces of equal length. Depths are moved as vertices
 are: along its projector, to where the standard depth is what its logarithm is. So the rasteriser
@@ -45,15 +44,15 @@ _BEYOND = 1e-3  # of the nearness at far: no depth lies much farther, and the fa
 _LEVEL = 1e-3  # of the view direction: one that is nearer to the vertical has no floor ahead
 
 
-def most_too_far(ratio: Array) -> Array:
-    """Return the largest factor of the module's text for each ratio of distances, at least 1."""
-    span = np.log(ratio)
-    q = np.divide(-np.expm1(-span), span, out=np.ones_like(span), where=span > 0.0)
-    return np.asarray(q * np.exp(1.0 / q - 1.0))
+def largest_factor(ratio: float) -> tuple[float, float]:
+    """Return the largest factor of the module's text, and q, for a ratio of at least 1."""
+    span = math.log(ratio)
+    q = -math.expm1(-span) / span if span else 1.0
+    return q * math.exp(1.0 / q - 1.0), q
 
 
 def borders(near: float, far: float, pieces: int) -> Array:
-    """Return the distances where pieces of equal length begin and end, (pieces + 1,)."""
+    """Return the distances where pieces of equal length begin and end."""
     return near + (far - near) * np.arange(pieces + 1) / pieces
 
 
@@ -112,7 +111,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     pieces, is_right = int(number(settings, "pieces")), settings["depth"] == "pixel"
     ends, wall = borders(lens.near, lens.far, pieces), _own()[2 * MOST_PIECES + 2 :]
     rows = np.minimum(np.arange(MOST_PIECES + 1), pieces)  # the further strips have no length
-    w_foot, *w_wall = -projection.trace([(0.0, 0.0, 0.0), *wall]).view[:, 2]
+    w_wall = -projection.trace(wall).view[:, 2]
     true, drawn = along(ends, MOST_PIECES + 1)
     drawn = true if is_right else drawn
     trough = eye + (_floor(projection, true) - eye) * (drawn / true)[:, None, None]
@@ -121,63 +120,36 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         w = np.concatenate([np.repeat(ends[rows], 2), w_wall])
         scale = np.divide(_standard(projection, np.abs(w)), w, out=np.ones_like(w), where=w > 0.0)
         places = eye + (places - eye) * scale[:, None]
-    stored = np.concatenate([trough.reshape(-1, 3), wall])
-    return Illustration(
-        _readings(ends, float(w_foot), is_right),
-        world=_marks(projection, trough[:: MOST_PIECES // 64]),
-        diagrams=(_diagram(true, drawn, float(w_foot)),),
-        vertices=Vertices(_own(), stored, places),
-        warning=None if min(w_wall) > 0.0 else WORDS.phrase("behind"),
-    )
-
-
-def _readings(ends: Array, w_foot: float, is_right: bool) -> tuple[Reading, ...]:
-    """The largest factor, which the nearest piece has, and the floor that the wall hides."""
-    m, r = float(ends[0]), float(ends[1] / ends[0])
-    most = float(most_too_far(np.array(r)))
-    q = most if is_right or r == 1.0 else -math.expm1(-math.log(r)) / math.log(r)
-    drawn = m * math.exp(1.0 / q - 1.0)
-    hidden = None
-    if ends[0] < w_foot < ends[-1]:
-        piece = int(np.searchsorted(ends, w_foot, side="right")) - 1
-        a, b = ends[piece : piece + 2].tolist()
-        s = 0.0 if is_right else math.log(w_foot / a) / math.log(b / a)
-        hidden = 0.0 if is_right else w_foot - a / (1.0 - s + s * a / b)
-    return (
-        Reading(WORDS["most"], 1.0 if is_right else most, "×"),
-        Reading(WORDS["true"], drawn / most),
-        Reading(WORDS["drawn"], drawn),
-        Reading.or_why(WORDS["hidden"], hidden, why=WORDS.phrase("outside")),
-        Reading(WORDS["ratio"], r),
-    )
-
-
-def _marks(projection: Projection, trough: Array) -> Marks:
-    """The floor's outline, and the names of what is seen."""
-    near, far = _floor(projection, np.array([projection.lens.near, projection.lens.far]))
-    lowest = trough[np.argmin(trough[:, 0, 1])]
-    return Marks.of(
-        Polyline(outline(np.array([*near, *far[::-1]])), "muted", 1.0),
-        Text("floor", far[1], text=WORDS["floor"]),
-        *(Polyline(side, "accent", 1.5, name="drawn") for side in trough.swapaxes(0, 1)),
-        Text("drawn", lowest[1], "accent", (), lowest[0], WORDS["buffer"]),
-        Text("foundation", np.array(_FOUNDATION[0]), "u", text=WORDS["foundation"]),
-    )
-
-
-def _diagram(true: Array, drawn: Array, w_foot: float) -> Diagram:
-    """The drawn over the true distance, both logarithmic, and the wall."""
-    ends = float(true[0]), float(true[-1])
-    wall = np.array([(ends[0], w_foot), (w_foot, w_foot)])
-    curves = [
+    near, far = _floor(projection, ends[[0, -1]])
+    sides = trough[:: MOST_PIECES // 64].swapaxes(0, 1)
+    lowest = sides[:, np.argmin(sides[0, :, 1])]
+    most, q = largest_factor(float(ends[1] / ends[0]))
+    most, m = 1.0 if is_right else most, lens.near
+    curves = (
         Curve(np.column_stack([true, true]), "muted", WORDS["per-pixel"]),
         Curve(np.column_stack([true, drawn]), "accent", WORDS["per-vertex"], 2.0),
-    ]
-    if ends[0] < w_foot < ends[1]:
-        curves.append(Curve(wall, "u", WORDS["wall"]))
-    return Diagram(
-        WORDS["diagram"], tuple(curves), *ends, *ends,
-        x_label=WORDS["true-w"], y_label=WORDS["drawn-w"], x_log=True, y_log=True,
+    )
+    return Illustration(
+        (
+            Reading(WORDS["most"], most, "×"),
+            Reading(WORDS["true"], m / q),
+            Reading(WORDS["drawn"], most * m / q),
+        ),
+        world=Marks.of(
+            Polyline(outline(np.array([*near, *far[::-1]])), "muted", 1.0),
+            *(Polyline(side, "accent", 1.5, name="drawn") for side in sides),
+            Text("floor", far[1], text=WORDS["floor"]),
+            Text("drawn", lowest[1], "accent", (), lowest[0], WORDS["buffer"]),
+            Text("foundation", np.array(_FOUNDATION[0]), "u", text=WORDS["foundation"]),
+        ),
+        diagrams=(
+            Diagram(
+                WORDS["diagram"], curves, *(m, lens.far, m, lens.far),
+                x_label=WORDS["true-w"], y_label=WORDS["drawn-w"], x_log=True, y_log=True,
+            ),
+        ),
+        vertices=Vertices(_own(), np.concatenate([trough.reshape(-1, 3), wall]), places),
+        warning=None if min(w_wall) > 0.0 else WORDS.phrase("behind"),
     )  # fmt: skip
 
 

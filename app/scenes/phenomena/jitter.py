@@ -1,0 +1,203 @@
+"""Jitter: the eye moves 1 mm a frame, far from the origin of the coordinates; a unit is a metre.
+
+With a vertex at p and the eye at e from there, a program subtracts and then projects, in float32::
+
+    world       fl(fl(p) - fl(e))
+    relative    fl(fl(p - o) - fl(e - o)): o is the object's place, subtracted in float64
+    two         fl(fl(p1 - e1) + fl(p2 - e2)): p = p1 + p2, the nearest float32 and the rest
+
+All else is alike. What the stored numbers lose is known, the roundings after it are bounded, and
+`errors_px` says how far that moves a pixel. A jump from one frame to the next is wrong by the sum
+of both bounds at most.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from app.model.limits import vector
+from app.model.parameter import Parameter
+from app.model.projection import Array, Camera, Perspective, Projection
+from app.precision.cheap import Hardware, cheap
+from app.precision.drift import errors_px
+from app.scenes.phenomena.cheap_arithmetic import enlargement
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
+from app.scenes.phenomena.picture import seen
+from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.settings import Settings, number
+from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.shapes import letter_f_on_grid
+
+WORDS = PhenomenonWords("jitter")
+
+FRAMES, STEP = 24, 1e-3
+"""How often the eye moves, and how far each time."""
+_AWAY = np.array((0.6, 0.64, 0.48))  # the direction from the origin to the scene
+_UNIT, _LOWEST = 2.0**-24, 2.0**-149  # of float32
+_ROOM = 0.35  # of the picture's width and of the target's distance, for what is enlarged
+
+
+class Paths(NamedTuple):
+    """Pixels (n, f, 2) of n vertices in f frames, drawn and true, and the drawn ones' bounds.
+
+    `eyes` (n, f, 3) are where the eye seems to be to each vertex, from where it is at first.
+    """
+
+    drawn: Array
+    true: Array
+    bounds: Array
+    eyes: Array
+
+
+def differences(way: str, points: Array, eyes: Array, place: Array) -> tuple[Array, Array]:
+    """Vertices less eyes (..., 3), both from an object's `place`, and the bounds of their errors.
+
+    The place is as far from the origin as coordinates are large.
+    """
+    far = points + place, eyes + place
+    given = (points, far[1] - place) if way == "relative" else far
+    high = [each.astype(np.float32) for each in given]
+    rest = [each - most for each, most in zip(given, high, strict=True)]
+    near = high[0] - high[1]
+    lost = _UNIT * np.abs(near)
+    if way == "two":
+        low = [each.astype(np.float32) for each in rest]
+        rest = [each - most for each, most in zip(rest, low, strict=True)]
+        least = low[0] - low[1]
+        near = near + least
+        lost += _UNIT * (np.abs(least) + np.abs(near))
+    lost += sum(map(np.abs, (*rest, *(2.0**-52 * each for each in far)))) + _LOWEST
+    return near.astype(np.float64), np.linalg.norm(lost, axis=-1)
+
+
+def paths_of(projection: Projection, points: Array, way: str, distance: float) -> Paths:
+    """What becomes of points (n, 3) while the eye moves to the right.
+
+    The origin is where the eye passes the middle of two float32 along x, half-way: far out it might
+    jump in none of the frames.
+    """
+    camera, place = projection.camera, distance * _AWAY
+    steps = STEP * np.arange(FRAMES + 1)[:, None] * camera.frame[0]
+    eyes = np.array(camera.eye) + steps
+    passed = place[0] + eyes[FRAMES // 2, 0]
+    with np.errstate(all="ignore"):
+        below = np.float32(passed)
+        place[0] += float(below) + float(np.spacing(below)) / 2.0 - passed
+        near, lost = differences(way, points[:, None], eyes, place)
+        given = np.where(np.isfinite(near), near, 0.0).reshape(-1, 3)
+        leaning = lost.reshape(-1) / np.linalg.norm(given, axis=1)
+    target = vector(np.subtract(camera.target, camera.eye))
+    still = replace(projection, camera=Camera((0.0, 0.0, 0.0), target, camera.up))
+    picture = cheap(still, given, Hardware())
+    bounds = np.linalg.norm(picture.bounds[:, :2], axis=1)
+    bounds += errors_px(still, given, np.zeros((3, 3)), leaning)[1]
+    true = still.trace((points[:, None] - eyes).reshape(-1, 3)).image
+    drawn, true = (each.reshape(*near.shape[:2], 2) for each in (picture.image, true))
+    return Paths(drawn, true, bounds.reshape(near.shape[:2]), points[:, None] - near - camera.eye)
+
+
+def jump_errors(paths: Paths) -> tuple[Array, Array]:
+    """How wrong each jump (n, f - 1) from a frame to the next one is, and the bounds of that."""
+    wrong = np.diff(paths.drawn - paths.true, axis=1)
+    return np.linalg.norm(wrong, axis=-1), paths.bounds[:, 1:] + paths.bounds[:, :-1]
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
+    trace = projection.trace(subject.points)
+    here = np.flatnonzero(seen(trace))
+    if not len(here):
+        return Illustration((), warning=WORDS.phrase("outside"))
+    vertex = subject.points[here[[trace.clip[here, 3].argmin()]]]
+    paths = paths_of(projection, vertex, str(settings["way"]), number(settings, "distance"))
+    wrong, bounds = (float(each.max()) for each in jump_errors(paths))
+    jumps = np.linalg.norm(np.diff(paths.drawn, axis=1), axis=-1)
+    smooth = float(np.linalg.norm(np.diff(paths.true, axis=1), axis=-1).max())
+    frame = int(number(settings, "frame"))
+    image, times = _image_marks(projection, paths, frame)
+    none = WORDS.phrase("no-bound")
+    return Illustration(
+        (
+            _reading("largest", float(jumps.max()), none),
+            _reading("smooth", smooth, none),
+            _reading("wrong", wrong, none),
+            _reading("predicted", bounds, none),
+            Reading(WORDS["frozen"], 100.0 * float((jumps == 0.0).mean()), "%"),
+            Reading.or_why(WORDS["enlarged"], times, "×", none),
+        ),
+        world=_world_marks(projection, vertex[0], paths.eyes[0], frame),
+        image=image,
+    )
+
+
+def _reading(name: str, value: float, none: Phrase) -> Reading:
+    return Reading.or_why(WORDS[name], value if value < math.inf else None, "px", none)
+
+
+def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Marks, float | None]:
+    """The vertex, and how far it moves across from frame to frame: enlarged, each frame lower."""
+    width, height = projection.image_size
+    across = np.array([paths.drawn[0, :, 0], paths.true[0, :, 0]])
+    low, high = float(across.min()), float(across.max())
+    times = enlargement(high - low, _ROOM * width)
+    if times is None:
+        return Marks(), None
+    across = 0.95 * width - times * (high - across)
+    drawn, true = (
+        np.column_stack([each, height * np.linspace(0.1, 0.9, FRAMES + 1)]) for each in across
+    )
+    enlarged = f"{times:,.0f} ×".replace(",", " ") if times >= 1.0 else f"{times:g} ×"
+    return Marks.of(
+        Polyline(true, "leader", 2.0),
+        Polyline(drawn[: frame + 1], "accent", 1.0),
+        *(Dot(place, "accent", 0.6) for place in drawn[: frame + 1]),
+        Text("smooth", true[0], "muted", text=WORDS["smooth-path"]),
+        Text("drawn", drawn[frame], "accent", text=enlarged),
+        named("P", paths.true[0, 0]),
+    ), times
+
+
+def _world_marks(projection: Projection, vertex: Array, eyes: Array, frame: int) -> Marks:
+    """The way of the eye and, enlarged as much, where it seems to be to the vertex."""
+    camera = projection.camera
+    eye, moved = np.array(camera.eye), STEP * FRAMES * camera.frame[0]
+    times = enlargement(float(np.abs([*eyes, moved]).max()), _ROOM * camera.distance) or 1.0
+    seeming = eye + times * eyes[: frame + 1]
+    return Marks.of(
+        segment(eye, vertex, "muted", 1.0),
+        segment(eye, eye + times * moved, "leader", 2.0),
+        Polyline(seeming, "accent", 1.5),
+        *(Dot(place, "accent", 0.7) for place in seeming),
+        Text("seeming", seeming[-1], "accent", text=WORDS["seeming"]),
+        named("P", vertex),
+    )
+
+
+PHENOMENON = Phenomenon(
+    WORDS,
+    lectures=("003", "004"),
+    start=Projection(
+        Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)),
+        Perspective(fov_y_deg=40.0, near=5.0, far=15.0),
+        (1920, 1080),
+    ),
+    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
+    show=_show,
+    adjustable=(
+        Parameter("distance", 5e4, 1.0, 1e9, span=(1e3, 1e7), logarithmic=True),
+        Parameter("way", "world"),
+        Parameter("frame", float(FRAMES), 0.0, float(FRAMES), per_second=12.0, whole=True),
+    ),
+    leading="image",
+    numbers=4,
+    own_mesh=True,
+    names=("eye", "P", "seeming", "smooth", "drawn"),
+    shot=Shot(-40.0, 20.0, "camera"),
+    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
+    pale=frozenset({"image"}),
+)
