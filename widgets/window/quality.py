@@ -20,6 +20,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
+from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality
 from widgets.panes.canvas import SMOOTHINGS
@@ -36,9 +37,13 @@ def with_choice(document: Document, choice: Mapping[str, str]) -> Document:
     texts = [
         f"{key if '.' in key else f'quality.{key}'}={value}"
         for key, value in choice.items()
-        if key != "scene"
+        if key not in ("scene", DISTANCE.path)
     ]
-    return set_values(document, texts)
+    document = set_values(document, texts)
+    if DISTANCE.path in choice:
+        away = DISTANCE.put(document.projection, float(choice[DISTANCE.path]))
+        document = replace(document, projection=away)
+    return document
 
 
 class DrawnQuality(QObject):
@@ -121,7 +126,8 @@ class DrawnQuality(QObject):
     def use(self, choice: Mapping[str, str]) -> None:
         """Draw with a choice from a measurement, as one undo step.
 
-        The keys of `choice` are fields of `Quality`, or "scene" and paths in its document.
+        The keys of `choice` are fields of `Quality`, or "scene", paths in its document, and that of
+        `DISTANCE`.
         """
         document = self._store.seen
         scene = choice.get("scene", document.scene)
