@@ -50,10 +50,10 @@ FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = (
     "arithmetic", "interpolation", "depth", "smoothing", "detail", "drift", "vertex-depth",
-    "cracks", "jitter",
+    "cracks", "jitter", "unprojection",
 )  # fmt: skip
 COSTS = ("time", "bytes")
-SWEEPS = ("near", "far", "fov", "distance", "up", "aspect")
+SWEEPS = ("near", "far", "fov", "distance", "up", "aspect", "gap")
 SETTABLE = (
     "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
     "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",

@@ -44,12 +44,14 @@ TITLES = {
     "jitter": QT_TRANSLATE_NOOP("Measure", "Jitter"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
     "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
     "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
     "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
     "distance": QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
     "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
     "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
+    "gap": QT_TRANSLATE_NOOP("Measure", "Depth gap over the distance"),
 }
 """The title of every trade and every sweep."""
 _ACROSS = {
@@ -60,12 +62,14 @@ _ACROSS = {
     "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
     "jitter": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "near": QT_TRANSLATE_NOOP("Measure", "near"),
     "far": QT_TRANSLATE_NOOP("Measure", "far"),
     "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
     "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
     "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
     "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
+    "gap": QT_TRANSLATE_NOOP("Measure", "distance from the eye plane"),
 }
 _BYTES = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
@@ -77,6 +81,7 @@ _BYTES = {
     "jitter": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
     "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
 }
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
@@ -90,12 +95,13 @@ _UP = {
     "jitter": QT_TRANSLATE_NOOP("Measure", "error of a jump, px"),
     "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
     "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
+    "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
 }
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
-_COLOURS = ("u", "n", "v", "accent", "near", "far")
+_COLOURS = ("u", "n", "v", "accent", "near", "far", "ink", "frustum")
 _WIDEST = 1e6  # largest error in px that a sweep's chart shows; beyond it the picture is useless
 _WIDE_DEG = 179.0  # a sweep to larger angles has a chart of its own for those above 90 degrees
 _SAME = 0.005  # largest distance, in decades, of points that share one name
@@ -290,7 +296,8 @@ def _of_sweep(
     widest = math.inf if gaps else _WIDEST
     within = [e if e is None else min(max(e, 1e-20), widest) for e in errors]
     up = _ends((e for e in within if e), 0.12) or (1e-16, 1.0)
-    up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(sweep.curves))
+    broken = [name for name, c in sweep.curves.items() if any(c.notes) or None in c.errors]
+    up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(broken))
     values = [v for each in shown for v in each.values if 0.0 < v < math.inf]
     sides: list[tuple[Callable[[float], float], list[float], str]] = [
         (float, values, _ACROSS[sweep.parameter])
@@ -322,8 +329,8 @@ def _of_sweep(
                 keys = [f"{i},{number + 1}" for i in kept] if each is sweep else []
                 chosen = keys if each.use(kept[0], number + 1) else []
                 curves.append(Curve(line, colour, own, width, keys=tuple(chosen)))
-                if each is sweep:
-                    bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (number + 0.5))
+                if each is sweep and name in broken:
+                    bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (broken.index(name) + 0.5))
                     notes = [curve.notes[i] for i in kept]
                     bars, crosses = _breaks(name, colour, xs, ys, notes, bar_y)
                     curves += bars

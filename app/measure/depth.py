@@ -11,10 +11,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from app.measure.results import BUFFERS, ChartPoint, Trade
+from app.measure.results import BUFFERS, EVERY_BUFFER, OVER_DISTANCE, ChartPoint, Trade
 from app.measure.run import Watch, unwatched
 from app.measure.sweeps import SWEEPS, Answer
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
+from app.model.limits import within
 from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.levels import Prediction
@@ -75,19 +76,35 @@ def gaps(
 ) -> Mapping[str, Answer]:
     """Return the gap of each of `BUFFERS` at one value of near or far, for `sweeps.sweep`.
 
-    The surface is the target, or at 2 near or far / 2 if the target would lie outside.
+    The surface is the target, or at 2 near or far / 2 if the target would lie outside. Over the
+    distance, the value is that of the surface, and the gaps are those of `EVERY_BUFFER`.
     """
-    distance = -float(projection.trace(projection.camera.target).view[2])
     lens = SWEEPS[parameter].set(projection, value)[0].lens
-    distance = distance if distance < lens.far else lens.far / 2.0
-    distance = distance if distance > lens.near else 2.0 * lens.near
+    distance, buffers = value, EVERY_BUFFER
+    if parameter != OVER_DISTANCE:
+        distance, buffers = -float(projection.trace(projection.camera.target).view[2]), BUFFERS
+        distance = distance if distance < lens.far else lens.far / 2.0
+        distance = distance if distance > lens.near else 2.0 * lens.near
     answers: dict[str, Answer] = {}
-    for name, drawn in BUFFERS.items():
-        buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
+    for name, drawn in buffers.items():
+        try:
+            buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
+            within("distance", distance, lens.near, lens.far)
+        except Refusal as error:
+            answers[name] = None, None, str(error)
+            continue
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         told = Prediction(gap, gap) if math.isfinite(gap) else None
         answers[name] = told, Prediction(predicted, predicted), "" if told else NOTHING_APART
     return answers
+
+
+def distances(projection: Projection) -> tuple[float, float]:
+    """The ends of the sweep over the distance: near, and just before far, where nothing is told."""
+    near, far = projection.lens.near, projection.lens.far
+    far = min(far, FARTHEST * near) if near > 0.0 else far
+    near = near if near > 0.0 else 1e-4 * far
+    return (near, far / 1.01) if 0.0 < near < far / 1.01 else (0.1, 1.0)
 
 
 def _shares(buffer: DepthBuffer) -> dict[str, float]:

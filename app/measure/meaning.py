@@ -16,6 +16,7 @@ GOOD_ENOUGH = {
     "jitter": 0.01,
     "vertex-depth": 0.01,
     "cracks": 0.01,
+    "unprojection": 1e-3,
 }
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
@@ -47,6 +48,7 @@ USUAL = {
     "jitter": "float32, world coordinates",
     "vertex-depth": "each pixel",
     "cracks": "16 bits, own boxes",
+    "unprojection": "float32, inverse of P V",
 }
 """The choice that the others are compared with."""
 _BARGAINS = {

@@ -25,9 +25,10 @@ from app.measure import (
     interpolation,
     jitter,
     smoothing,
+    unprojection,
     vertex_depth,
 )
-from app.measure.results import GAPS, Measurements, Sweep, Trade
+from app.measure.results import GAPS, OVER_DISTANCE, Measurements, Sweep, Trade
 from app.measure.run import Watch, part_of, unwatched
 from app.measure.sweeps import errors, sweep, values_of
 from app.model.projection import Projection
@@ -52,6 +53,9 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     ),
     "cracks": lambda _scene, projection, _seconds, _watch: cracks.measure(projection),
     "jitter": lambda scene, projection, seconds, watch: jitter.measure(
+        projection, scene.sample, seconds, watch
+    ),
+    "unprojection": lambda scene, projection, seconds, watch: unprojection.measure(
         projection, scene.sample, seconds, watch
     ),
 }
@@ -95,6 +99,9 @@ def measure_all(
             trade = TRADES[name](scene, projection, seconds, part)
             results = replace(results, trades=(*results.trades, trade))
         for (parameter, ends), part in zip(sweeps.items(), parts[len(trades) :], strict=True):
+            if parameter == OVER_DISTANCE:
+                near, far = depth.distances(projection)
+                ends = near if ends[0] is None else ends[0], far if ends[1] is None else ends[1]
             values = values_of(parameter, QUICK_STEPS if quick else STEPS, *ends)
             at = depth.gaps if parameter in GAPS else errors
             swept = sweep(parameter, projection, scene.sample, values, part, at)

@@ -64,6 +64,8 @@ COLUMNS = {
     "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
     "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
     "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
+    "error_1": QT_TRANSLATE_NOOP("Measure", "eye 1 from the origin"),
+    "error_1000": QT_TRANSLATE_NOOP("Measure", "eye 1 000 from the origin"),
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
     "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
 }
@@ -73,9 +75,11 @@ SWEEP_NOTES = {
     FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
 """What a sweep changes besides its parameter, because near must be less than far."""
-SWEPT = tuple(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT))
+OVER_DISTANCE = "gap"
+"""The sweep of the smallest gap over the distance of a surface, for all formats."""
+SWEPT = (*(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT)), OVER_DISTANCE)
 """The parameters that can be swept."""
-GAPS = (NEAR.formula, FAR.formula)
+GAPS = (NEAR.formula, FAR.formula, OVER_DISTANCE)
 """The sweeps of the smallest gap in depth, in world units; the others have errors in px."""
 _JUDGED = QT_TRANSLATE_NOOP(
     "Measure", "the largest of up to {0} points against 200 digits of mpmath"
@@ -91,9 +95,27 @@ BUFFERS = {
     "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
 }
 """The depth buffers of the sweeps of near and far, as of `ChartPoint.use`."""
+EVERY_BUFFER = {
+    name: {
+        "depth_format": name.partition(", ")[0],
+        "depth_mapping": name.partition(", ")[2] or "opengl",
+    }
+    for name in (
+        "fixed8",
+        "fixed16",
+        "fixed24",
+        "fixed32",
+        "float16",
+        "float32",
+        "float32, reversed",
+        "fixed24, logarithmic",
+    )
+}
+"""Those of the sweep over the distance."""
 GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
+GAP_THERE = QT_TRANSLATE_NOOP("Measure", "the smallest gap behind a surface at this distance")
 WORDS = (
     QT_TRANSLATE_NOOP("Measure", "eye first"),
     QT_TRANSLATE_NOOP("Measure", "world coordinates"),
@@ -140,6 +162,10 @@ WORDS = (
     QT_TRANSLATE_NOOP("Measure", "world units"),
     QT_TRANSLATE_NOOP("Measure", "texels"),
     QT_TRANSLATE_NOOP("Measure", "levels RMS"),
+    QT_TRANSLATE_NOOP("Measure", "of the distance"),
+    QT_TRANSLATE_NOOP("Measure", "inverse of P V"),
+    QT_TRANSLATE_NOOP("Measure", "inverses of P and of V"),
+    QT_TRANSLATE_NOOP("Measure", "ray times depth"),
     *COLUMNS.values(),
     QT_TRANSLATE_NOOP("Measure", "triangles"),
     QT_TRANSLATE_NOOP("Measure", "near"),
@@ -151,6 +177,7 @@ WORDS = (
     *SWEEP_NOTES.values(),
     _JUDGED,
     GAP,
+    GAP_THERE,
 )
 """The translatable parts of the names of choices and columns."""
 
@@ -287,16 +314,25 @@ class Sweep:
     curves: Mapping[str, ErrorCurve] = field(hash=False)
     complete: bool = True
 
-    def use(self, row: int, column: int) -> dict[str, str]:
+    def use(self, row: int, column: int, lens: object = None) -> dict[str, str]:
         """Return what draws the panes with a cell of the table, in the form of `ChartPoint.use`.
 
-        A curve's column adds its depth buffer or precision. Empty if the panes cannot draw it.
+        A curve's column adds its depth buffer or precision. Empty if the panes cannot draw it. For
+        a distance it is the scene of the depth buffer, with the planes of the measured `lens`.
         """
-        field = _SWEPT_FIELDS.get(self.parameter)
-        if field is None or row >= len(self.values):
+        name = list(self.curves)[column - 1] if 0 < column <= len(self.curves) else ""
+        if self.parameter == OVER_DISTANCE and row < len(self.values):
+            use = {"scene": "depth-buffer", DISTANCE.path: repr(self.values[row])}
+            planes = lens if isinstance(lens, dict) else {}
+            use |= {f"lens.{each}": str(planes[each]) for each in ("near", "far") if each in planes}
+            for field, value in EVERY_BUFFER.get(name, {}).items():
+                setting = {"depth_format": "format", "depth_mapping": "range"}[field]
+                use[f"settings.{setting}"] = "standard" if value == "opengl" else value
+            return use
+        field = _SWEPT_FIELDS.get(self.parameter, "")
+        if not field or row >= len(self.values):
             return {}
         drawn = BUFFERS if self.parameter in GAPS else _DRAWN
-        name = list(self.curves)[column - 1] if 0 < column <= len(self.curves) else ""
         return {field: repr(self.values[row]), **drawn.get(name, {})}
 
 
@@ -510,6 +546,7 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
     judged = GAP if part.parameter in GAPS else JUDGED
+    judged = GAP_THERE if part.parameter == OVER_DISTANCE else judged
     notes = filter(None, (judged, SWEEP_NOTES.get(part.parameter)))
     rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):

@@ -12,7 +12,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.measure.arithmetic import PRECISIONS, largest_errors
 from app.measure.reference import SAMPLE, Truth, truth
-from app.measure.results import ErrorCurve, Sweep
+from app.measure.results import OVER_DISTANCE, ErrorCurve, Sweep
 from app.measure.run import Watch, unwatched
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection
@@ -97,6 +97,7 @@ SWEEPS: dict[str, Range] = {
     DISTANCE.formula: Range("", 1e-3, 1e16, (1.0, 1e9), _with_distance),
     UP.formula: Range("°", 1e-13, 90.0, (1.0, 90.0), _with_up_angle),
     ASPECT.formula: Range("", 1e-12, 1e12, (0.1, 10.0), _with_aspect),
+    OVER_DISTANCE: Range("", 1e-200, 1e99, (0.1, 1.0), lambda projection, _: (projection, _STILL)),
 }
 """Every parameter that can be swept: from where float64 ends, and where a person would set it."""
 

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
-from app.arithmetic.rationals import nearest
+from app.arithmetic.rationals import Rationals, nearest
 from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
 from app.model.refusal import Refusal
 from app.precision.levels import cell_terms
@@ -118,17 +118,17 @@ def cheap_formats(
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
         each = [_loaded(points, name, numbers, origin, box) for name in vertices]
-        point = _BoundedNumbers(
+        point = BoundedNumbers(
             *(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True))
         )
         matrix, has_w = _matrix(projection, origin, numbers)
-        clip = _applied(matrix, point, numbers)
+        clip = applied(matrix, point, numbers)
         w, ndc = (
-            _BoundedNumbers(*(part[3] for part in clip)),
-            _BoundedNumbers(*(part[:3] for part in clip)),
+            BoundedNumbers(*(part[3] for part in clip)),
+            BoundedNumbers(*(part[:3] for part in clip)),
         )
         if has_w:
-            ndc = _divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
+            ndc = divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
         image, bounds = _on_the_screen(projection, ndc, numbers)
         step = SNAPS[hardware.snap]
         if step:
@@ -156,7 +156,7 @@ def stored(
     return kept.T + origin
 
 
-class _BoundedNumbers(NamedTuple):
+class BoundedNumbers(NamedTuple):
     """Numbers of a format, and bounds of their errors."""
 
     value: Array
@@ -165,7 +165,7 @@ class _BoundedNumbers(NamedTuple):
 
 def _loaded(
     points: Array, vertices: str, numbers: Format, origin: Vector, box: ArrayLike | None
-) -> _BoundedNumbers:
+) -> BoundedNumbers:
     """The coordinates (3, n) of stored vertices, as the arithmetic gets them."""
     local = points - origin
     kept: Format | Grid
@@ -179,12 +179,10 @@ def _loaded(
     loaded = stored if vertices == numbers.name else numbers.rounded(stored)
     # The points are known, so what storing loses is, too; float64 loses a little of both.
     error = _UNIT_64 * np.abs(local) + np.abs(loaded - local)
-    return _BoundedNumbers(np.ascontiguousarray(loaded.T), error.T)
+    return BoundedNumbers(np.ascontiguousarray(loaded.T), error.T)
 
 
-def _matrix(
-    projection: Projection, origin: Vector, numbers: Format
-) -> tuple[_BoundedNumbers, bool]:
+def _matrix(projection: Projection, origin: Vector, numbers: Format) -> tuple[BoundedNumbers, bool]:
     """The matrix to clip space in the format, and whether w is not always 1.
 
     Its cells are known before any point is, and so are their roundings.
@@ -192,21 +190,21 @@ def _matrix(
     given = projection.clip_from_local(origin)
     cells = numbers.rounded(given)
     if numbers.digits == 53:
-        off = _off_rationals(projection, origin, given)
+        eye = projection.camera.eye
+        offset = [Fraction(o) - Fraction(e) for o, e in zip(origin, eye, strict=True)]
+        exact = [
+            [*row[:3], row[3] + sum(cell * o for cell, o in zip(row, offset, strict=False))]
+            for row in projection.exact_from_eye[1]
+        ]
+        off = off_rationals(exact, given)
     else:
         off = CELLS * cell_terms(projection, projection.local_to_eye(origin))
     has_w = given[3].tolist() != [0.0, 0.0, 0.0, 1.0]
-    return _BoundedNumbers(cells, np.abs(cells - given) + off), has_w
+    return BoundedNumbers(cells, np.abs(cells - given) + off), has_w
 
 
-def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Array:
-    """The errors of float64's cells, which its own results show."""
-    eye = projection.camera.eye
-    offset = [Fraction(o) - Fraction(e) for o, e in zip(origin, eye, strict=True)]
-    exact = [
-        [*row[:3], row[3] + sum(cell * o for cell, o in zip(row, offset, strict=False))]
-        for row in projection.exact_from_eye[1]
-    ]
+def off_rationals(exact: Rationals, cells: Array) -> Array:
+    """The errors of a matrix's cells, which its own results show; infinite where one is none."""
     off = [
         [
             abs(nearest(true - Fraction(cell))) if np.isfinite(cell) else np.inf
@@ -217,7 +215,7 @@ def _off_rationals(projection: Projection, origin: Vector, cells: Array) -> Arra
     return np.array(off)
 
 
-def _applied(matrix: _BoundedNumbers, point: _BoundedNumbers, numbers: Format) -> _BoundedNumbers:
+def applied(matrix: BoundedNumbers, point: BoundedNumbers, numbers: Format) -> BoundedNumbers:
     """Clip coordinates (4, n): sums of products, added one after the other."""
     columns = matrix.value[:, :, None].swapaxes(0, 1)
     total = numbers.rounded(columns[0] * point.value[0])
@@ -234,12 +232,12 @@ def _applied(matrix: _BoundedNumbers, point: _BoundedNumbers, numbers: Format) -
     # Near 0 and in fixed point, sums are exact, and so is a product with 0.
     products = np.count_nonzero(cells, axis=1)[:, None]
     error += lost[:, 3:] + numbers.unit * sizes + numbers.step / 2.0 * products + _LEAST
-    return _BoundedNumbers(total, error)
+    return BoundedNumbers(total, error)
 
 
-def _divided(
-    clip: _BoundedNumbers, w: _BoundedNumbers, steps: int | None, numbers: Format
-) -> _BoundedNumbers:
+def divided(
+    clip: BoundedNumbers, w: BoundedNumbers, steps: int | None, numbers: Format
+) -> BoundedNumbers:
     """Clip x, y, z over w; the bound is infinite where w may be 0."""
     exactly = clip.value / w.value
     size = np.abs(exactly)
@@ -250,12 +248,10 @@ def _divided(
         exactly = clip.value * inverse
         error += size * relative
     quotient = numbers.rounded(exactly)
-    return _BoundedNumbers(quotient, error + np.where(exactly == 0.0, 0.0, numbers.lost(quotient)))
+    return BoundedNumbers(quotient, error + np.where(exactly == 0.0, 0.0, numbers.lost(quotient)))
 
 
-def _on_the_screen(
-    projection: Projection, ndc: _BoundedNumbers, numbers: Format
-) -> _BoundedNumbers:
+def _on_the_screen(projection: Projection, ndc: BoundedNumbers, numbers: Format) -> BoundedNumbers:
     """x and y in pixels and the depth in [0, 1], (3, n)."""
     value, error = np.empty_like(ndc.value), ndc.error
     halves = np.array(projection.image_size)[:, None] / 2.0
@@ -270,4 +266,4 @@ def _on_the_screen(
         deep = 0.5 * error[2:] + numbers.lost(half) + numbers.unit * np.abs(value[2:])
     else:
         value[2], deep = ndc.value[2], error[2:]
-    return _BoundedNumbers(value, np.concatenate([off, deep]))
+    return BoundedNumbers(value, np.concatenate([off, deep]))

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.commands.composed import Composed, taken
+from app.commands.composed import Composed, states_of, taken
 from app.drawings.figure import PANE_PX
 from app.lecture.notation import matrices
 from app.lessons.course import Course
@@ -139,6 +139,15 @@ def test_the_next_step_is_drawn_after_one_that_cannot_be(talk: Path) -> None:
     assert composed.steps == 2 and len(sizes) == 3  # two states of the second step
     sizes.clear()
     assert taken(composed, course, draw, [refused]) == [], "the check has told it"
+
+
+def test_the_states_of_replies_are_drawn(talk: Path) -> None:
+    reply = "- [ ] At {0}\n  says: Look at near.\n  state: lens.near={0}\n"
+    question = f"- [x] At 2 := near\n{reply.format(3)}{reply.format(4)}show: lens.near=2\n"
+    state = "```state\nscene=letter-f\n```\n"
+    talk.write_text(f"---\ntitle: T\n---\n# One\n{state}```predict near\nWhere?\n{question}```\n")
+    nears = [each.projection.lens.near for each in states_of(Course(read(talk)), 0)]
+    assert nears == [5.0, 2.0, 3.0, 4.0]
 
 
 def handout_of(talk: Path, text: str) -> bytes:

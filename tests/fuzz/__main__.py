@@ -7,6 +7,7 @@
 | `regexes` | measures every regular expression on long texts of its own characters |
 | `documents` | looks for silent NaNs in random documents |
 | `cheap` | compares the bounds of cheap arithmetic with its errors, in random documents |
+| `bounds` | compares the bounds of the trades with their errors, in a million random cases each |
 | `drift` | compares the bounds of turned cameras with their errors, about random axes |
 | `jitter` | compares the bounds of jumps far from the origin with their errors |
 | `variants` | draws the variants of all exercises, and types right and wrong answers |
@@ -30,6 +31,7 @@ if __name__ == "__main__":
         "hostile",
         "documents",
         "cheap",
+        "bounds",
         "drift",
         "jitter",
         "variants",

@@ -432,6 +432,19 @@ def test_l7_l16_l18_l20_are_one_click_away_in_their_scenes_and_large(window: Mai
 
 
 @pytest.mark.undrawn
+def test_a_ready_comparison_ends_with_the_picture_from_before(window: MainWindow) -> None:
+    show_scene(window, "two-eyes")
+    before = window.store.document
+    for edit, goes_back in (({}, True), ({"separation": 0.5}, False)):
+        window.comparing.begin("cameras")
+        assert window.store.document != before
+        window.store.set_settings(edit)
+        compared = window.store.document
+        window.comparing.end()
+        assert window.store.document == (before if goes_back else compared)
+
+
+@pytest.mark.undrawn
 def test_l18_what_is_compared_follows_the_camera(window: MainWindow) -> None:
     show_scene(window, "interpolation")
     click(window.controls.card.comparisons[0])

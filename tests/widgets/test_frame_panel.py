@@ -298,7 +298,7 @@ def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
     for position in (200, 150, 100):
         panel.angle.slider.setValue(position)
     panel.angle.slider.sliderReleased.emit()
-    assert up_and_view(window.store.document.projection.camera).angle_deg < 1e-8
+    assert up_and_view(window.store.document.projection.camera).angle_deg == pytest.approx(10.0)
     window.store.undo()
     assert window.store.document.projection == before and not window.store.can_undo
 

@@ -425,6 +425,43 @@ def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
         assert "Your idea beside the model" not in buttons_of(block)
 
 
+SEEN = """---
+title: T
+---
+# One {#one}
+```state
+scene=letter-f
+```
+```predict nearer
+Where is near?
+- [x] At 2 := near
+- [ ] At 3
+  says: It is nearer.
+  state: lens.near=2
+- [ ] At 4
+  says: It is nearer.
+  state: lens.near=4
+show: lens.near=2
+```
+"""
+
+
+@pytest.mark.undrawn
+def test_a_state_that_is_seen_already_is_not_offered(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "seen.md"
+    path.write_text(SEEN, encoding="utf-8")
+    card = window.lesson_card
+    card.open(path)
+    for number, is_offered in ((1, False), (2, True)):
+        block = card.page.blocks[0]
+        block.findChildren(QRadioButton)[number].click()
+        buttons_of(block)["Commit"].click()
+        arrive(window.lessons)
+        assert ("Show it" in buttons_of(block)) == is_offered
+        assert "Show what happens" in buttons_of(block)
+        card.begin_again()
+
+
 def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> None:
     activate(window)
     window.menus.lesson_menu.tour.trigger()

@@ -737,3 +737,36 @@ def test_l13_the_panel_that_is_opened_by_hand_follows_a_vertex_at_once(window: M
     name.click()
     window.panels.open(panel)  # as a document does that was saved so
     assert not panel.probes
+
+
+# -- a scene whose point is clicked
+
+
+def test_a_click_in_the_image_moves_the_point_of_back_from_the_picture(window: MainWindow) -> None:
+    window.guide.choose("unprojection")
+    pane, before = window.panes["image"], window.store.document.settings["point"]
+    corner = (-1.5, 3.0, 0.5)
+    click(pane.canvas, place_in(window, "image", corner))
+    assert window.store.document.settings["point"] == pytest.approx(corner, abs=1e-5)
+    assert not window.probe_panel.probes
+    window.store.undo()
+    assert window.store.document.settings["point"] == before
+    click(window.panes["world"].canvas, place_in(window, "world", corner))
+    assert window.probe_panel.probes, "elsewhere a click follows a point as ever"
+    left, top, *_ = pane.drawing.picture_rectangle_px
+    click(pane.canvas, (left + 5.0, top + 5.0))
+    assert window.store.document.settings["point"] == before
+    said = "depth = 1: must be that of something drawn, but nothing is here"
+    assert said in window.messages.text
+
+
+def test_a_double_click_there_leaves_the_point_where_it_was(window: MainWindow) -> None:
+    window.guide.choose("unprojection")
+    canvas, before = window.panes["image"].canvas, window.store.document.settings["point"]
+    x, y = place_in(window, "image", (-1.5, 3.0, 0.5))
+    pos = QPoint(math.floor(x), math.floor(y))
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+    assert window.store.document.settings["point"] != before
+    QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
+    QApplication.processEvents()
+    assert window.store.document.settings["point"] == before

@@ -501,7 +501,9 @@ class MeasurePanel(DiagramPanel):
                 "and those in grey are worse than another one in both cost and error"
             )
             if choices
-            else self.tr("The results at each value; of near, far and fov, click one to use it"),
+            else self.tr(
+                "The results at each value; of near, far, fov and gap, click one to use it"
+            ),
         )
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
@@ -552,7 +554,9 @@ class MeasurePanel(DiagramPanel):
         self._withdraw_refusal()
         choices, (shown, _) = self._choices(), self._shown()
         if row >= len(choices):
-            use = shown.sweeps[0].use(row, column) if shown is not None and shown.sweeps else {}
+            use = {}
+            if shown is not None and shown.sweeps:
+                use = shown.sweeps[0].use(row, column, shown.document.get("lens"))
             if use:
                 self.used.emit(use)
             return

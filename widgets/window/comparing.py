@@ -14,6 +14,7 @@ from collections.abc import Mapping
 from PySide6.QtCore import QObject
 
 from app.document.compare import ComparedPicture
+from app.document.document import Document
 from app.document.settings import compared
 from app.document.store import Store
 from app.model.refusal import Refusal
@@ -50,6 +51,8 @@ class Comparing(QObject):
         self._panes = panes
         self._store, self._slots, self._menus, self._messages = store, slots, menus, messages
         self._was_large: str | None = None  # the pane that had the large slot before the comparison
+        self._before: tuple[Document, Document] | None = None
+        """The document before one of the scene's own comparisons, and with it."""
         self.pictures = Compare(image, lambda: look.adaptive.smoothing(True))
         self.button = tool_button(
             self.tr("Compare"), menus.compare.toolTip(), self.toggle,
@@ -90,12 +93,16 @@ class Comparing(QObject):
         except Refusal as error:
             self._messages.show_message(sentence(error))
             return
+        self._before = self._store.document, document
         self._store.set_document(document)  # an undo step, if it differs
         self._show(document.view.compare, document.view.dividers)
 
     def end(self) -> None:
-        """Show the document's own picture alone, in the slot that it had before."""
+        """Show the document's own picture alone, as it was unless it was edited, in its slot."""
         self.pictures.show((), ())
+        if self._before is not None and self._before[1] == self._store.document:
+            self._store.set_document(self._before[0])
+        self._before = None
         if self._was_large is not None and self._slots.large == "image" and not self._slots.whole:
             self._slots.arrange(self._slots.layout_name, self._was_large)
         self._was_large = None

@@ -1,5 +1,7 @@
 """Set probes with the mouse: a click in a pane follows a point, a drag in the image moves it.
 
+In a scene whose setting is a point to be `clicked`, a click in the image moves that point instead.
+
 The lecturer's pointer is a probe without a number, which follows the mouse.
 """
 
@@ -9,10 +11,11 @@ import math
 from collections.abc import Callable, Mapping
 from functools import partial
 
-from PySide6.QtCore import QObject, QPointF, QRectF, Qt
+from PySide6.QtCore import QObject, QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QCursor, QPainter, QPalette, QPen, QPixmap
 from PySide6.QtWidgets import QWidget
 
+from app.model.parameter import Value
 from app.picking.picking import Probe, dragged
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
@@ -32,6 +35,8 @@ class Probing(QObject):
     """
 
     concerns = frozenset({"scene"})
+    refused = Signal(str)
+    """Why a click in the image chose no point."""
 
     def __init__(
         self,
@@ -50,6 +55,8 @@ class Probing(QObject):
         self._is_pointing = False
         self._pointer: tuple[Probe, ...] = ()
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
+        self._moved: dict[str, Value] = {}
+        """The setting that the last click moved, and its value before."""
         panel.changed.connect(self._show)
         for name, pane in panes.items():
             pane.clicked.connect(partial(self._follow, name))
@@ -129,10 +136,20 @@ class Probing(QObject):
 
     def _follow(self, name: str, place: QPointF) -> None:
         """Follow the point that was clicked in a pane."""
-        chosen = self._panel.chosen
+        chosen, shown = self._panel.chosen, self._shown()
         self._before_click = self._panel.probes, chosen.number if chosen else 0
+        phenomenon, self._moved = shown.scene.phenomenon, {}
+        setting = phenomenon.clicked if phenomenon is not None and name == "image" else ""
         for probe in self._probes_at(name, place):
-            self._panel.follow(point=probe.point, pixel=probe.pixel)
+            if not setting:
+                self._panel.follow(point=probe.point, pixel=probe.pixel)
+            elif probe.point is not None:
+                self._moved = {setting: shown.document.settings[setting]}
+                self._manipulation.setting_edited.emit({setting: probe.point})
+            else:
+                depth = float(shown.projection.depth != "reversed")
+                text = self.tr("depth = {0}: must be that of something drawn, but nothing is here")
+                self.refused.emit(text.format(f"{depth:g}"))
 
     def begin(self, panel: Panel) -> None:
         """Follow the first vertex of the picture when the user opens a panel without probes."""
@@ -150,6 +167,8 @@ class Probing(QObject):
     def _unfollow(self) -> None:
         """Undo the click that was the first half of a double-click."""
         self._panel.restore(*self._before_click)
+        if self._moved:
+            self._manipulation.setting_edited.emit(self._moved)
 
     def _hold(self, place: QPointF) -> None:
         """Hold the mark in the image that a drag starts on; otherwise, the picture."""

@@ -20,6 +20,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
+from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality
 from app.scenes.scene import Scene
@@ -112,19 +113,23 @@ class DrawnQuality(QObject):
     def use(self, choice: Mapping[str, str]) -> None:
         """Draw with a choice from a measurement, as one undo step.
 
-        The keys of `choice` are fields of `Quality`, or "scene" and paths in its document.
+        The keys of `choice` are fields of `Quality`, or "scene", paths in its document, and that of
+        `DISTANCE`.
         """
         document = self._store.seen
         scene = choice.get("scene", document.scene)
         texts = [
             f"{key if '.' in key else f'quality.{key}'}={value}"
             for key, value in choice.items()
-            if key != "scene"
+            if key not in ("scene", DISTANCE.path)
         ]
         try:
             if scene != document.scene:
                 document = Document(scene, self._scene(scene).start, document.extra)
             document = set_values(document, texts)
+            if DISTANCE.path in choice:
+                away = DISTANCE.put(document.projection, float(choice[DISTANCE.path]))
+                document = replace(document, projection=away)
         except Refusal as error:
             self._refuse(sentence(error))
         else:

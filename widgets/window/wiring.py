@@ -81,6 +81,7 @@ def _wire_components(window: Any) -> None:
         (window.slots.rearranged, window.show_beside),
         (window.files.recent_changed, menus.show_recent),
         (window.pictures.exported, window.show_message),
+        (window.probing.refused, window.messages.show_message),
         (window.panels.chosen, window.probing.begin),
         (measure.refusal_withdrawn, window.messages.hide_message),
         (measure.succeeded, window.messages.done),

@@ -28,6 +28,7 @@ from app.scenes.phenomena import (
     popping,
     similar_triangles,
     two_eyes,
+    unprojection,
     vanishing_points,
     vertex_depth,
     view_volumes,
@@ -56,6 +57,7 @@ _ORDER = (
     drift,
     jitter,
     cracks,
+    unprojection,
 )
 PHENOMENA = MappingProxyType({each.PHENOMENON.name: each.PHENOMENON for each in _ORDER})
 """Every phenomenon by its scene's name, in the order of the lectures."""

@@ -167,6 +167,7 @@ class Phenomenon(Appearance):
     - `controls`: the model's controls that matter here: ``lens.near``, ``camera.distance``. With
       the settings there are 2 to 4 at a time.
     - `replaces`: the model's controls that the settings replace, such as the lens's ``preset``.
+    - `clicked`: the setting, a point, that a click in the image puts where it picks; or empty.
     - `numbers`: how many readings are shown before the readout is unfolded.
     - `follow`: ``follow(projection, before, after)`` returns the projection for changed settings,
       where a setting moves the camera; `before` comes from `implied`.
@@ -188,6 +189,7 @@ class Phenomenon(Appearance):
     adjustable: tuple[Parameter, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
+    clicked: str = ""
     numbers: int = 3
     follow: Callable[[Projection, ImpliedSettings, Settings], Projection] = lambda given, *_: given
     implied: Callable[[Projection, Settings], ImpliedSettings] = lambda *_: {}

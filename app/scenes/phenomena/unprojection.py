@@ -1,0 +1,150 @@
+"""Back from the picture: from a pixel and its depth to the point in the world, with few digits.
+
+`app.precision.unprojecting` has the ways and the bounds of their errors. A matrix `(P V)^-1`
+multiplies the eye's coordinates with 1/w, which comes out of a difference near 0. So the error
+grows with w/near, and with the eye's distance from the world's origin. Where only the ray is
+multiplied with the depth, the eye is added at the end, and is rounded once.
+
+The origin moves away from the eye along (1, 1, 1), and nothing else: coordinates are measured from
+there. The world shows each point where the arithmetic puts it, its error enlarged by a factor.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from fractions import Fraction
+from functools import partial
+
+import numpy as np
+
+from app.model.limits import NO_POINT, vector
+from app.model.parameter import Parameter
+from app.model.projection import Camera, Perspective, Projection, Vector
+from app.model.refusal import Refusal
+from app.precision.unprojecting import (
+    THERE,
+    check_pixel,
+    exact_points,
+    float32_pixels,
+    followed,
+    off_there,
+)
+from app.scenes.phenomena.cheap_arithmetic import enlargement
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
+from app.scenes.phenomena.picture import seen
+from app.scenes.phenomena.readout import Phrase, Reading, figure
+from app.scenes.phenomena.settings import Settings, number, point
+from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+
+WORDS = PhenomenonWords("unprojection")
+
+_ROOM = 0.2  # of the scene's size: what the errors are enlarged to
+_MOST_EDGES = 200  # of a user's mesh
+
+
+def origin_away(projection: Projection, distance: float) -> Vector:
+    """The world point from which coordinates are measured, so far from the eye."""
+    return vector(np.array(projection.camera.eye) + distance / math.sqrt(3.0))
+
+
+def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
+    place, mesh, eye = np.array(point(settings, "point")), subject.mesh, projection.camera.eye
+    edges = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
+    trace = projection.trace(np.concatenate([place[None], edges.reshape(-1, 3)]))
+    pixels = float32_pixels(trace.image, trace.depth)
+    world: list[Mark] = [segment(eye, place, "muted", 0.75), named("P", place)]
+    grips = (Grip("point", place, name="P"),)
+    why = _refused(projection, pixels[0].tolist()) if trace.in_front[0] else WORDS.phrase("behind")
+    if why is not None:
+        return Illustration((), Marks.of(*world), warning=why, grips=grips)
+    (rows,) = np.nonzero(seen(trace) & (pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0))
+    rows = np.unique(np.append(0, rows))
+    origin, form = origin_away(projection, number(settings, "origin")), str(settings["numbers"])
+    try:
+        back = followed(projection, pixels[rows], str(settings["way"]), form, origin)
+        (exact,) = exact_points(projection, pixels[:1], origin)
+        true = projection.world_from_image(pixels[rows])
+    except Refusal:  # the lens is the reason
+        why = WORDS.phrase("no-inverse")
+        return Illustration((), Marks.of(*world), warning=why, grips=grips)
+    off = np.full((len(pixels), 3), math.nan)
+    off[rows] = (back.value.T - (np.array(eye) - origin)) - (true - eye)
+    if np.isfinite(off[0]).all():  # as exactly as it is read
+        pairs = zip(back.value[:, 0].tolist(), exact, strict=True)
+        off[0] = [float(Fraction(value) - part) for value, part in pairs]
+    lengths = np.linalg.norm(off, axis=1)
+    longest = float(np.nanmax(lengths, initial=0.0))
+    factor = enlargement(longest, _ROOM * subject.size)
+    image: list[Mark] = [named("P", trace.image[0])]
+    if factor is not None and np.isfinite(off[0]).all():
+        drawn = trace.world + factor * off
+        for pair in drawn[1:].reshape(-1, 2, 3):
+            if np.isfinite(pair).all():
+                world.append(Polyline(pair, "u", 1.0, (), "back"))
+        by = figure(lengths[0], 2) + (
+            f" ({factor:,.0f} ×)".replace(",", " ") if factor > 1.0 else ""
+        )
+        world += [
+            segment(place, drawn[0], "u", 2.0),
+            Text("error", (place + drawn[0]) / 2.0, "u", text=by),
+            named("back", drawn[0], "u", 1.3, WORDS["back"]),
+        ]
+        moved = projection.trace(drawn[0])
+        if seen(moved):
+            image += [segment(trace.image[0], moved.image, "u", 1.5)]
+            image.append(named("back", moved.image, "u", 1.3, WORDS["back"]))
+    away, one, two = (
+        math.dist(true[0], eye),
+        *(off_there(projection, place, way, form, origin) for way in THERE),
+    )
+    values = {
+        "bound": (float(np.linalg.norm(back.error[:, 0])), ""),
+        "off": (float(lengths[0]), ""),
+        "share": (100.0 * float(lengths[0]) / away if away else math.inf, "%"),
+        "one": (one, "px"),
+        "two": (two, "px"),
+    }
+    readings = (
+        Reading.or_why(WORDS[name], x if math.isfinite(x) else None, unit, WORDS.phrase("no-bound"))
+        for name, (x, unit) in values.items()
+    )
+    return Illustration(tuple(readings), Marks.of(*world), image=Marks.of(*image), grips=grips)
+
+
+def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
+    """Why there is no point for a pixel and a depth."""
+    try:
+        check_pixel(projection, pixel)
+    except Refusal as error:
+        most = dict(zip("xy", projection.image_size, strict=True)).get(error.field, 1)
+        key = "nowhere" if error.bound == NO_POINT else "outside"
+        return WORDS.phrase(key, error.field, float(str(error.value)), float(most))
+    return None
+
+
+PHENOMENON = Phenomenon(
+    WORDS,
+    lectures=("000", "004"),
+    start=Projection(
+        Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=38.0, near=0.1, far=1000.0)
+    ),
+    geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
+    show=_show,
+    adjustable=(
+        Parameter("way", "inverse"),
+        Parameter("numbers", "float32"),
+        Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
+        Parameter("point", (1.5, 4.5, 0.5)),
+    ),
+    controls=("lens.near",),
+    numbers=5,
+    clicked="point",
+    own_mesh=True,
+    names=("P", "back", "error", "eye"),
+    shot=Shot(45.0, 15.0),
+    leaves_out=frozenset({"frustum", "near-picture"}),
+    pale=frozenset({"world"}),
+)
