@@ -3,6 +3,7 @@
 ``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
 command for each. The charts are drawn from the recorded ``app/measure/content/letter-f.json``.
 ``--measure`` records them again, and draws the charts and the captions of ``docs/measurements.md``.
+``--labels`` sets the letter F's labels, which come with the program, again.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import re
 import sys
 import tempfile
 import textwrap
+import zlib
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
@@ -22,8 +24,12 @@ from PIL import Image
 
 from app.bootstrap import ROOT
 from app.commands import cli
+from app.drawings import kept_labels, label
+from app.drawings.style import LIGHT
+from app.lecture import typesetting
 from app.measure.meaning import bargain, meaning
 from app.measure.single import SHIPPED, read_results
+from app.model.formula import ARROW
 from app.scenes.phenomena import PHENOMENA
 from tests.support.commands import run
 from widgets.parts.chart_picture import picture
@@ -124,6 +130,23 @@ def different(one: Path, other: Path) -> float:
     return float((abs(means[0] - means[1]).max(axis=2) > _LEVELS).mean())
 
 
+def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
+    """Set the labels of the letter F in English, with any numbers, as screens of scales show them.
+
+    A piece may begin at any part of a pixel: where it does depends on the numbers.
+    """
+    texts = ("eye", "target", *"xyz", *(axis + ARROW for axis in "uvn"))
+    lines = map(
+        typesetting.line_of, (*texts, "near n = 0123456789.", "far f = \u2212+,", "0123456789, ")
+    )
+    pieces = {piece[:3] for line in lines for piece in line.pieces}
+    for scale in scales:
+        em = scale * LIGHT.font_size
+        for name, is_tex, size in sorted(pieces):
+            for part in range(label.PARTS):
+                label.tile(name, is_tex, size * em, label.HALO_EM * em, part)
+
+
 def compare(names: Iterable[str], folder: Path) -> dict[str, float]:
     """The pictures that differ now, drawn into a folder, and the share that differs."""
     found = {}
@@ -139,7 +162,13 @@ def main() -> int:
     parser.add_argument("names", nargs="*", metavar="NAME", help="of pictures (all)")
     parser.add_argument("--write", action="store_true", help="draw them anew")
     parser.add_argument("--measure", action="store_true", help="measure and draw the charts anew")
+    parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
     found = parser.parse_args()
+    if found.labels:
+        set_labels()
+        content = json.dumps(kept_labels.tree_of(set())).encode()
+        kept_labels.SHIPPED.write_bytes(zlib.compress(content, 9))
+        return 0
     names = found.names or list(PICTURES)
     if found.measure:
         done = run("measure", "--json=-")

@@ -19,7 +19,6 @@ from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
-import pyvista as pv
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers what renders, on import
 from numpy.typing import ArrayLike
 from vtkmodules.util.numpy_support import numpy_to_vtk
@@ -37,6 +36,7 @@ from vtkmodules.vtkRenderingCore import (
 from app.drawings.names import QUIET
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 CUBE_CORNERS = np.array(
@@ -138,7 +138,7 @@ def identity_camera() -> vtkCamera:
     return camera
 
 
-def unlit_actor(mesh: pv.PolyData) -> FlatActor:
+def unlit_actor(mesh: PolyMesh) -> FlatActor:
     """Return an actor in flat colours, without bounds and light.
 
     ``cell_data["rgb"]``, uint8 (n, 3), colours the mesh if present. The mesh is not copied, so that
@@ -335,7 +335,7 @@ def _faces_actor(scene: Scene, surface: Any) -> vtkActor:
     return actor
 
 
-def _dots_actor(dots: pv.PolyData, style: Style) -> vtkActor:
+def _dots_actor(dots: PolyMesh, style: Style) -> vtkActor:
     """Round dots, smaller the more there are, so that a cloud shows its shape."""
     actor = _coloured_dots(dots)
     size = min(max(_DOTS_PER / math.sqrt(dots.n_points), 0.5), 3.0) * style.line_width
@@ -386,11 +386,11 @@ class Detail:
                 actor.SetMapper(mapper)
 
 
-_provoking: WeakKeyDictionary[Scene, pv.PolyData] = WeakKeyDictionary()
+_provoking: WeakKeyDictionary[Scene, PolyMesh] = WeakKeyDictionary()
 """`_with_provoking_corners` of each scene, so that all drawings of it share one."""
 
 
-def _with_provoking_corners(surface: pv.PolyData) -> pv.PolyData:
+def _with_provoking_corners(surface: PolyMesh) -> PolyMesh:
     """The surface's triangles, with a last corner that is no other triangle's last corner."""
     if not surface.is_all_triangles:
         surface = surface.triangulate()
@@ -401,7 +401,7 @@ def _with_provoking_corners(surface: pv.PolyData) -> pv.PolyData:
     shared = np.flatnonzero(owner[last] != np.arange(len(triangles)))
     points = np.concatenate([surface.points, surface.points[last[shared]]])
     triangles[shared, 2] = count + np.arange(len(shared))
-    mesh: pv.PolyData = pv.PolyData.from_regular_faces(points, triangles)
+    mesh = PolyMesh.of(points, faces=triangles)
     if "rgb" in surface.cell_data:
         colours = np.zeros((len(points), 3), dtype=np.uint8)
         colours[triangles[:, 2]] = surface.cell_data["rgb"]
@@ -413,7 +413,7 @@ def line_actor(
     points: ArrayLike, lines: Sequence[Sequence[int]], colour: str, width: float
 ) -> vtkActor:
     """Polylines in one colour: points (n, 3), each line's indices, and the width in pixels."""
-    actor = _coloured(points, colour, lines=_cells(lines))
+    actor = _coloured(points, colour, lines=lines)
     actor.GetProperty().SetLineWidth(width)
     _after_position(actor, _KEEP_OFF_ZERO)
     _cut_behind(actor)
@@ -424,7 +424,7 @@ def face_actor(
     points: ArrayLike, faces: Sequence[Sequence[int]], colour: str, opacity: float = 1.0
 ) -> vtkActor:
     """Polygons in one colour, seen from both sides: points (n, 3) and each face's indices."""
-    actor = _coloured(points, colour, faces=_cells(faces))
+    actor = _coloured(points, colour, faces=faces)
     actor.GetProperty().SetOpacity(opacity)
     return actor
 
@@ -438,13 +438,9 @@ def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
 
 
 def _coloured(points: ArrayLike, colour: str, **cells: Any) -> vtkActor:
-    actor = unlit_actor(pv.PolyData(np.array(points, dtype=np.float64), **cells))
+    actor = unlit_actor(PolyMesh.of(np.array(points, dtype=np.float64), **cells))
     actor.GetProperty().SetColor(*rgb(colour))
     return actor
-
-
-def _cells(cells: Sequence[Sequence[int]]) -> Any:
-    return np.concatenate([[len(cell), *cell] for cell in cells])
 
 
 def make_pale(actors: Iterable[vtkActor], style: Style) -> None:

@@ -14,7 +14,6 @@ import time
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
@@ -28,6 +27,7 @@ from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.marks import Aperture, Eyes
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 MOST = 64
@@ -195,8 +195,9 @@ class Blurring:
 def _screen_filling(texture: vtkTexture) -> vtkActor:
     """A rectangle behind everything, from edge to edge under an identity camera."""
     corners = np.array([(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)])
-    mesh = pv.PolyData(np.column_stack([corners, [0.9999] * 4]), [4, 0, 1, 2, 3])
-    mesh.active_texture_coordinates = (corners + 1.0) / 2.0
+    mesh = PolyMesh.of(np.column_stack([corners, [0.9999] * 4]), faces=[(0, 1, 2, 3)])
+    mesh.point_data["place"] = (corners + 1.0) / 2.0
+    mesh.GetPointData().SetActiveTCoords("place")
     actor = unlit_actor(mesh)
     actor.SetTexture(texture)
     return actor

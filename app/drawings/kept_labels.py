@@ -1,7 +1,9 @@
 """Labels that stay set between runs, because to start matplotlib takes a sixth of a window's start.
 
-The file is a copy of what `app.lecture.typesetting` and `app.drawings.label` make. Without it, or
-if it is damaged or of other versions, everything is set anew.
+Those of the letter F come with the program; ``python3 -m tests.pictures --labels`` makes their
+file. The user's own file keeps those of other documents; if it is missing, damaged or of other
+versions, they are set anew. Both are copies of what `app.lecture.typesetting` and
+`app.drawings.label` make.
 """
 
 from __future__ import annotations
@@ -10,6 +12,7 @@ import importlib.util
 import json
 import logging
 import os
+import zlib
 from base64 import b64decode, b64encode
 from pathlib import Path
 from typing import Any
@@ -22,9 +25,18 @@ from app.drawings import label
 from app.lecture import typesetting
 from app.lecture.typesetting import Outline
 
+SHIPPED = Path(__file__).parent / "content" / "labels.json.z"
 LARGEST_BYTES = 2**23
 """A larger file is not read."""
 _log = logging.getLogger(__name__)
+KEYS_SHIPPED: set[str] = set()
+
+
+def load_shipped() -> None:
+    """Take over the labels that come with the program; `save` leaves them out."""
+    tree = json.loads(zlib.decompress(SHIPPED.read_bytes()))
+    _take(tree)
+    KEYS_SHIPPED.update(tree["outlines"], tree["tiles"])
 
 
 def load(path: Path) -> None:
@@ -33,40 +45,45 @@ def load(path: Path) -> None:
         if path.stat().st_size > LARGEST_BYTES:
             return
         tree = json.loads(path.read_bytes())
-        if tree["made_by"] != _made_by():
-            return
-        outlines = {key: _outline(*parts) for key, parts in tree["outlines"].items()}
-        tiles = {key: _tile(*parts) for key, parts in tree["tiles"].items()}
+        if tree["made_by"] == _made_by():
+            _take(tree)
     except FileNotFoundError:
         return
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         _log.info("%s: labels are set anew: %s", path, error)
-        return
+
+
+def _take(tree: Any) -> None:
+    outlines = {key: _outline(*parts) for key, parts in tree["outlines"].items()}
+    tiles = {key: _tile(*parts) for key, parts in tree["tiles"].items()}
     typesetting.SET.update(outlines)
     label.TILES.update(tiles)
 
 
 def save(path: Path) -> None:
     """Write all labels that are set, unless the file has them; one that cannot be is no error."""
-    tree = {
-        "made_by": _made_by(),
-        "outlines": {
-            key: [each.width, each.ascent, each.descent, _text(each.vertices), _text(each.codes),
-                  each.letters]
-            for key, each in typesetting.SET.items()
-        },
-        "tiles": {
-            key: [*letters.shape, _text(letters), _text(halo), first, top]
-            for key, (letters, halo, first, top) in label.TILES.items()
-        },
-    }  # fmt: skip
-    content = json.dumps(tree).encode()
+    content = json.dumps({"made_by": _made_by(), **tree_of(KEYS_SHIPPED)}).encode()
     try:
         if not os.path.exists(path) or path.read_bytes() != content:
             path.parent.mkdir(parents=True, exist_ok=True)
             write_bytes_atomically(path, content)
     except (OSError, ValueError) as error:
         _log.info("%s: labels are not kept: %s", path, error)
+
+
+def tree_of(without: set[str]) -> dict[str, dict[str, Any]]:
+    """Return what is set, but for the labels of some keys."""
+    return {
+        "outlines": {
+            key: [each.width, each.ascent, each.descent, _text(each.vertices), _text(each.codes),
+                  each.letters]
+            for key, each in typesetting.SET.items() if key not in without
+        },
+        "tiles": {
+            key: [*letters.shape, _text(letters), _text(halo), first, top]
+            for key, (letters, halo, first, top) in label.TILES.items() if key not in without
+        },
+    }  # fmt: skip
 
 
 def _made_by() -> list[str]:

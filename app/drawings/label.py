@@ -29,12 +29,13 @@ from the pixel where it begins, and its first row above the line."""
 
 TILES: dict[str, Tile] = {}
 """The tiles that have been drawn, at most `MOST_TILES`."""
-MOST_TILES = 300
+MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8
 """The tint of a plane shows through."""
 UNDER_EM = 0.2
-_PARTS = 4  # of a pixel, to which a piece is placed
+PARTS = 4
+"""Of a pixel, to which a piece is placed."""
 
 
 def drawn(
@@ -61,9 +62,9 @@ def drawn(
     line = height - rim - under + math.floor(low)  # the row below which letters descend
     ink, around = np.zeros((2, height + 2, width + 2), dtype=np.uint8)
     for piece, is_tex, size, x in label.pieces:
-        place = round((x * em - left) * _PARTS)
-        letters, halos, to_right, up = _tile(piece, is_tex, size * em, HALO_EM * em, place % _PARTS)
-        top, first = line - up, place // _PARTS + rim + to_right
+        place = round((x * em - left) * PARTS)
+        letters, halos, to_right, up = tile(piece, is_tex, size * em, HALO_EM * em, place % PARTS)
+        top, first = line - up, place // PARTS + rim + to_right
         for whole, part in ((ink, letters), (around, halos)):
             part = part[max(-top, 0) :, max(-first, 0) :]
             room = whole[max(top, 0) :, max(first, 0) :][: part.shape[0], : part.shape[1]]
@@ -83,7 +84,7 @@ def drawn(
 
 
 @lru_cache(maxsize=2048)
-def _tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Tile:
+def tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int) -> Tile:
     """Draw a piece that begins `shift` parts of a pixel to the right of a whole one."""
     key = f"{em!r} {halo_px!r} {shift} {int(is_tex)} {piece}"
     made = TILES[key] if key in TILES else _drawn_tile(piece, is_tex, em, halo_px, shift)
@@ -102,7 +103,7 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
         empty = np.zeros((0, 0), dtype=np.uint8)
         return empty, empty, 0, 0
     left, low, right, high = (side * em for side in drawn.box)
-    rim, part = math.ceil(halo_px) + 1, shift / _PARTS
+    rim, part = math.ceil(halo_px) + 1, shift / PARTS
     first, below = math.floor(left) - rim, math.floor(low) - rim
     width = math.ceil(right + part) + rim - first
     height = math.ceil(high) + rim - below

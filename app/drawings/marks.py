@@ -25,11 +25,8 @@ from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
@@ -51,6 +48,7 @@ from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
+from app.scenes.poly_mesh import PolyMesh, cells_from
 from app.scenes.scene import Scene
 
 DOT = 3.75
@@ -428,7 +426,7 @@ class _Batch:
 
     def __init__(self, kind: Literal["Lines", "Polys", "Verts"]) -> None:
         self._kind = kind
-        self._mesh = pv.PolyData()
+        self._mesh = PolyMesh()
         self._sizes: list[int] = []
         self._points: NDArray[np.float32] = np.empty((0, 3), np.float32)
         self._rgba: NDArray[np.uint8] = np.empty((0, 4), np.uint8)
@@ -464,15 +462,8 @@ class _Batch:
         count = int(ends[-1])
         self._points = np.empty((count, 3), dtype=np.float32)
         self._rgba = np.empty((count, 4), dtype=np.uint8)
-        points, cells = vtkPoints(), vtkCellArray()
-        points.SetData(numpy_to_vtk(self._points))  # type: ignore[no-untyped-call]
-        colours = numpy_to_vtk(self._rgba)  # type: ignore[no-untyped-call]
-        colours.SetName("rgba")
-        corners = numpy_to_vtk(np.arange(count, dtype=np.int64), deep=True)  # type: ignore[no-untyped-call]
-        cells.SetData(numpy_to_vtk(ends, deep=True), corners)  # type: ignore[no-untyped-call]
-        self._mesh.SetPoints(points)
-        self._mesh.GetPointData().AddArray(colours)
-        getattr(self._mesh, f"Set{self._kind}")(cells)
+        self._mesh.points, self._mesh.point_data["rgba"] = self._points, self._rgba
+        getattr(self._mesh, f"Set{self._kind}")(cells_from(ends, np.arange(count)))
 
 
 def _away(text: Text) -> Text:

@@ -9,14 +9,12 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
-from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.model.projection import Array
 from app.scenes.phenomena.marks import Vertices
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 PLACE = "place"
@@ -32,7 +30,7 @@ class MovedVertices:
     def __init__(self, scene: Scene, way: str, faces: vtkActor | None) -> None:
         self._origin, self._way = np.array(scene.origin), way
         self._faces = faces if "vertices" in scene.requires else None
-        self._copy: pv.PolyData | None = None
+        self._copy: PolyMesh | None = None
         self._points: NDArray[np.float32] = np.empty((0, 3), np.float32)
         self._rows: NDArray[np.intp] = np.empty(0, np.intp)
         self._own: Array | None = None
@@ -65,13 +63,8 @@ class MovedVertices:
 
     def _copy_faces(self, mapper: Any) -> None:
         """Give the pane a copy of the faces with points of its own."""
-        shared = pv.wrap(mapper.GetInput())
-        self._copy = shared.copy(deep=False)
-        self._points = np.array(shared.points, dtype=np.float32)
-        # Not through the property, which writes into the points that the copy shares.
-        points = vtkPoints()
-        points.SetData(numpy_to_vtk(self._points))  # type: ignore[no-untyped-call]
-        self._copy.SetPoints(points)
+        self._copy = PolyMesh.sharing(mapper.GetInput())
+        self._points = self._copy.points = self._copy.points.astype(np.float32)
         self._copy.point_data[PLACE] = self._points.copy()
         self._own = self._drawn = None
         mapper.SetInputData(self._copy)

@@ -18,7 +18,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from weakref import WeakKeyDictionary
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkRenderingCore import vtkActor2D
 
@@ -33,6 +32,7 @@ from app.model.infinity import trace_at_infinity
 from app.model.projection import Array, Projection, Trace, Vector
 from app.picking.picking import Hit, Lines, PickSurface, Probe, pick, projector, stops
 from app.picking.sight import Sight
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
@@ -273,7 +273,7 @@ def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0
     quads = np.stack([here, after, corners + after, corners + here], axis=1)
     faces = quads if hole_px else here[None]
     points = np.concatenate([radius_px * ring, hole_px * ring] if hole_px else [radius_px * ring])
-    disc = pv.PolyData.from_regular_faces(points, faces.tolist())
+    disc = PolyMesh.of(points, faces=faces)
     actor = actor_2d(disc)
     actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
     actor.GetProperty().SetColor(*rgb(colour))
@@ -339,7 +339,7 @@ def order_at(
 
 def _lines_of(scene: Scene) -> Lines:
     lines = scene.lines
-    ends = np.empty((0, 2, 3)) if lines is None else lines.points[lines.lines.reshape(-1, 3)[:, 1:]]
+    ends = np.empty((0, 2, 3)) if lines is None else lines.points.reshape(-1, 2, 3)
     return Lines(ends, scene.origin)
 
 

@@ -30,7 +30,6 @@ from dataclasses import replace
 from typing import Any, TypeAlias
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkRenderingCore import vtkActor
@@ -46,6 +45,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
 from app.scenes.phenomena.marks import DetailLevel, Fog, Rendering, Texture
 from app.scenes.phenomena.readout import Phrase
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 REFUSED = QT_TRANSLATE_NOOP(
@@ -148,7 +148,7 @@ class Rasteriser:
         self._surface, space = surface
         self._mapper: Any = self._surface.GetMapper()  # of all triangles, whatever is shown now
         self._plain: Any = self._mapper.GetInput()
-        self._divided: dict[int, pv.PolyData] = {}
+        self._divided: dict[int, PolyMesh] = {}
         self._parts = 1  # that each side of a triangle is divided into now
         self._note: Phrase | None = None
         self._shader_parts: list[tuple[vtkActor, Space, list[tuple[str, str, str]]]] = []
@@ -358,7 +358,7 @@ class Rasteriser:
             return
         self._parts = parts
         if parts not in self._divided:
-            whole = pv.wrap(self._plain)
+            whole = PolyMesh.sharing(self._plain)
             self._divided[parts] = whole if parts == 1 else subdivided(whole, parts)
         self._mapper.SetInputData(self._divided[parts])
 
@@ -387,7 +387,7 @@ def _set(uniforms: Any, name: str, value: float | int | tuple[float, ...]) -> No
         uniforms.SetUniform3f(name, list(value))
 
 
-def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
+def subdivided(mesh: PolyMesh, parts: int) -> PolyMesh:
     """Divide each triangle into ``parts**2`` similar ones, in its own colour.
 
     A triangle's last corner carries its colour in ``point_data["rgb"]``. Neighbours get the same
@@ -405,15 +405,14 @@ def subdivided(mesh: pv.PolyData, parts: int) -> pv.PolyData:
     first, second, third = np.asarray(mesh.points, dtype=np.float64)[triangles].swapaxes(0, 1)
     sums = a * first[:, None, None] + b * second[:, None, None] + c * third[:, None, None]
     points = (sums / parts).reshape(-1, 3).astype(np.float32)
-    faces: Any = np.arange(len(points)).reshape(-1, 3)
-    made: pv.PolyData = pv.PolyData.from_regular_faces(points, faces)
+    made = PolyMesh.of(points, faces=np.arange(len(points)).reshape(-1, 3))
     if "rgb" in mesh.point_data:
         colours = np.asarray(mesh.point_data["rgb"])[triangles[:, 2]]
         made.point_data["rgb"] = np.repeat(colours, 3 * len(corners), axis=0)
     return made
 
 
-def _mesh_of_levels(levels: tuple[DetailLevel, ...], origin: tuple[float, ...]) -> pv.PolyData:
+def _mesh_of_levels(levels: tuple[DetailLevel, ...], origin: tuple[float, ...]) -> PolyMesh:
     """All levels' faces, each vertex with its object's place and its level."""
     quads = np.concatenate([level.faces[0] for level in levels])
     colours = np.concatenate([level.faces[1] for level in levels])
@@ -423,7 +422,7 @@ def _mesh_of_levels(levels: tuple[DetailLevel, ...], origin: tuple[float, ...]) 
     points = (quads.reshape(-1, 3) - np.array(origin)).astype(np.float32)
     first = 4 * np.arange(len(quads))[:, None, None]
     triangles = (first + np.array([[0, 1, 2], [0, 2, 3]])).reshape(-1, 3)
-    mesh: pv.PolyData = pv.PolyData.from_regular_faces(points, triangles)
+    mesh = PolyMesh.of(points, faces=triangles)
     mesh.point_data["rgb"] = np.repeat(colours, 4, axis=0)
     mesh.point_data["object"] = np.repeat(objects, 4, axis=0).astype(np.float32)
     return mesh
@@ -451,8 +450,8 @@ def counted_wrong_share(
     even = projection.lens.even_extent > 0.0  # a float's digits stand where depth is near 0
     seen = projection.with_depth("opengl")
     clip_from_local = seen.clip_from_local(scene.origin)
-    plain = scene.surface.copy(deep=False)
-    plain.clear_cell_data()
+    plain = PolyMesh.sharing(scene.surface)
+    plain.GetCellData().Initialize()
     for matrix, colour in zip((np.eye(4), back @ behind @ shift), (_RED, _BLUE), strict=True):
         face, space = unlit_actor(plain), Space()
         face.GetProperty().SetColor(*colour)

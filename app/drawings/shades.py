@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from app.drawings.style import Style
 from app.model.projection import Array
+from app.scenes.own_mesh import cells_of
 from app.scenes.scene import Scene
 from app.scenes.shapes import DRAWN_RGB, EDGE_RGB, OUTLINE_RGB, SIDE_RGB, distinct_rows
 
@@ -65,22 +66,24 @@ def printed(scene: Scene, style: Style) -> Scene:
     """Return the scene in colours that a printer keeps apart, if the style is one for paper."""
     if not style.on_paper:
         return scene
+    from app.scenes.poly_mesh import PolyMesh
+
     surface, lines = scene.surface, scene.lines
     if surface is not None and "rgb" in surface.cell_data:
         colours, kinds = distinct_rows(np.asarray(surface.cell_data["rgb"]))
         if 1 < len(colours) <= _MOST_COLOURS and surface.n_cells <= _MOST_FACES:
-            surface = surface.copy(deep=False)
+            surface = PolyMesh.sharing(surface)
             chosen = with_lightness(colours, _levels(colours, meeting(scene)))
             surface.cell_data["rgb"] = chosen[kinds]
     if lines is not None:
-        lines = lines.copy(deep=False)
+        lines = PolyMesh.sharing(lines)
         rgb = np.array(lines.cell_data["rgb"])
         for dark in (EDGE_RGB, OUTLINE_RGB, DRAWN_RGB):
             rgb[(rgb == dark).all(axis=1)] = 0
         lines.cell_data["rgb"] = rgb
     dots = scene.dots
     if dots is not None:
-        dots = dots.copy(deep=False)
+        dots = PolyMesh.sharing(dots)
         rgb = np.array(dots.point_data["rgb"])
         rgb[(rgb == DRAWN_RGB).all(axis=1)] = 0
         dots.point_data["rgb"] = rgb
@@ -98,8 +101,9 @@ def meeting(scene: Scene) -> set[tuple[int, int]]:
     hues = colours / np.maximum(np.linalg.norm(colours, axis=1, keepdims=True), 1.0)
     _, places = distinct_rows(np.round(np.asarray(surface.points, dtype=np.float64), 5))
     kinds_at: dict[tuple[int, int], set[int]] = {}
-    for kind, face in zip(kinds.tolist(), surface.irregular_faces, strict=True):
-        corners = places[np.asarray(face)].tolist()
+    begins, flat = cells_of(surface.GetPolys())
+    for kind, face in zip(kinds.tolist(), np.split(places[flat], begins[1:-1]), strict=True):
+        corners = face.tolist()
         for one, other in zip(corners, [*corners[1:], corners[0]], strict=True):
             kinds_at.setdefault((min(one, other), max(one, other)), set()).add(kind)
     return {

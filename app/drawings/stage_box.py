@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 import numpy as np
-import pyvista as pv
+from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import (
@@ -60,6 +60,7 @@ from app.model.projection import Array, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
 _NAMES = *ENDS, *AXES, *"xyz"  # of what is written beside the volume
@@ -212,10 +213,12 @@ class StageBox(Layer):
         self._camera.add(*self._body)
         self._canvas.add(*self._body, layer="camera")
         self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
+        cone = vtkConeSource(height=0.14, radius=0.045, resolution=24)
+        cone.SetCenter(-0.07, 0.0, 0.0)
+        cone.Update()
         for colour in 2 * (style.u, style.v, style.n):
             shaft = line_actor([(0, 0, 0), (1, 0, 0)], [(0, 1)], colour, 1.5 * style.line_width)
-            cone = pv.Cone(center=(-0.07, 0, 0), height=0.14, radius=0.045, resolution=24)
-            head = unlit_actor(cone)
+            head = unlit_actor(PolyMesh.sharing(cone.GetOutput()))
             head.GetProperty().SetColor(*rgb(colour))
             lift_lines(shaft, 3)
             spaces = Space(), Space()

@@ -21,7 +21,7 @@ from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
 SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
 """Shares of the triangles that are kept, from fine to coarse."""
@@ -77,9 +77,10 @@ def is_made(scene: Scene, share: float) -> bool:
     return not can_be_reduced(scene)
 
 
-def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
-    import pyvista as pv
+def _fewer(surface: PolyMesh, share: float) -> PolyMesh:
     from vtkmodules.vtkFiltersCore import vtkQuadricDecimation
+
+    from app.scenes.poly_mesh import PolyMesh
 
     at_one_vertex = int(np.bincount(np.asarray(surface.regular_faces, np.int64).ravel()).max())
     if surface.n_cells <= QUADRIC_TRIANGLES and at_one_vertex <= QUADRIC_VALENCE:
@@ -87,17 +88,18 @@ def _fewer(surface: pv.PolyData, share: float) -> pv.PolyData:
         decimation.SetInputData(surface)
         decimation.SetTargetReduction(1.0 - share)
         decimation.Update()
-        fewer = _plain(pv.wrap(decimation.GetOutput()))
+        fewer = _plain(PolyMesh.sharing(decimation.GetOutput()))
         if "rgb" in surface.cell_data:
             fewer.cell_data["rgb"] = surface.cell_data["rgb"][_nearest_cells(surface, fewer)]
         return fewer
     return _binned(surface, share)
 
 
-def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
+def _binned(surface: PolyMesh, share: float) -> PolyMesh:
     """Vary the box size, corrected by the square of the result, until the share is reached."""
-    import pyvista as pv
     from vtkmodules.vtkFiltersCore import vtkBinnedDecimation
+
+    from app.scenes.poly_mesh import PolyMesh
 
     wanted = share * surface.n_cells
     lengths = np.array(surface.bounds[1::2]) - surface.bounds[::2]
@@ -112,7 +114,7 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
         decimation.SetPointGenerationModeToBinAverages()
         decimation.ProduceCellDataOn()
         decimation.Update()
-        mesh = pv.wrap(decimation.GetOutput())
+        mesh = PolyMesh.sharing(decimation.GetOutput())
         left = mesh.n_cells  # 0 if all triangles have collapsed
         if left and abs(math.log(left / wanted)) < abs(math.log(best.n_cells / wanted)):
             best = mesh
@@ -126,28 +128,39 @@ def _binned(surface: pv.PolyData, share: float) -> pv.PolyData:
     return fewer
 
 
-def _plain(mesh: pv.PolyData) -> pv.PolyData:
+def _plain(mesh: PolyMesh) -> PolyMesh:
     """Keep points and triangles only."""
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
-    points: Any = np.array(mesh.points, dtype=np.float32)
-    plain: pv.PolyData = pv.PolyData.from_regular_faces(points, np.array(mesh.regular_faces))
-    return plain
+    return PolyMesh.of(mesh.points.astype(np.float32), faces=mesh.regular_faces)
 
 
-def _nearest_cells(surface: pv.PolyData, fewer: pv.PolyData) -> NDArray[np.integer]:
+def _nearest_cells(surface: PolyMesh, fewer: PolyMesh) -> NDArray[np.integer]:
     """Return for each triangle the original one with the nearest centre, whose colour it gets.
 
     A tree of the centres is used: VTK's cell locator compares all cells in one place.
     """
-    import pyvista as pv
     from vtkmodules.vtkCommonDataModel import vtkKdTreePointLocator
 
-    middles, number = distinct_rows(np.asarray(surface.cell_centers().points))
+    from app.scenes.poly_mesh import PolyMesh
+
+    middles, number = distinct_rows(_centres(surface))
     first = np.empty(len(middles), dtype=np.int64)
     first[number[::-1]] = np.arange(len(number))[::-1]
     tree = vtkKdTreePointLocator()
-    tree.SetDataSet(pv.PolyData(middles))
+    tree.SetDataSet(PolyMesh.of(middles))
     tree.BuildLocator()
-    nearest = [tree.FindClosestPoint(middle) for middle in fewer.cell_centers().points.tolist()]
+    nearest = [tree.FindClosestPoint(middle) for middle in _centres(fewer).tolist()]
     return np.asarray(first[np.array(nearest, dtype=np.int64)])
+
+
+def _centres(mesh: PolyMesh) -> NDArray[Any]:
+    """Return the centre of each triangle, (n, 3)."""
+    from vtkmodules.vtkFiltersCore import vtkCellCenters
+
+    from app.scenes.poly_mesh import PolyMesh
+
+    centres = vtkCellCenters()
+    centres.SetInputData(mesh)
+    centres.Update()
+    return PolyMesh.sharing(centres.GetOutput()).points

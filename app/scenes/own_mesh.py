@@ -14,9 +14,10 @@ from app.scenes.polygons import following
 from app.scenes.shapes import distinct_rows
 
 if TYPE_CHECKING:
-    import pyvista as pv
     from vtkmodules.vtkCommonCore import vtkDataArray
     from vtkmodules.vtkCommonDataModel import vtkCellArray
+
+    from app.scenes.poly_mesh import PolyMesh
 
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
 """Most edges and triangles that a phenomenon computes with: the longest ones of a larger mesh."""
@@ -24,7 +25,7 @@ SUBJECT_SURFACE = 3_000
 """Most triangles of a mesh whose pixels are computed; a larger mesh is reduced."""
 
 
-def own_mesh(surface: pv.PolyData, origin: Vector, pixels: bool) -> OwnMesh:
+def own_mesh(surface: PolyMesh, origin: Vector, pixels: bool) -> OwnMesh:
     """Return the longest edges and the triangles with the longest sides; all for `pixels`."""
     points = np.asarray(surface.points)
     offsets, corners = cells_of(surface.GetPolys())

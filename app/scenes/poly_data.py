@@ -13,7 +13,7 @@ from app.scenes.mesh import Colours
 from app.scenes.shapes import Coloured, distinct_rows
 
 if TYPE_CHECKING:
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
 
 class LaterMesh:
@@ -38,14 +38,14 @@ class LaterMesh:
 
 def poly_data(
     points: NDArray[np.floating], offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
-) -> pv.PolyData:
+) -> PolyMesh:
     """Make a mesh for VTK that keeps the digits of the points."""
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh, cells_from
 
-    cells = pv.CellArray.from_arrays(offsets, corners, deep=True)
-    made = pv.PolyData()
-    made.points = np.ascontiguousarray(points)
-    if cells.n_cells and cells.GetMaxCellSize() > 2:
+    cells = cells_from(offsets, corners)
+    made = PolyMesh()
+    made.points = points
+    if cells.GetNumberOfCells() and cells.GetMaxCellSize() > 2:
         made.SetPolys(cells)
     else:
         made.SetLines(cells)
@@ -64,12 +64,12 @@ def line_set(lines: Coloured) -> LaterMesh:
     return LaterMesh(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
 
 
-def dot_set(points: NDArray[np.floating], rgb: Colours) -> pv.PolyData | None:
+def dot_set(points: NDArray[np.floating], rgb: Colours) -> PolyMesh | None:
     """Make dots for VTK; None without any."""
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
     if not len(points):
         return None
-    dots: pv.PolyData = pv.PolyData(points)
+    dots = PolyMesh.of(points)
     dots.point_data["rgb"] = rgb
     return dots

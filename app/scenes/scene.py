@@ -60,7 +60,7 @@ from app.scenes.shapes import (
 from app.strangers import printable
 
 if TYPE_CHECKING:
-    import pyvista as pv
+    from app.scenes.poly_mesh import PolyMesh
 
 WRONG_ENDING = QT_TRANSLATE_NOOP(
     "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
@@ -109,15 +109,15 @@ class _MeshField:
     def __set_name__(self, _owner: type, name: str) -> None:
         self._name = name
 
-    def __get__(self, scene: Scene | None, _owner: type | None = None) -> pv.PolyData | None:
+    def __get__(self, scene: Scene | None, _owner: type | None = None) -> PolyMesh | None:
         if scene is None:
             raise AttributeError(self._name)  # it has no default
         held = scene.__dict__[self._name]
         if isinstance(held, LaterMesh):
             held = scene.__dict__[self._name] = held.make()
-        return cast("pv.PolyData | None", held)
+        return cast("PolyMesh | None", held)
 
-    def __set__(self, scene: Scene, mesh: pv.PolyData | LaterMesh | None) -> None:
+    def __set__(self, scene: Scene, mesh: PolyMesh | LaterMesh | None) -> None:
         scene.__dict__[self._name] = mesh
 
 
@@ -146,7 +146,7 @@ class Scene(Appearance):
     start: Projection
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
-    dots: pv.PolyData | None = None
+    dots: PolyMesh | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -11,8 +13,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.bootstrap import ROOT
 from app.drawings import kept_labels, label
 from app.lecture import typesetting
+from tests import PATIENCE_S
+from tests.pictures import set_labels
 
 TEXTS = ("near n = 4", "y_p", "P'", "u\u2192", "½ in the world", "")
 
@@ -30,6 +35,7 @@ def drawn() -> list[np.ndarray]:
 
 
 def forget() -> None:
+    kept_labels.KEYS_SHIPPED.clear()
     typesetting.SET.clear()
     label.TILES.clear()
     for module in (typesetting, label):
@@ -54,6 +60,40 @@ def test_kept_labels_are_the_same_pixels_without_matplotlib(
     written = path.stat().st_mtime_ns
     kept_labels.save(path)
     assert path.stat().st_mtime_ns == written, "nothing is new"
+
+
+def test_the_letter_f_needs_no_matplotlib(tmp_path: Path) -> None:
+    """Not even on the first start, when matplotlib would also list the machine's fonts."""
+    code = """import sys
+from app.commands.cli import main
+status = main(sys.argv[1:])
+print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
+    command = ("--screenshot", tmp_path / "a.png", "--set", "lens.near=3.9")
+    done = subprocess.run(
+        [sys.executable, "-c", code, *command], cwd=ROOT, capture_output=True, text=True,
+        env={**os.environ, "HOME": str(tmp_path)}, timeout=PATIENCE_S, check=False,
+    )  # fmt: skip
+    assert (done.stdout, done.stderr) == ("0\n", "")
+
+
+def test_shipped_labels_are_those_that_are_set() -> None:
+    kept_labels.load_shipped()
+    shipped = [dict(typesetting.SET), dict(label.TILES)]
+    forget()
+    set_labels()
+    for one, other in zip(shipped, (typesetting.SET, label.TILES), strict=True):
+        assert one.keys() == other.keys()
+        for key, parts in one.items():
+            for mine, its in zip(parts, other[key], strict=True):
+                assert np.array_equal(mine, its), key
+
+
+def test_what_is_shipped_is_not_kept(tmp_path: Path) -> None:
+    kept_labels.load_shipped()
+    typesetting.piece_of("word", False)
+    kept_labels.save(tmp_path / "labels.json")
+    tree = json.loads((tmp_path / "labels.json").read_bytes())
+    assert (list(tree["outlines"]), tree["tiles"]) == (["\nword"], {})
 
 
 def _change(key: str, value: Any) -> Callable[[dict[str, Any]], Any]:

@@ -369,7 +369,7 @@ def test_subdivided_triangles_are_the_same_surface() -> None:
     for parts in (1, 2, 7, 64):
         cut = subdivided(mesh, parts)
         assert cut.n_cells == 2 * parts**2
-        assert cut.area == pytest.approx(mesh.area, rel=1e-5)
+        assert pv.wrap(cut).area == pytest.approx(mesh.area, rel=1e-5)
         colours, counts = np.unique(
             cut.point_data["rgb"][cut.regular_faces[:, 2]], axis=0, return_counts=True
         )

@@ -36,7 +36,7 @@ def test_faces_that_meet_differ_in_grey_in_every_scene() -> None:
         assert printed(scene, LIGHT) is scene
         points = [tuple(point) for point in np.round(before.points, 5).tolist()]
         at_edge: dict[frozenset[Any], list[int]] = {}
-        for number, corners in enumerate(np.asarray(f).tolist() for f in before.irregular_faces):
+        for number, corners in enumerate(before.regular_faces.tolist()):
             for one, other in zip(corners, [*corners[1:], corners[0]], strict=True):
                 at_edge.setdefault(frozenset((points[one], points[other])), []).append(number)
         old, new = (mesh.cell_data["rgb"].tolist() for mesh in (before, after))

@@ -39,11 +39,12 @@ FLOORS = (
     ("app.commands",),
 )
 FLOOR = {folder: number for number, folders in enumerate(FLOORS) for folder in folders}
-#: Packages of others that a folder may import at once, beside numpy.
+#: Packages of others that a folder, or one file, may import at once, beside numpy.
 AT_ONCE: dict[str, tuple[str, ...]] = {
     "app.document": ("PySide6.QtCore",),
     "app.drawings": (*VTK, "PIL"),
     "app.measure": VTK,
+    "app.scenes.poly_mesh": VTK[1:],
     "widgets.parts": QT,
     "widgets.controls": QT,
     "widgets.panels": QT,
@@ -155,7 +156,7 @@ def faults(path: str, source: str) -> list[str]:
         floor = FLOOR[folder]
     else:
         return [f"{path} is in no folder of the table."]
-    free = () if floor < 0 else ("numpy", *AT_ONCE.get(folder, ()))
+    free = () if floor < 0 else ("numpy", *AT_ONCE.get(module, AT_ONCE.get(folder, ())))
     late_free = LATE.get(folder, ())
     found = []
     for name, line, late in imports(path, source):

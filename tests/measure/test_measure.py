@@ -856,7 +856,7 @@ def test_colours_stay_where_they_were(tmp_path: Path) -> None:
     scene = load(str(tmp_path / "two.ply"))
     fewer = reduced(scene, 0.2)
     assert fewer.surface is not None
-    middles = fewer.surface.cell_centers().points + np.array(scene.origin)
+    middles = pv.wrap(fewer.surface).cell_centers().points + np.array(scene.origin)
     rgb = fewer.surface.cell_data["rgb"].astype(int)
     for colour, side in ((0, middles[:, 0] > 0.1), (2, middles[:, 0] < -0.1)):
         assert side.any() and (rgb[side, colour] > rgb[side, 2 - colour]).all()

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from app.bootstrap import ROOT
 from app.document.codec import parse, picture_json
@@ -720,7 +721,7 @@ def test_a_polygon_that_repeats_itself_is_drawn_as_a_fan(other: str, tmp_path: P
     assert scene.surface is not None
     # The triangle twice, and the other one.
     expected = 1.0 + (math.sqrt(2.0) if other else 0.0)
-    assert scene.surface.triangulate().area == pytest.approx(expected)
+    assert pv.wrap(scene.surface.triangulate()).area == pytest.approx(expected)
     assert len(rgb(scene)) == scene.surface.n_cells == 4 + bool(other)
 
 

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import pyvista as pv
 
 from app.model.refusal import Refusal
 from app.scenes import reading
@@ -195,7 +196,7 @@ def test_a_hole_is_empty_and_its_bridge_is_no_edge(tmp_path: Path) -> None:
     (tmp_path / "hole.obj").write_text(HOLE)
     scene = load(str(tmp_path / "hole.obj"))
     assert scene.surface is not None
-    assert scene.surface.area == pytest.approx(12.0, rel=1e-6)
+    assert pv.wrap(scene.surface).area == pytest.approx(12.0, rel=1e-6)
     ends = segments(scene)
     drawn = ends[scene.ground_lines :]
     assert len(drawn) == 8

@@ -487,7 +487,7 @@ def test_each_face_and_each_line_lies_whole_in_a_box(name: str) -> None:
     assert scene.dots is None and not len(dots)
     for mesh, cells, boxes in (
         (scene.surface, scene.surface.regular_faces, faces),
-        (scene.lines, scene.lines.lines.reshape(-1, 3)[:, 1:], lines),
+        (scene.lines, np.arange(scene.lines.n_points).reshape(-1, 2), lines),
     ):
         points = mesh.points[cells].astype(float)[:, None] + origin
         low, high = boxes.min(axis=1)[:, None], boxes.max(axis=1)[:, None]

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from app.model.projection import Projection
+from app.scenes.own_mesh import cells_of
 from app.scenes.scene import Scene
 
 # A square pyramid: one quad and four triangles. All coordinates are multiples of 1/8: at 1e7 from
@@ -167,10 +168,9 @@ def faces(scene: Scene) -> list[np.ndarray]:
     """World corners of every face, (k, 3) each."""
     assert scene.surface is not None
     points = world_points(scene)
-    offsets = scene.surface.GetPolys().GetOffsetsArray()
-    ends = [int(offsets.GetValue(i)) for i in range(scene.surface.n_cells + 1)]
-    corners = np.asarray(scene.surface.GetPolys().cell_connectivity)
-    return [points[corners[a:b]] for a, b in pairwise(ends)]
+    offsets, corners = cells_of(scene.surface.GetPolys())
+    assert len(offsets) == scene.surface.n_cells + 1
+    return [points[corners[a:b]] for a, b in pairwise(offsets.tolist())]
 
 
 def rgb(scene: Scene) -> np.ndarray:
@@ -186,7 +186,7 @@ def segments(scene: Scene) -> np.ndarray:
     assert scene.lines is not None
     assert scene.lines.cell_data["rgb"].shape == (scene.lines.n_cells, 3)
     ends = np.asarray(scene.lines.points, dtype=np.float64) + np.array(scene.origin)
-    return ends[np.asarray(scene.lines.GetLines().cell_connectivity).reshape(-1, 2)]
+    return ends[cells_of(scene.lines.GetLines())[1].reshape(-1, 2)]
 
 
 def side(face: np.ndarray) -> str:

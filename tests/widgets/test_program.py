@@ -748,6 +748,15 @@ window.filled.connect(lambda: QTimer.singleShot(300, then))
     assert (done.returncode, done.stderr) == (0, "")
 
 
+def test_llvmpipe_gets_two_threads_a_core(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("LP_NUM_THREADS", raising=False)
+    opengl.prepare()
+    assert os.environ["LP_NUM_THREADS"] == str(2 * (os.cpu_count() or 1))
+    monkeypatch.setenv("LP_NUM_THREADS", "1")
+    opengl.prepare()
+    assert os.environ["LP_NUM_THREADS"] == "1", "a user's choice stays"
+
+
 def test_it_is_said_that_qt_has_no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("QT_XCB_GL_INTEGRATION", "none")
     done = drive("print(window.status.currentMessage(), flush=True)\nwindow.close()")

@@ -278,6 +278,7 @@ def _open_panes(window: Any) -> None:
     """Import VTK, now that the window is visible, and fill its panes."""
     with bootstrap.for_good():
         from app.drawings import image, kept_labels, stage, world  # noqa: F401
+    kept_labels.load_shipped()
     kept_labels.load(labels_path())
     log_vtk()
     window.open_panes()
