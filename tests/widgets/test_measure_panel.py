@@ -122,8 +122,9 @@ def hue_of(panel: MeasurePanel) -> int:
 
 
 def test_it_opens_with_the_results_of_another_machine_in_grey(
-    panel: MeasurePanel, qtbot: QtBot
+    qapp: QApplication, panel: MeasurePanel, qtbot: QtBot
 ) -> None:
+    palette.apply(qapp, dark=False, screen_px=768.0)  # its style sheet makes the button large
     shipped = split(read_results(SHIPPED))
     grey = panel.palette().color(QPalette.ColorRole.PlaceholderText)
     for name in chart.TITLES:

@@ -7,8 +7,6 @@
     the drag ends ---------> step(False)    --> every pane at full quality
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Mapping, Sequence
 
