@@ -149,7 +149,7 @@ def test_lessons_talks_and_the_tour_open_from_it(window: MainWindow) -> None:
         " ".join((*head.topics[:1], head.title)) for head in heads
     ]
     marks = [action.text().partition("\t")[2] for action in lessons]
-    assert marks == ["", "", "2/7", "done", *[""] * 21]
+    assert marks == ["", "", "2/7", "done", *[""] * (len(heads) - 4)]
     lessons[4].trigger()
     assert is_gone(window) and window.lessons.lesson == heads[4]
     QTest.mouseClick(button(opened(window), "Two-minute tour"), Qt.MouseButton.LeftButton)
