@@ -60,13 +60,26 @@ def steps(projection: Projection, way: str, origin: Vector) -> Steps:
         if way == "one":
             return [(product(clip, to_eye), True)]
         return [(product(view, to_eye), False), (projection.direct_stages[0].exact, True)]
-    from_eye, from_clip = _moved(offset), projection.eye_from_clip
+    from_eye, from_clip = _moved(offset), _short(projection)
     if way == "inverse":
         return [(product(from_eye, from_clip), True)]
     if way == "ray":
         return [(from_clip, True), (from_eye, False)]
     back = product(from_eye, inverse("view_from_world", view))
     return [(product(view, from_clip), True), (back, False)]
+
+
+@lru_cache(maxsize=4)
+def _short(projection: Projection) -> Rationals:
+    """`Projection.eye_from_clip` to 159 bits: its own rationals are so long that they are slow."""
+    short = []
+    for row in projection.eye_from_clip:
+        high = [Fraction(nearest(cell)) for cell in row]
+        for _ in range(2):
+            rests = zip(row, high, strict=True)
+            high = [part + Fraction(float(cell - part)) for cell, part in rests]
+        short.append(high)
+    return short
 
 
 def _moved(offset: Sequence[Fraction]) -> Rationals:
