@@ -132,13 +132,13 @@ def exact_points(
     projection: Projection, pixels: Array, origin: Vector
 ) -> list[tuple[Fraction, ...]]:
     """The points of pixels and depths (n, 3), measured from the world's `origin`, in rationals."""
-    ((matrix, _),) = steps(projection, "inverse", origin)
-    matrix = product(matrix, ndc_from_pixels(projection))
-    points = []
+    offset = [Fraction(e) - Fraction(o) for e, o in zip(projection.camera.eye, origin, strict=True)]
+    to_ndc, points = ndc_from_pixels(projection), []
     for pixel in pixels.tolist():
         check_pixel(projection, pixel)
-        *xyz, w = (dot(row, [*map(Fraction, pixel), Fraction(1)]) for row in matrix)
-        points.append(tuple(part / w for part in xyz))
+        ndc = [dot(row, [*map(Fraction, pixel), Fraction(1)]) for row in to_ndc]
+        *xyz, w = (dot(row, ndc) for row in projection.eye_from_clip)
+        points.append(tuple(part / w + moved for part, moved in zip(xyz, offset, strict=True)))
     return points
 
 
