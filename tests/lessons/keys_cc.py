@@ -156,6 +156,14 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # TEACHING: s = 2 a b/(a + b), from 1/s between 1/a and 1/b; a = 3, b = 6.
     ("l24-focus", "formula/focus", "right"): lambda: 2 / (mpf(1) / 3 + mpf(1) / 6),
     ("l24-focus", "formula/focus", "dof-sym"): lambda: mpf(3 + 6) / 2,
+    # L26 of this program. Half the picture, 360 px, is tan 20; angle-linear: 720/40 px a degree.
+    ("l26-small-errors", "grow/pixels", "right"): lambda: (
+        360 * tan(radians(mpf("0.5"))) / tan(radians(20))
+    ),
+    ("l26-small-errors", "grow/pixels", "angle-linear"): lambda: mpf(720) / 80,
+    # 24 bits, of which the first counts 2^14: the last counts 2^(14 - 23), in mm.
+    ("l26-small-errors", "step/gap", "right"): lambda: 1000 * mpf(2) ** (14 - 23),
+    ("l26-small-errors", "step/gap", "seven-digits"): lambda: mpf(30_000_000) / 10**7,
     # L25 of this program. e = s/(2 (2^b - 1)) h/(2 D tan(fov/2)); s = 8, h = 240, fov 48, D = 0.01.
     ("l25-how-many-bits", "places/near", "3"): lambda: (
         mpf(8) / (2 * 65535) * 240 / (mpf("0.02") * tan(radians(24)))

@@ -73,6 +73,17 @@ def _next_to(x: Any) -> Any:
     return mpf(float(np.spacing(np.float32(x))))
 
 
+def _turned(degrees: Any, fov: Any) -> Any:
+    """How far the middle of 720 lines is drawn from itself after a turn."""
+    across, depth = sin(radians(degrees)), cos(radians(degrees))
+    return 360 * cos(radians(fov / 2)) / sin(radians(fov / 2)) * across / depth
+
+
+def _metres(depth: Any) -> Any:
+    """How much a picture of 40 degrees shows at a depth, from bottom to top."""
+    return 2 * depth * sin(radians(20)) / cos(radians(20))
+
+
 def _through_pixel(x: Any, y: Any, z: Any) -> Point:
     """The view-space point at a depth that 1280 x 720 pixels, 640 of them a tangent, show there."""
     return (x - 640) * z / 640, (360 - y) * z / 640, -z
@@ -181,6 +192,7 @@ _17, _18, _19 = "l17-depth-buffer", "l18-interpolation", "l19-planar-shadow"
 _20, _21, _22 = "l20-zoom-or-walk", "l21-camera-obscura", "l22-walk-round-the-f"
 _23, _24 = "l23-popping", "l24-focus"
 _25 = "l25-how-many-bits"
+_26 = "l26-small-errors"
 _27 = "l27-where-precision-goes"
 _P: tuple[Any, ...] = mpf("1.5"), mpf(5), mpf("0.5")
 
@@ -290,6 +302,14 @@ KEYS: dict[tuple[str, str, str], Callable[..., Any]] = {
     ),
     (_24, "practise-3/range", "done"): lambda a, b: _focused(2 / (1 / a + 1 / b), b),
     (_24, "practise-3/range", "dof-sym"): lambda a, b: _focused((a + b) / 2, b),
+    # L26. The point that was in the middle, turned; 003's cot(fov/2) x/z onto 720 pixels.
+    (_26, "practise-1/lean", "right"): lambda d, r, fov: _turned(r * d, fov),
+    (_26, "practise-1/lean", "one-round"): lambda d, r, fov: _turned(d, fov),
+    (_26, "practise-1/lean", "full-angle"): lambda d, r, fov: _turned(r * d, 2 * fov),
+    # The gap of numpy's own float32, half-way between the powers; 1080 lines over 2 D tan 20.
+    (_26, "practise-2/jump", "right"): lambda u, D: _next_to(u * 3 / 2) / _metres(D) * 1080,
+    (_26, "practise-2/jump", "half-gap"): lambda u, D: _next_to(u * 3 / 4) / _metres(D) * 1080,
+    (_26, "practise-2/jump", "one-bit-less"): lambda u, D: _next_to(u * 3) / _metres(D) * 1080,
     # L25. Two points half a place apart, each projected by 003's cot(fov/2) y/D onto 240 pixels.
     (_25, "practise-1/pixels", "right"): lambda b, D: _apart(_places(b) / 2, D, 48),
     (_25, "practise-1/pixels", "whole-step"): lambda b, D: _apart(_places(b), D, 48),

@@ -8,8 +8,6 @@
     a pane's own camera moves -> _turn(pane), and step(False) once the hand rests
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterable, Mapping, Sequence
 from functools import partial

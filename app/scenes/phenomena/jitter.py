@@ -29,7 +29,7 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.readout import Phrase, Reading
+from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
 from app.scenes.shapes import letter_f_on_grid
@@ -40,19 +40,15 @@ FRAMES, STEP = 24, 1e-3
 """How often the eye moves, and how far each time."""
 _AWAY = np.array((0.6, 0.64, 0.48))  # the direction from the origin to the scene
 _UNIT, _LOWEST = 2.0**-24, 2.0**-149  # of float32
-_ROOM = 0.35  # of the picture's width and of the target's distance, for what is enlarged
+_ROOM = 0.35  # of the picture's width, for what is enlarged
 
 
 class Paths(NamedTuple):
-    """Pixels (n, f, 2) of n vertices in f frames, drawn and true, and the drawn ones' bounds.
-
-    `eyes` (n, f, 3) are where the eye seems to be to each vertex, from where it is at first.
-    """
+    """Pixels (n, f, 2) of n vertices in f frames, drawn and true, and the drawn ones' bounds."""
 
     drawn: Array
     true: Array
     bounds: Array
-    eyes: Array
 
 
 def differences(way: str, points: Array, eyes: Array, place: Array) -> tuple[Array, Array]:
@@ -65,13 +61,13 @@ def differences(way: str, points: Array, eyes: Array, place: Array) -> tuple[Arr
     high = [each.astype(np.float32) for each in given]
     rest = [each - most for each, most in zip(given, high, strict=True)]
     near = high[0] - high[1]
-    lost = _UNIT * np.abs(near)
+    lost = _UNIT * np.abs(near.astype(np.float64))
     if way == "two":
         low = [each.astype(np.float32) for each in rest]
         rest = [each - most for each, most in zip(rest, low, strict=True)]
         least = low[0] - low[1]
         near = near + least
-        lost += _UNIT * (np.abs(least) + np.abs(near))
+        lost += _UNIT * (np.abs(least).astype(np.float64) + np.abs(near))
     lost += sum(map(np.abs, (*rest, *(2.0**-52 * each for each in far)))) + _LOWEST
     return near.astype(np.float64), np.linalg.norm(lost, axis=-1)
 
@@ -99,7 +95,7 @@ def paths_of(projection: Projection, points: Array, way: str, distance: float) -
     bounds += errors_px(still, given, np.zeros((3, 3)), leaning)[1]
     true = still.trace((points[:, None] - eyes).reshape(-1, 3)).image
     drawn, true = (each.reshape(*near.shape[:2], 2) for each in (picture.image, true))
-    return Paths(drawn, true, bounds.reshape(near.shape[:2]), points[:, None] - near - camera.eye)
+    return Paths(drawn, true, bounds.reshape(near.shape[:2]))
 
 
 def jump_errors(paths: Paths) -> tuple[Array, Array]:
@@ -115,28 +111,30 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         return Illustration((), warning=WORDS.phrase("outside"))
     vertex = subject.points[here[[trace.clip[here, 3].argmin()]]]
     paths = paths_of(projection, vertex, str(settings["way"]), number(settings, "distance"))
-    wrong, bounds = (float(each.max()) for each in jump_errors(paths))
-    jumps = np.linalg.norm(np.diff(paths.drawn, axis=1), axis=-1)
-    smooth = float(np.linalg.norm(np.diff(paths.true, axis=1), axis=-1).max())
+    jumps, smooth = (
+        np.linalg.norm(np.diff(each, axis=1), axis=-1) for each in (paths.drawn, paths.true)
+    )
+    wrong, bounds = jump_errors(paths)
+    each_px = {"largest": jumps, "smooth": smooth, "wrong": wrong, "predicted": bounds}
     frame = int(number(settings, "frame"))
     image, times = _image_marks(projection, paths, frame)
     none = WORDS.phrase("no-bound")
     return Illustration(
         (
-            _reading("largest", float(jumps.max()), none),
-            _reading("smooth", smooth, none),
-            _reading("wrong", wrong, none),
-            _reading("predicted", bounds, none),
+            *(
+                Reading.or_why(
+                    WORDS[name], float(px.max()) if px.max() < math.inf else None, "px", none
+                )
+                for name, px in each_px.items()
+            ),
             Reading(WORDS["frozen"], 100.0 * float((jumps == 0.0).mean()), "%"),
             Reading.or_why(WORDS["enlarged"], times, "×", none),
         ),
-        world=_world_marks(projection, vertex[0], paths.eyes[0], frame),
+        world=Marks.of(
+            segment(projection.camera.eye, vertex[0], "accent", 1.0), named("P", vertex[0])
+        ),
         image=image,
     )
-
-
-def _reading(name: str, value: float, none: Phrase) -> Reading:
-    return Reading.or_why(WORDS[name], value if value < math.inf else None, "px", none)
 
 
 def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Marks, float | None]:
@@ -162,22 +160,6 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
     ), times
 
 
-def _world_marks(projection: Projection, vertex: Array, eyes: Array, frame: int) -> Marks:
-    """The way of the eye and, enlarged as much, where it seems to be to the vertex."""
-    camera = projection.camera
-    eye, moved = np.array(camera.eye), STEP * FRAMES * camera.frame[0]
-    times = enlargement(float(np.abs([*eyes, moved]).max()), _ROOM * camera.distance) or 1.0
-    seeming = eye + times * eyes[: frame + 1]
-    return Marks.of(
-        segment(eye, vertex, "muted", 1.0),
-        segment(eye, eye + times * moved, "leader", 2.0),
-        Polyline(seeming, "accent", 1.5),
-        *(Dot(place, "accent", 0.7) for place in seeming),
-        Text("seeming", seeming[-1], "accent", text=WORDS["seeming"]),
-        named("P", vertex),
-    )
-
-
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("003", "004"),
@@ -196,7 +178,7 @@ PHENOMENON = Phenomenon(
     leading="image",
     numbers=4,
     own_mesh=True,
-    names=("eye", "P", "seeming", "smooth", "drawn"),
+    names=("eye", "P", "smooth", "drawn"),
     shot=Shot(-40.0, 20.0, "camera"),
     leaves_out=frozenset({"camera", "frustum", "near-picture"}),
     pale=frozenset({"image"}),
