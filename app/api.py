@@ -13,8 +13,6 @@ Conventions (axes, units, depth ranges) are stated once, in `app.model.projectio
 value raises a `Refusal`: one sentence with the field, the value and the bound.
 """
 
-from __future__ import annotations
-
 import os
 import warnings
 from collections.abc import Sequence

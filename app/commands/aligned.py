@@ -1,7 +1,5 @@
 """How the commands write numbers: in full, and in columns aligned at their points."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Sequence
 from dataclasses import fields

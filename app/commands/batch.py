@@ -4,8 +4,6 @@ A list is CSV from anyone: its size is limited, and no line writes outside the f
 figures. A line that cannot be drawn does not keep the others from it.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import csv

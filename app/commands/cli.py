@@ -5,8 +5,6 @@ cannot draw in one sentence and status 3. Only the commands that draw import Qt,
 that the others start fast and on any machine.
 """
 
-from __future__ import annotations
-
 import os
 import sys
 from collections.abc import Sequence

@@ -3,8 +3,6 @@
 Drivers are tried in processes of their own, because a broken driver ends the process.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import platform

@@ -1,7 +1,5 @@
 """The command ``lesson``: check or list lessons and talks, print exercises, mark results."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 

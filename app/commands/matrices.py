@@ -1,7 +1,5 @@
 """The command ``matrices``: every stage's matrix as text, JSON or LaTeX."""
 
-from __future__ import annotations
-
 import argparse
 import json
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """The command ``measure``: select the measurements, report progress, write the results."""
 
-from __future__ import annotations
-
 import os
 import sys
 import threading

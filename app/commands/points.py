@@ -1,7 +1,5 @@
 """The points of the command ``project``, from a CSV file or from standard input."""
 
-from __future__ import annotations
-
 import csv
 import io
 import itertools

@@ -1,7 +1,5 @@
 """The command ``project``: points through every stage, as a table, CSV or JSON."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """``lesson results``: the results of a class, marked again from what was typed."""
 
-from __future__ import annotations
-
 import argparse
 import csv
 import io

@@ -1,7 +1,5 @@
 """The command ``talk``: draw every step of a talk as a check, or write its handout."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

@@ -3,8 +3,6 @@
 This module needs only the standard library.
 """
 
-from __future__ import annotations
-
 import io
 import os
 import signal

@@ -4,8 +4,6 @@
 share, `style` has the colours.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from app.lecture.highlight import ENDS

@@ -4,8 +4,6 @@ Eye, target and axes are shrunk towards the pane's own camera: they keep their p
 before everything that would hide them.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from itertools import compress
 

@@ -1,7 +1,5 @@
 """Pictures that are compared in a pane: beside each other, or divided, with their differences."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise, starmap

@@ -1,7 +1,5 @@
 """Names beside the points and the curves of a diagram, by the one placer of labels."""
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

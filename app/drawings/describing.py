@@ -1,7 +1,5 @@
 """A document in words: what each pane shows, what is cut off, and what is risky."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 

@@ -15,8 +15,6 @@ stand over two lines of numbers, its own and the one from -1 to 1::
       -1 |-----+---------| 1
 """
 
-from __future__ import annotations
-
 import math
 import textwrap
 from collections.abc import Hashable

@@ -1,7 +1,5 @@
 """The files of figures, each written whole or not at all."""
 
-from __future__ import annotations
-
 import io
 import os
 import re

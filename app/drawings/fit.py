@@ -6,8 +6,6 @@ within its slopes if it lies between ``x - right * (toward + back)`` and
 to ``low + left * back``. For a parallel view `toward` is 0, and `back` is half of its height.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

@@ -5,8 +5,6 @@ u. A step of the panel changes visibilities, a slider step sets the two matrices
 axes, the columns of `world_from_object`, are here as well.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

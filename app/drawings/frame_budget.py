@@ -4,8 +4,6 @@ Levels are tried from the finest on. The time of an untried level is estimated f
 a constant plus a part in proportion to what is drawn.
 """
 
-from __future__ import annotations
-
 from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -12,8 +12,6 @@ there::
     0           1                   break   high
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from itertools import pairwise

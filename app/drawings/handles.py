@@ -5,8 +5,6 @@ small array of pixels. The highlighted grip is larger as well as in the accent's
 never alone.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any

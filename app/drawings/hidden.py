@@ -5,8 +5,6 @@ what two of them have in common. A face that passes through another one is split
 on all faces: a part behind a translucent face has the colour that it has through that face.
 """
 
-from __future__ import annotations
-
 import heapq
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence

@@ -5,8 +5,6 @@ cannot hold that matrix, the vertices are clip coordinates already (`precision`)
 not depend on the depth range, and is drawn with OpenGL's, which the depth buffer takes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """The labels of a pane: every layer asks the `Board` for places, which are then found together."""
 
-from __future__ import annotations
-
 import math
 import weakref
 from collections.abc import Callable, Hashable, Mapping, Sequence

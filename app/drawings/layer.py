@@ -12,8 +12,6 @@ How a change reaches the screen::
     one repaint by the caller
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, ClassVar, NamedTuple

@@ -1,7 +1,5 @@
 """What a flat view of the world measures, and with which letters."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import NamedTuple

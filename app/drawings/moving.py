@@ -4,8 +4,6 @@ Pillow encodes the frames. Its own writers of animations join frames that are eq
 pixels in memory; here a file has exactly the frames that it is given.
 """
 
-from __future__ import annotations
-
 import io
 import struct
 import zlib

@@ -4,8 +4,6 @@ The frames go to it through a pipe, and the film comes from a folder of its own:
 the name of a file that a user has chosen.
 """
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

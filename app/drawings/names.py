@@ -1,7 +1,5 @@
 """The things that a drawing names: those of its view, and the one pointed at or held."""
 
-from __future__ import annotations
-
 from app.lecture.highlight import NOTHING, Highlight
 from app.picking.handles import Handle
 

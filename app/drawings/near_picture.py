@@ -6,8 +6,6 @@ where flatten lays all depths onto the near face. What is nearer is then moved a
 pane's camera, so that it stays in front: along a line of sight no pixel moves.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

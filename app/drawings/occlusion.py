@@ -1,7 +1,5 @@
 """Cells on the screen, in pixels and depth: which parts of lines and points faces hide."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace

@@ -1,7 +1,5 @@
 """VTK's off-screen windows: with a display or without, through X, EGL or Mesa alone."""
 
-from __future__ import annotations
-
 import atexit
 import functools
 import os

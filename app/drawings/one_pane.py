@@ -4,8 +4,6 @@ It is drawn several times as large as asked for and averaged: every driver does 
 multisampling differs from driver to driver.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass

@@ -14,8 +14,6 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 ======  =========================  ===========  ==========================
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import product

@@ -10,8 +10,6 @@ parts that are stored once: most elements of a state occur in its neighbours, to
 Texts of documents are escaped before they become parts.
 """
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import re

@@ -1,7 +1,5 @@
 """Shapes as a PDF file, by matplotlib: its text is text, in embedded TrueType fonts."""
 
-from __future__ import annotations
-
 import io
 from collections.abc import Callable, Iterator, Sequence
 from typing import Any

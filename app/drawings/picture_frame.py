@@ -1,7 +1,5 @@
 """What stands round the picture: its border, its pixel axes with their numbers, and its caption."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 

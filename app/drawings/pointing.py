@@ -4,8 +4,6 @@ Everything for the highlight is created with its drawing. A highlight changes li
 sizes and visibilities, never the number of actors, and costs a slider step nothing.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Sequence
 from itertools import chain, pairwise

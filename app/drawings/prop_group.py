@@ -1,7 +1,5 @@
 """All that a drawing has in a render window: its props, by layers, and its labels."""
 
-from __future__ import annotations
-
 import weakref
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """The largest error of each precision for a scene in its present place."""
 
-from __future__ import annotations
-
 from itertools import islice
 from weakref import WeakKeyDictionary
 

@@ -1,7 +1,5 @@
 """The places of pictures that are compared: beside and above each other."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import accumulate, pairwise

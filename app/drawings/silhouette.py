@@ -1,7 +1,5 @@
 """The area that a scene's objects cover in a pane, which labels leave free where they can."""
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

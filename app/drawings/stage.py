@@ -16,8 +16,6 @@ A step of a slider or of the strip sets matrices and nothing else. The surroundi
 depend at NDC on the depth range alone, and wait for it to change.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

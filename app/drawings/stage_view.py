@@ -3,8 +3,6 @@
 Any foreshortening in this pane is the projection's own.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import TypeAlias

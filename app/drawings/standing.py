@@ -4,8 +4,6 @@ The free view of a figure depends on what it shows. In a moving picture it would
 one place shows all of the frames, or a round of places shows one state.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from app.document.document import Document

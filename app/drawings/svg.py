@@ -1,7 +1,5 @@
 """Shapes as an SVG file: text stays text, and nothing refers to another file."""
 
-from __future__ import annotations
-
 import base64
 import io
 import math

@@ -3,8 +3,6 @@ r"""Shapes as a TikZ picture, which a LaTeX document reads by ``\input``: its te
 Nothing in a label or a title is a command: what is no known formula is escaped.
 """
 
-from __future__ import annotations
-
 import io
 import math
 import re

@@ -10,8 +10,6 @@ The shapes are read from a pane that has been drawn::
 Where shaders make the picture, its pixels are one shape.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise

@@ -6,8 +6,6 @@ the pane looks. No part computes a projection: the frustum is the NDC cube's own
 under ``world_from_clip``, and a slider step sets matrices alone.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 

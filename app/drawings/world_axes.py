@@ -4,8 +4,6 @@ An object that is moved shows its axes; a picture that names a frame shows that 
 x, y and z stand at one of the two.
 """
 
-from __future__ import annotations
-
 from itertools import compress
 
 import numpy as np

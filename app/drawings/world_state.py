@@ -3,8 +3,6 @@
 Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from typing import NamedTuple

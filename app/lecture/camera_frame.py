@@ -7,8 +7,6 @@ sideways error in up turns u and v by that error divided by the sine. The turn h
 approaches the view direction.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

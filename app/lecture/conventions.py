@@ -1,7 +1,5 @@
 """Our matrices in the conventions of other programs, and the frustum's planes in world space."""
 
-from __future__ import annotations
-
 import math
 import operator
 from collections.abc import Sequence

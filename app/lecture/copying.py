@@ -1,7 +1,5 @@
 """Matrices as text to copy: aligned columns, a Python statement, a displayed equation of LaTeX."""
 
-from __future__ import annotations
-
 import re
 
 from app.lecture.letters import Letters, latex_formula, written

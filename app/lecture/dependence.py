@@ -5,8 +5,6 @@ symmetric about the axis depends on its sides, but not on the width that fits it
 module ignores sums that happen to cancel.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache

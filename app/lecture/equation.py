@@ -12,8 +12,6 @@ name that `python -m app matrices` prints. The chosen lecture's names come first
 the letters and signs of one lecture; else their product would not be the product of what is shown.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 from collections.abc import Mapping, Sequence

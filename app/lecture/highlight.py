@@ -18,8 +18,6 @@ settings.distance w y_p ...    a scene's settings and own letters
 =============================  ====================================================
 """
 
-from __future__ import annotations
-
 from typing import TypeAlias
 
 from app.model.parameters import BOTTOM, FAR, LEFT, NEAR, RIGHT, TOP

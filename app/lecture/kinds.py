@@ -4,8 +4,6 @@ The kind is not stored. It follows from where the projectors meet and how the wo
 relative to the image plane.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

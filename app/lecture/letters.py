@@ -3,8 +3,6 @@
 Our own letters are the keys; `app.model.parameters` has that of each parameter.
 """
 
-from __future__ import annotations
-
 import re
 from functools import cache
 from typing import Literal, TypeAlias

@@ -3,8 +3,6 @@
 The widths of TeX's letters are estimated, rather too large: nobody needs TeX to write an equation.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """What a pasted matrix may mean: by rows or by columns, in the convention of another program."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple

@@ -1,7 +1,5 @@
 """Matrices whose numbers were rounded: to float32, or to the digits that a program prints."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from decimal import Decimal

@@ -28,8 +28,6 @@ The canonical volumes, M_pp and M_z are those of lecture 001. All matrices excep
 from `Projection`.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import cached_property

@@ -6,8 +6,6 @@ comes first, then short decimals (`app.model.lenses.solving`). Properties such a
 of the determinant and where w vanishes are decided in rationals.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 import operator

@@ -4,8 +4,6 @@ The right answers are compared with the file's own formulas. The tests check tha
 the lecture, by computing them independently.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """All names that a lesson's file may use, as a page in Markdown: `docs/lesson-names.md`."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 
 from app.document.document import Document

@@ -4,8 +4,6 @@ A `Sheet` is a course in memory: each of its steps is an exercise of another les
 its own variant. Whatever plays a lesson plays a sheet.
 """
 
-from __future__ import annotations
-
 import random
 import re
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence

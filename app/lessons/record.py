@@ -10,8 +10,6 @@ The record says what happened. Where a student stands in a lesson, and what is s
 `Progress`, which "Begin again" deletes; the record stays.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

@@ -4,8 +4,6 @@ A file comes from a student, so only the typed answers are trusted: its size is 
 are found by their bare names only, and every mark is computed anew.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Iterable, Mapping, Sequence

@@ -1,7 +1,5 @@
 """The state of a step: assignments of ``--set``, or a document file."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

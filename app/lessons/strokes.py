@@ -1,7 +1,5 @@
 """The strokes of a lecturer on the slides of a talk, and the file beside the talk with them."""
 
-from __future__ import annotations
-
 import json
 import os
 from collections.abc import Mapping, Sequence

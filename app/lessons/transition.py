@@ -1,7 +1,5 @@
 """Move the model from one step's state to the next, so that the change is visible."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import fields, replace
 from typing import Any, TypeVar

@@ -4,8 +4,6 @@ The teacher's text stays unchanged, byte for byte. The step is inserted only whe
 still show the same.
 """
 
-from __future__ import annotations
-
 import codecs
 import contextlib
 import json

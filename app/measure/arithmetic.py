@@ -5,8 +5,6 @@ matrix, the divide and the viewport, as a GPU does. `reference.Truth` gives the 
 of the points. `summed` runs the same code in every precision: only the number format differs.
 """
 
-from __future__ import annotations
-
 import importlib
 from collections.abc import Callable, Mapping
 from dataclasses import replace

@@ -4,8 +4,6 @@ The seam of the scene `app.scenes.phenomena.cracks` faces the camera at the targ
 two meshes are as wide as in that scene, and quantised each in its own box, or in a common one.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from app.measure.results import ChartPoint, Trade

@@ -4,8 +4,6 @@ The mesh is drawn whole and with ever fewer triangles, or a sphere where the sce
 outlines are exact: they follow from the projected triangles, not from pixels.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable
 from contextlib import ExitStack

@@ -4,8 +4,6 @@ A frame of products costs one (3, 3) product, and a tenth of what renormalises t
 make the axes at once. Many cameras are timed together, so that the work counts and not the calls.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -12,8 +12,6 @@ of the piece, and the error is divided by k. A table of reciprocals in place of 
 by at most its relative error, because t is at most 1.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable

@@ -4,8 +4,6 @@ The eye moves 1 mm a frame, 50 km from the origin (`app.scenes.phenomena.jitter`
 What follows the subtraction is alike. From the origin or from the object, it is the same work.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from app.measure.arithmetic import MOST_POINTS, NO_POINTS, looked_at

@@ -5,8 +5,6 @@ projectors, and a depth linear in 1/w, or in w for a parallel lens. 200 digits s
 of view of 1e-80 degrees without rearranged formulas, so it shares no formula with the other code.
 """
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 import numpy as np

@@ -4,8 +4,6 @@ Each round runs every choice once, so that other load on the machine affects all
 only adds to a time, so the least one is that of the work, and the spread is that of the machine.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace

@@ -4,8 +4,6 @@ The image pane's drawing is rendered off screen with each smoothing, and compare
 picture at `REFERENCE` x `REFERENCE` samples per pixel.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager
 from typing import Any, NamedTuple

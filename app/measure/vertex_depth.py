@@ -5,8 +5,6 @@ plane. The exact way computes the logarithm for every pixel, from 1/w, which is 
 screen. The cheap way computes it where the floor is cut, and interpolates linearly between.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

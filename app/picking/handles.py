@@ -12,8 +12,6 @@ Whatever point of a plane or an edge was grabbed stays under the pointer: the ra
 A drag depends on its start and on the mouse's position, not on the path between them.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace

@@ -21,7 +21,7 @@ from typing import TypeAlias
 import numpy as np
 
 from app.arithmetic.formats import FORMATS
-from app.arithmetic.rationals import Rationals, dot, nearest, product
+from app.arithmetic.rationals import Rationals, dot, nearest, product, rationals
 from app.model.limits import NO_POINT, within
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import Refusal
@@ -79,10 +79,8 @@ def _moved(offset: Sequence[Fraction]) -> Rationals:
 def ndc_from_pixels(projection: Projection) -> Rationals:
     """The inverse of the viewport: pixels and depths to NDC."""
     (width, height), low = projection.image_size, int(min(projection.depth_range))
-    scales = Fraction(2, width), Fraction(-2, height), Fraction(1 - low), Fraction(1)
-    matrix = _moved([Fraction(-1), Fraction(1), Fraction(low)])
-    return [[cell * scales[j] if i == j else cell for j, cell in enumerate(row)]
-            for i, row in enumerate(matrix)]  # fmt: skip
+    across, down = Fraction(2, width), Fraction(-2, height)
+    return rationals([[across, 0, 0, -1], [0, down, 0, 1], [0, 0, 1 - low, low], [0, 0, 0, 1]])
 
 
 @lru_cache(maxsize=16)  # a step of a setting changes few of them

@@ -4,8 +4,6 @@ The letter F of eight cubes standing on a grid in the xz plane is the scene of l
 The cube and the receding row of posts prepare and follow it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, TypeAlias
 

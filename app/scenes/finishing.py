@@ -3,8 +3,6 @@
 All slow work on a large mesh is here, so that `app.scenes.reading` can do it in another process.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The first camera of a scene: it sees the whole mesh, with numbers of few digits."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 

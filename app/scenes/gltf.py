@@ -4,8 +4,6 @@ The shape is that of the file at rest: default morph weights, joints where their
 animation. Section numbers are those of the glTF 2.0 specification.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """Read the numbers of a glTF file: its buffers, the views of them, and the accessors (s. 3.6)."""
 
-from __future__ import annotations
-
 import base64
 import os
 from pathlib import Path, PurePath, PureWindowsPath

@@ -5,8 +5,6 @@ files come from strangers: a reader compares every claim of a file with the byte
 `LARGEST`, before it allocates memory.
 """
 
-from __future__ import annotations
-
 import codecs
 import os
 import warnings

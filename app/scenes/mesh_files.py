@@ -5,8 +5,6 @@ These readers use Python and numpy only, which cannot run past the end of an arr
 and keeps the coordinates for every format.
 """
 
-from __future__ import annotations
-
 import codecs
 import re
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """Read meshes, clouds and lines from PLY files: text, or binary of either byte order."""
 
-from __future__ import annotations
-
 import re
 from array import array
 from typing import Any, NamedTuple, NoReturn, TypeAlias

@@ -4,8 +4,6 @@ A polygon whose triangles about one of its corners all turn the same way is thei
 are divided by mapbox-earcut.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -6,8 +6,6 @@ numpy. It writes lines of JSON to its standard output (the progress, or a refusa
 bytes of the mesh's arrays.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

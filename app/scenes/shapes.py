@@ -4,8 +4,6 @@ Faces are quads ``(m, 4, 3)`` and lines are segments ``(m, 2, 3)``, both float64
 ``(m, 3)`` uint8 each: a `Coloured`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import cache

@@ -8,8 +8,6 @@ are opened. There is one row for each value: the scene's card borrows those that
 scene.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Mapping
 from dataclasses import replace

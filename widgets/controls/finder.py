@@ -4,8 +4,6 @@ Each typed word must begin a word of the control; a single letter must be a whol
 before tooltips: a plane's name means the plane, not everything that depends on it.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple

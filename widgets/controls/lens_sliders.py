@@ -1,7 +1,5 @@
 """The sliders of the lens's rows, which reach as far as lens, scene and image require."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

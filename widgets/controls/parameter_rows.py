@@ -1,7 +1,5 @@
 """The row of a parameter, its slider's scale, and the motion that animates its number."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

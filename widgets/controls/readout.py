@@ -1,7 +1,5 @@
 """The readout of a scene: its numbers, with labels and units."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from typing import Any

@@ -8,8 +8,6 @@
 The card is built from the data of a `Phenomenon`; no phenomenon has code here.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import replace

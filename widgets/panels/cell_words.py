@@ -1,7 +1,5 @@
 """Sentences about a matrix cell: its value, its effect and what it depends on."""
 
-from __future__ import annotations
-
 from PySide6.QtCore import QObject
 
 from app.lecture.letters import Letters, written

@@ -1,7 +1,5 @@
 """A panel with diagrams: their views, and a width that fits a small window too."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Sequence
 

@@ -4,8 +4,6 @@ The formulas are filled with the model's own numbers; copied numbers have the di
 `python -m app matrices` prints. A folded panel computes nothing.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace

@@ -3,8 +3,6 @@
 The model (`app.lecture.kinds`) finds the kind of any picture, and projects the small cubes.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import lru_cache, partial
 

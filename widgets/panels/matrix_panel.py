@@ -8,8 +8,6 @@
 Nothing is computed while the panel is folded. A drag counts as one change of the cells.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Any, cast

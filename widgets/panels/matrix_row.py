@@ -1,7 +1,5 @@
 """The matrices side by side: boxes in a row that scrolls, with an arrow at each end."""
 
-from __future__ import annotations
-
 import textwrap
 from collections.abc import Callable, Sequence
 

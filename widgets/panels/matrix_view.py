@@ -4,8 +4,6 @@ A cell whose value differs from before the last change is highlighted, and its d
 from the first that differs.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from functools import partial

@@ -9,8 +9,6 @@
     finished             <-- Measurements on its standard output, or why there are none
 """
 
-from __future__ import annotations
-
 import os
 import tempfile
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """The numbers of probes at every stage, as the command `project` prints them, with formulas."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, NamedTuple, TypeAlias
 

@@ -4,8 +4,6 @@ A probe is not part of the scene: it is kept in the document's view. A folded pa
 numbers.
 """
 
-from __future__ import annotations
-
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 

@@ -1,7 +1,5 @@
 """The table of the probes' numbers: formulas in the first column, then four columns a probe."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import Any, TypeAlias

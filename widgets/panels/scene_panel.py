@@ -3,8 +3,6 @@
 The scene's settings and numbers are in the `SceneCard` at the top of the dock.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject, QSize, Qt

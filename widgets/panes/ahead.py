@@ -1,7 +1,5 @@
 """Drawings that are made before they are shown, so that a step of a lesson appears at once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any, NamedTuple
 

@@ -1,7 +1,5 @@
 """The mouse pointer over a thing that can go to and fro along one way."""
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 

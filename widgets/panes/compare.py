@@ -6,8 +6,6 @@ cut at dividers that the user drags, or side by side, where the live picture bec
 picture is not drawn again. Mouse, handles and probes work in the live picture only.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from functools import partial
 from itertools import pairwise

@@ -3,8 +3,6 @@
 Nothing is counted until `REST_MS` after the last change.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

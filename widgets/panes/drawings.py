@@ -1,7 +1,5 @@
 """The maker of each pane's drawing, which imports VTK when it is called."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The title row that lies on a pane's picture: the title and a note at the left, buttons right."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QObject

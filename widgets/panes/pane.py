@@ -7,8 +7,6 @@ How a change reaches the screen, and why it is drawn once::
     mouse on the canvas -> vtkCamera of this pane only -> canvas.redraw()
 """
 
-from __future__ import annotations
-
 import sys
 import time
 from collections.abc import Callable, Sequence

@@ -3,8 +3,6 @@
 The strip knows positions and words, but no matrix.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Draw the charts of measurements into a picture or a PDF, also without a window."""
 
-from __future__ import annotations
-
 import re
 import textwrap
 from collections.abc import Callable, Mapping

@@ -1,7 +1,5 @@
 """The clock of everything that plays: stage strip, animation, a scene's settings."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 
 from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal

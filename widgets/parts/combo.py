@@ -1,7 +1,5 @@
 """A combo box whose arrow grows with the letters."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 from PySide6.QtCore import QEvent, QRect, QSize

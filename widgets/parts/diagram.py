@@ -4,8 +4,6 @@
 `Style`; a curve's name is on a plate of its colour. Both are as in the panes.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

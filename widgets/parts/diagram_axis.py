@@ -1,7 +1,5 @@
 """The axes of a diagram, and the parts of its curves inside its window; numbers only."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ The window paints diagrams at the screen's resolution, a picture or a PDF at its
 canvas takes 30 to 70 ms for one of our diagrams, too long to follow a drag; this takes 1 to 7 ms.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

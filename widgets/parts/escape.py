@@ -4,8 +4,6 @@ The drag receives Esc before any shortcut, whichever widget has the focus. Moves
 ignored until the button is released.
 """
 
-from __future__ import annotations
-
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QApplication, QSlider, QWidget

@@ -11,8 +11,6 @@ keys or wheel steps, one typed value, one reset. `gesture_abandoned` precedes `g
 all these edits must be undone.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Sequence
 from functools import partial

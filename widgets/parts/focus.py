@@ -4,8 +4,6 @@ Qt's Tab order is the order of creation: widgets that a panel creates later woul
 from the panel. The order here is that of the layouts, which the user sees.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import cast
 

@@ -1,7 +1,5 @@
 """Functions that make rows and columns of widgets, and paint them at once."""
 
-from __future__ import annotations
-
 from typing import TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt

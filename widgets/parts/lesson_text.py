@@ -4,8 +4,6 @@
 text.
 """
 
-from __future__ import annotations
-
 import math
 from functools import lru_cache
 from typing import Any, cast

@@ -1,7 +1,5 @@
 """A strip across the window with one sentence, and buttons that act on it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from typing import TypeAlias

@@ -4,8 +4,6 @@ The core does not depend on Qt: a `Refusal` has data (bound, field, value, limit
 that are marked for translation. This module translates them.
 """
 
-from __future__ import annotations
-
 import math
 import numbers
 import re

@@ -1,7 +1,5 @@
 """Whether the system asks programs to reduce motion."""
 
-from __future__ import annotations
-
 import ctypes
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Labels: an elided line, and lines of about equal length."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt

@@ -4,8 +4,6 @@ Qt's own dialog uses the system's locale, where a decimal point may separate tho
 be read as 335.
 """
 
-from __future__ import annotations
-
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QWidget
 
 from app.model.limits import within

@@ -1,7 +1,5 @@
 """Fields for one number: `NumberField` with all its digits, `ShortField` in the rows."""
 
-from __future__ import annotations
-
 from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt
 from PySide6.QtGui import QFocusEvent, QInputMethodEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QLineEdit

@@ -1,7 +1,5 @@
 """Rows with number fields: `NumberRow` with a slider, `VectorRow` with three fields."""
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Read numbers as a person types them; write them as short as a field shows them."""
 
-from __future__ import annotations
-
 import math
 import re
 

@@ -1,7 +1,5 @@
 """A dialog that shows the progress of long work and can cancel it."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor, wait

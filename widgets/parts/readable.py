@@ -11,8 +11,6 @@ Most steps of a drag then cost no more than without the numbers, on any machine,
 is always shown.
 """
 
-from __future__ import annotations
-
 import time
 from abc import abstractmethod
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Roles that tell a screen reader what a widget is, where Qt's own role would mislead."""
 
-from __future__ import annotations
-
 from functools import cache
 
 from PySide6.QtCore import QObject

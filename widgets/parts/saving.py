@@ -3,8 +3,6 @@
 Qt's own dialog does not know that a name without an ending gets one, so it checks another file.
 """
 
-from __future__ import annotations
-
 import os
 
 from PySide6.QtCore import QBuffer, QCoreApplication

@@ -1,7 +1,5 @@
 """A part of the dock: rows, optionally below a title or a folding heading."""
 
-from __future__ import annotations
-
 import itertools
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal

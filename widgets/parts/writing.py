@@ -4,8 +4,6 @@ The two choices apply to panes, panels and readouts. They do not round the numbe
 copied or typed numbers have all their digits.
 """
 
-from __future__ import annotations
-
 from typing import Generic, TypeVar
 
 from PySide6.QtCore import QObject, Signal

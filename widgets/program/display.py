@@ -1,7 +1,5 @@
 """Check for a screen before Qt does, because Qt ends the process without one."""
 
-from __future__ import annotations
-
 import ctypes
 import os
 import shutil

@@ -4,8 +4,6 @@ Every exercise is whole on one page. What is blank on a page becomes room to wri
 needed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple

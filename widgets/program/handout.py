@@ -5,8 +5,6 @@ The matrices or the scene's numbers stand below the figure of a state that opens
 figures have the size with which the pages are filled best. No display is needed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from functools import partial
 from itertools import pairwise

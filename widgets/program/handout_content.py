@@ -3,8 +3,6 @@
 `handout` prints it on A4, `handout_page` writes it for phones.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 from functools import partial

@@ -5,8 +5,6 @@ needs no network and no scripts. A formula is its outlines, stored once, and wor
 reader.
 """
 
-from __future__ import annotations
-
 import base64
 import re
 from collections.abc import Iterator

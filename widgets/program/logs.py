@@ -1,7 +1,5 @@
 """One log file for the program, Qt and VTK."""
 
-from __future__ import annotations
-
 import logging
 import logging.handlers
 import sys

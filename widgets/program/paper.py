@@ -4,8 +4,6 @@ A page consists of blocks. The figures of all blocks have the size with which th
 best. No display is needed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cache

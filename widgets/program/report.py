@@ -1,7 +1,5 @@
 """Log uncaught exceptions, and report them in one dialog."""
 
-from __future__ import annotations
-
 import logging
 import platform
 import sys

@@ -9,8 +9,6 @@ The view also holds the panes' own cameras. `Look` restores them, because it bui
 another document.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """A copy of unsaved work in the user's data folder, in case the program dies."""
 
-from __future__ import annotations
-
 import logging
 import os
 import re

@@ -3,8 +3,6 @@
 The rows are those of the dock, which lends them while the strip is shown.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject, Signal

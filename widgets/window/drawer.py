@@ -2,8 +2,6 @@
 high as its content, and at most a third of the window.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from typing import cast
 

@@ -4,8 +4,6 @@ A cell has the colour of the axis that it is made of. Cells that the controls of
 are framed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

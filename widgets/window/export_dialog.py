@@ -1,7 +1,5 @@
 """The dialog that asks what a picture shows, how large, in which colours, and as which file."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """The Help menu: short texts in windows that do not block the main window."""
 
-from __future__ import annotations
-
 import re
 import sys
 from pathlib import Path

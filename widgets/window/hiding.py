@@ -1,7 +1,5 @@
 """Hides what would show the answer of an exercise, until the answer is given."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from PySide6.QtCore import QObject

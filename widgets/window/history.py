@@ -1,7 +1,5 @@
 """Undo, redo and reset, and work that is postponed until the user's input stops."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """A laser pointer for a class: while L is held, a dot over the whole window follows the mouse."""
 
-from __future__ import annotations
-
 from PySide6.QtCore import QEvent, QObject, QPointF, QSize, Qt
 from PySide6.QtGui import QColor, QCursor, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QWidget

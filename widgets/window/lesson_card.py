@@ -7,8 +7,6 @@
     the window changes -> LessonCard.look_again -> the tasks see it, when the event loop is free
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial

@@ -1,7 +1,5 @@
 """The Lessons menu: the lessons and talks to open, and the steps of the open one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path

@@ -9,8 +9,6 @@ The user may change anything at a step. Such changes are not unsaved work, and `
 step again as in the file.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace

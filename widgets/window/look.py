@@ -1,7 +1,5 @@
 """The panes' appearance: theme, text size, and drawing quality."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 

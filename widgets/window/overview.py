@@ -1,7 +1,5 @@
 """The overview: every topic with its exercises as the student solved them, and the wrong ideas."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Tells a screen reader in words what each pane shows, as soon as nothing changes any more."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from PySide6.QtCore import QObject, QTimer

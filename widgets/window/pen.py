@@ -5,8 +5,6 @@
     mouse, key --Pen--> strokes of the step --keep--> the file beside the talk --> the handout
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from functools import partial

@@ -1,7 +1,5 @@
 """The crosshair in a picture, for a question that asks for a place."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Tests, and reviews of the exercises that have come back, on the lesson's card."""
 
-from __future__ import annotations
-
 import random
 import time
 from collections.abc import Sequence

@@ -7,8 +7,6 @@ Letters, lines and handles are a share of the screen's height, so that the back 
 on every projector.
 """
 
-from __future__ import annotations
-
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QEnterEvent, QGuiApplication, QMouseEvent, QScreen
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget

@@ -1,7 +1,5 @@
 """A question that is put to a class, or its answer: it lies over the slide and moves nothing."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable
 from itertools import product

@@ -6,8 +6,6 @@
     another document is opened --> its own Autosave --the window is closed--^
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from functools import partial

@@ -1,7 +1,5 @@
 """Presents a scene: its card in the dock, its panel, its settings, its controls."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The dialog that asks for the topics of a test."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from PySide6.QtCore import QCoreApplication

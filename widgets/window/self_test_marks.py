@@ -1,7 +1,5 @@
 """The end of a test: every exercise with the student's answer beside the right one."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from PySide6.QtWidgets import QWidget

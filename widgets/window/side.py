@@ -1,7 +1,5 @@
 """The column beside the pictures: the lesson's card above the controls."""
 
-from __future__ import annotations
-
 from typing import cast
 
 from PySide6.QtCore import QEvent, QObject, Qt

@@ -1,7 +1,5 @@
 """The place of the panes in the window: for a class a slide, over which a question may lie."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 

@@ -12,8 +12,6 @@
 A class sees a slide: one pane alone, or two side by side.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import partial
 

@@ -1,7 +1,5 @@
 """The speaker's window: this step's notes, what comes next, and the time."""
 
-from __future__ import annotations
-
 import time
 from collections import OrderedDict
 from collections.abc import Callable

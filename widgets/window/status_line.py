@@ -5,8 +5,6 @@ errors takes some milliseconds: it waits until the input stops, and is skipped w
 line nor the panel is visible.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 

@@ -1,7 +1,5 @@
 """The marks of a lesson's steps: where the student is, what is done, what is practice."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from PySide6.QtCore import Signal

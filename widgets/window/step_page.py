@@ -1,7 +1,5 @@
 """The page of a lesson's step: its texts, and the views of its questions and tasks."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import cast
 

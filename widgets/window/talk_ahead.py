@@ -1,7 +1,5 @@
 """Prepare the neighbouring steps of a talk while the speaker talks."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from PySide6.QtCore import QObject, QTimer, Signal

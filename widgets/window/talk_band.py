@@ -5,8 +5,6 @@ left to the speaker's notes; of a text of which no part fits, the beginning
 is shown.
 """
 
-from __future__ import annotations
-
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator

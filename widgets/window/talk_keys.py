@@ -4,8 +4,6 @@ They control the talk in the main window while it is presented, and always in th
 elsewhere they have other meanings.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 

@@ -1,7 +1,5 @@
 """Write the window's state as a step of a lesson's file, or as the first step of a new talk."""
 
-from __future__ import annotations
-
 import os
 from pathlib import Path
 

@@ -6,8 +6,6 @@
                                '--> Present                  '--> Ahead
 """
 
-from __future__ import annotations
-
 from functools import partial
 from pathlib import Path
 

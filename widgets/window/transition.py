@@ -6,8 +6,6 @@
             --go(part)--> cameras and fade follow, 0 to 1
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

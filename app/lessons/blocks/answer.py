@@ -1,7 +1,5 @@
 """``answer``: a typed number, a matrix, a place, or a choice that may be repeated."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

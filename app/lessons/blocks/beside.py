@@ -1,7 +1,5 @@
 """A wrong number beside the right one: the model with each of them, as compared pictures."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

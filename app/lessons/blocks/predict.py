@@ -1,7 +1,5 @@
 """``predict``: a choice that must be made before the step continues."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from app.lessons.blocks.choices import Choices

@@ -3,8 +3,6 @@
 The value of a reply is one number, those of a matrix, or the coordinates of a place.
 """
 
-from __future__ import annotations
-
 import difflib
 import math
 from abc import abstractmethod

@@ -1,7 +1,5 @@
 """Worked solutions: a formula in letters, with its numbers put in, and its value, as TeX."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction

@@ -6,8 +6,6 @@ The synthetic camera (lecture 001) has the same centre and puts its film in fron
 distance, where the image is ``+d h / z`` high. In this scene that film is the near plane.
 """
 
-from __future__ import annotations
-
 from functools import partial
 
 import numpy as np

@@ -10,8 +10,6 @@ the window at that depth is as wide as the picture,
 The depth stays exact: what a coarse one does to a picture is the scene of the depth buffer.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

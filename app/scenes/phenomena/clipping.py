@@ -7,8 +7,6 @@ adds a new corner where an edge crosses. `app.model.clipping` cuts in clip space
 world follow from the polygon's own corners, without an inverse matrix.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from itertools import chain

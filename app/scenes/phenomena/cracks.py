@@ -10,8 +10,6 @@ apart. If X, Y, W are its clip coordinates, an offset moves its picture by exact
 + dW)``, which bounds the gap from everywhere. A common grid rounds both copies to the same place.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

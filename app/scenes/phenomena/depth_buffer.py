@@ -12,8 +12,6 @@ m, in view space, that is a gap of ``gap / (1 - (m_x X + m_y Y)/m_z)`` along the
 -1)``.
 """
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A small picture or chart beside the panes, as plain data."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

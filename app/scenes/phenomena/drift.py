@@ -5,8 +5,6 @@ a point at q in view space is drawn at ``q + E q``. An E too small to see is enl
 and in the image alike.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

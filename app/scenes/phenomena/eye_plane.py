@@ -9,8 +9,6 @@ together require ``w >= 0``.
 No picture here is cut at near and far, which would take away more and correct nothing else.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from functools import partial

@@ -7,8 +7,6 @@ parts farther away smaller. Fields of view and the two photographs, 29 mm at 30 
 360 cm, are lecture 001's; one unit of this scene is 10 cm.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

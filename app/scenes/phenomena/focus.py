@@ -15,8 +15,6 @@ The focal length is that of a 36 x 24 mm camera with the same diagonal field of 
 the eye, distances are measured along the view direction, and one world unit is 1 m.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import NamedTuple

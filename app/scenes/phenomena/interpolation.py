@@ -18,8 +18,6 @@ largest error, of s or of any direction of the texture, and by the same argument
 screen, is on an edge. All edges of the triangles are examined, also the diagonals.
 """
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

@@ -5,8 +5,6 @@ scale: ``-cot(alpha), -cot(beta)`` for a unit of depth (lecture 002, matrix H). 
 drawing is the orthographic one, at 1 a cavalier, at 1/2 a cabinet drawing.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import product

@@ -5,8 +5,6 @@ right of the near plane's window become unequal (lectures 000, 002, 003: glFrust
 screens is two such frusta with one eye: the right side of one is the left side of the other.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -4,8 +4,6 @@ Lines are cut in clip space, before the divide by w, so that no mark is mirrored
 infinity, whatever the camera does.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import replace

@@ -14,8 +14,6 @@ clips ``w < 0`` before it divides; the matrix -S reverses the sign and lets the 
 the far plane.)
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from typing import Any, NamedTuple

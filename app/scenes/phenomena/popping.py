@@ -8,8 +8,6 @@ Level of detail draws far trees with fewer vertices, so that the far plane can b
 the same cost.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

@@ -7,8 +7,6 @@ linear in the place (Olano and Greer, *Triangle Scan Conversion using 2D Homogen
 1997).
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

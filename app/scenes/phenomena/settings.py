@@ -1,7 +1,5 @@
 """The values of a phenomenon's settings, beside camera and lens."""
 
-from __future__ import annotations
-
 import numbers
 from collections.abc import Mapping
 from typing import TypeAlias

@@ -6,8 +6,6 @@ film of a camera obscura is behind its hole (lectures 001, 002): by the same for
 coordinates change their signs.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 

@@ -13,8 +13,6 @@ keystone distortion, which is largest in the corners (A. Woods, T. Docherty and 
 distortions in stereoscopic video systems", Proc. SPIE 1915, 1993, section 2.5).
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -7,8 +7,6 @@ parallel, the image is at infinity too, and the edges stay parallel. The number 
 directions with a vanishing point names the perspective: 1-, 2- or 3-point (lecture 002).
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import NamedTuple

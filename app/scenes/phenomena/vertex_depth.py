@@ -13,8 +13,6 @@ are: along its projector, to where the standard depth is what its logarithm is. 
 itself interpolates them. The world shows the floor as the depths say: a trough.
 """
 
-from __future__ import annotations
-
 import math
 from functools import cache
 

@@ -6,8 +6,6 @@ are those of solid geometry: a section at depth w is ``(w/n)^2`` times the one a
 the same at every depth, however the axis leans (Cavalieri).
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -22,8 +22,6 @@ The window translates these texts in the context "phenomena". lupdate reads no M
 `tests/texts.py` makes a source for it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The views of the blocks that require an answer: one file each, and this table."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from app.lessons.blocks.answer import Answer

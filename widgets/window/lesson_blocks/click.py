@@ -1,7 +1,5 @@
 """The view of a question that is answered by pointing at a place in a picture."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from PySide6.QtCore import Signal

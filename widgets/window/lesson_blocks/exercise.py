@@ -1,7 +1,5 @@
 """The view of an exercise: its seed, "Another one", and the view of the question it becomes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from PySide6.QtGui import QIntValidator

@@ -3,8 +3,6 @@
 Its answer is offered after a wrong attempt or a hint.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton

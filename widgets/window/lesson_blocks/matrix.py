@@ -1,7 +1,5 @@
 """The view of a question whose answer is a matrix: a grid of cells to type into."""
 
-from __future__ import annotations
-
 import itertools
 
 from PySide6.QtCore import QEvent, QObject, Qt

@@ -1,7 +1,5 @@
 """The view of a question whose answer is a number."""
 
-from __future__ import annotations
-
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from app.lessons.blocks.answer import Answer

@@ -1,7 +1,5 @@
 """The view of a task: it is ticked when the task is done in the window."""
 
-from __future__ import annotations
-
 from PySide6.QtCore import QTimer
 
 from app.document.document import Document
