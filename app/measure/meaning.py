@@ -151,16 +151,17 @@ def shown_by(name: str) -> dict[str, str]:
 def boldest(trade: Trade) -> tuple[str, ChartPoint] | None:
     """Return the cost, time before bytes, and the choice that saves most against the usual one.
 
-    Of choices that cost the same it is the smallest. If none saves anything, it is the cheapest
-    that is more exact.
+    Of choices that cost the same it is the smallest, then the least exact. If none saves anything,
+    it is the cheapest that is more exact.
     """
-    offers = []
+    offers, usual = [], USUAL[trade.name]
     for cost in ("time", "bytes"):
         part = trade.by_cost(cost)
         for best in part.frontier:
-            choice = min((best, *part.as_cheap(best)), key=lambda c: c.bytes or 0.0)
+            others = [c for c in part.as_cheap(best) if c.name != usual]
+            choice = min((best, *others), key=lambda c: (c.bytes or 0.0, -(c.error or 0.0)))
             offers.append((_times_cheaper(part, choice), cost, choice))
-    known = [offer for offer in offers if offer[0] and offer[2].name != USUAL[trade.name]]
+    known = [offer for offer in offers if offer[0] and offer[2].name != usual]
     saving = [offer for offer in known if offer[0] > 1.0 + STEADY]
     return next((offer[1:] for offer in saving or known), None)
 
