@@ -77,7 +77,9 @@ def test_the_boldest_choice_saves_most_time_before_bytes() -> None:
         for count, cost in ((1, 2.02), (2, 2.0), (64, 2.05))
     ]
     assert bold(usual, *pieces) == ("time", "1"), "of equal times the smallest"
-    same = [replace(choice(name, 2.0, error), bytes=3.0) for name, error in (("a", 0.1), ("b", 4.0))]
+    same = [
+        replace(choice(name, 2.0, error), bytes=3.0) for name, error in (("a", 0.1), ("b", 4.0))
+    ]
     assert bold(usual, *same) == ("time", "b"), "of equal costs the least exact"
     assert bold(usual, choice("equal", 9.8, 1e-4)) == ("time", "equal")
     assert bold(exact) is None and bold(usual) is None
