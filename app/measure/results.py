@@ -88,18 +88,18 @@ JUDGED = _JUDGED.format(64)
 """The definition of the errors of trade 1 and of the sweeps."""
 _SWEPT_FIELDS = {each.formula: each.path for each in (NEAR, FAR, FOV_Y)}
 _DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
-_FIELDS = "depth_format", "depth_mapping"
-EVERY_BUFFER = {
-    name: dict(zip(_FIELDS, f"{name}, opengl".split(", "), strict=False))
-    for name in (
-        "fixed8", "fixed16", "fixed24", "fixed32", "float16", "float32", "float32, reversed",
-        "fixed24, logarithmic",
-    )
-}  # fmt: skip
-"""The depth buffers of the sweep over the distance, as of `ChartPoint.use`."""
-_OF_PLANES = "fixed16", "fixed24", "float32", "float32, reversed"
-BUFFERS = {name: EVERY_BUFFER[name] for name in _OF_PLANES}
-"""Those of the sweeps of near and far."""
+BUFFERS = {
+    "fixed16": {"depth_format": "fixed16", "depth_mapping": "opengl"},
+    "fixed24": {"depth_format": "fixed24", "depth_mapping": "opengl"},
+    "float32": {"depth_format": "float32", "depth_mapping": "opengl"},
+    "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
+}
+"""The depth buffers of the sweeps of near and far, as of `ChartPoint.use`."""
+EVERY_BUFFER: tuple[str, ...] = (
+    "fixed8", "fixed16", "fixed24", "fixed32", "float16", "float32", "float32, reversed",
+    "fixed24, logarithmic",
+)  # fmt: skip
+"""The formats of the sweep over the distance, with their mapping if it is none of OpenGL."""
 GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
@@ -313,9 +313,9 @@ class Sweep:
             use = {"scene": "depth-buffer", DISTANCE.path: repr(self.values[row])}
             planes = lens if isinstance(lens, dict) else {}
             use |= {f"lens.{each}": str(planes[each]) for each in ("near", "far") if each in planes}
-            for field, value in EVERY_BUFFER.get(name, {}).items():
-                setting = {"depth_format": "format", "depth_mapping": "range"}[field]
-                use[f"settings.{setting}"] = "standard" if value == "opengl" else value
+            form, _, mapping = name.partition(", ")
+            if form:
+                use |= {"settings.format": form, "settings.range": mapping or "standard"}
             return use
         field = _SWEPT_FIELDS.get(self.parameter, "")
         if not field or row >= len(self.values):

@@ -1,7 +1,7 @@
 """Trade, back from the picture: ns a point against the error, in parts of the distance.
 
 Every way gets the same pixels and depths, and returns the numbers of `app.precision.unprojecting`
-bit for bit. Sums of products are added term by term; cells that are 0 or 1 cost nothing. The
+bit for bit. Sums of products are added term by term, without the cells that are 0. The
 world's origin is `AWAY` from the eye, where the ways differ most; columns have nearer ones.
 """
 
@@ -31,31 +31,21 @@ def timed_way(
     projection: Projection, pixels: Array, way: str, form: str, origin: Vector
 ) -> Callable[[], Array]:
     """Return a function that unprojects pixels and depths (n, 3) to points (3, n), as hardware."""
-    columns = np.ascontiguousarray(pixels.T).astype(form)
+    columns = np.vstack([pixels.T, np.ones(len(pixels))]).astype(form)
     spare, steps = np.empty_like(columns[0]), []
     add, multiply, divide = np.add, np.multiply, np.divide
     for (matrix, _), divides in kept_matrices(projection, way, origin, form):
-        out = np.empty((4, len(pixels)), dtype=form)
-        rows = []
-        for row, cells in zip(out[: 4 if divides else 3], matrix.astype(form), strict=False):
-            ones = [None if cell == 1.0 else cell for cell in cells]
-            terms = [(j, ones[j]) for j in range(3) if cells[j]]
-            rows.append((row, terms, cells[3]))
-        steps.append((out, rows, divides))
+        out, cells = np.empty_like(columns), matrix.astype(form)
+        terms = [[(j, row[j]) for j in np.flatnonzero(row)] for row in cells]
+        steps.append((out, list(zip(out, terms, strict=True)), divides))
 
     def run() -> Array:
         point = columns
         for out, rows, divides in steps:
-            for row, terms, constant in rows:
-                total = None
-                for j, cell in terms:
-                    into = row if total is None else spare
-                    term = point[j] if cell is None else multiply(point[j], cell, into)
-                    total = term if total is None else add(total, term, row)
-                if total is None:
-                    row.fill(constant)
-                elif constant or total is not row:
-                    add(total, constant, row)
+            for row, ((first, cell), *more) in rows:
+                multiply(point[first], cell, row)
+                for j, cell in more:
+                    add(row, cell if j == 3 else multiply(point[j], cell, spare), row)
             if divides:
                 for row in out[:3]:
                     divide(row, out[3], row)

@@ -134,7 +134,6 @@ PHENOMENON = Phenomenon(
         Parameter("left", SIZES[0], 4.0, 1e6, span=(4.0, 100.0), logarithmic=True),
         Parameter("right", SIZES[1], 3.0, 1e6, span=(3.0, 100.0), logarithmic=True),
     ),
-    controls=("camera.distance",),
     leading="image",
     requires=frozenset({"vertices"}),
     names=("left-mesh", "right-mesh", "seam"),

@@ -128,7 +128,6 @@ PHENOMENON = Phenomenon(
         Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
         Parameter("point", (1.5, 4.5, 0.5)),
     ),
-    controls=("lens.near",),
     numbers=5,
     clicked="point",
     own_mesh=True,
