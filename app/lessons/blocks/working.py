@@ -7,16 +7,7 @@ from typing import NamedTuple
 
 from app.lessons.marking import OF_ANGLES, digits_shown, is_angle
 from app.lessons.quantities import FUNCTIONS, Quantities
-from app.model.formula import (
-    Call,
-    Degrees,
-    Formula,
-    Letter,
-    Negative,
-    Number,
-    Product,
-    Quotient,
-)
+from app.model.formula import Call, Degrees, Formula, Letter, Negative, Number, Product, Quotient
 from app.model.formula_text import latex
 
 _HIDDEN = ("reading", "was", "quality")
