@@ -25,17 +25,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import (
-    Copy,
-    Grip,
-    Mark,
-    Marks,
-    Polyline,
-    Text,
-    named,
-    plate,
-    segment,
-)
+from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Settings, number, point
@@ -222,7 +212,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
-    def ray(place: Array, end: Array, *drawn: Any) -> Polyline:
+    def ray(place: Array, end: Array, *drawn: Any) -> Mark:
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
