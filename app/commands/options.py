@@ -216,15 +216,9 @@ def _parsed(
     return read
 
 
-def _whole(value: str) -> int:
-    if not re.fullmatch("[0-9]{1,9}", value):
-        raise CliError(f"--frames = {value!r}: must be a whole number.")
-    return int(value)
-
-
-def _digits(value: str) -> int:
-    if not re.fullmatch("[1-9]|1[0-7]", value):
-        raise CliError(f"--digits = {value!r}: must be a whole number from 1 to 17.")
+def _whole(pattern: str, value: str) -> int:
+    if not re.fullmatch(pattern, value):
+        raise ValueError(value)
     return int(value)
 
 
@@ -355,7 +349,7 @@ def _export() -> Parser:
         "--frames", "COUNT",
         "of a moving picture: how many frames (default: 48; of --stages 120, of --transition "
         "24; in .html 21)",
-        read=_whole,
+        read=_parsed("--frames", "a whole number", partial(_whole, "[0-9]{1,9}")),
     )  # fmt: skip
     parser.add(
         "--fps", "COUNT", "of a moving picture: how many frames a second (default: 12)",
@@ -398,7 +392,7 @@ def _matrices() -> Parser:
     parser.add(
         "--digits", "COUNT",
         "in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
-        read=_digits,
+        read=_parsed("--digits", "a whole number from 1 to 17", partial(_whole, "[1-9]|1[0-7]")),
     )  # fmt: skip
     parser.add_choice(
         "--letters", LETTERS, "in LaTeX: the letters of a lecture (default: the document's)"

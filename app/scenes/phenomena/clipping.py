@@ -126,9 +126,7 @@ def classified(projection: Projection, faces: Array) -> tuple[list[int], list[in
     the face passes an edge of the volume. Raises a `Refusal` like `clip_polygon`.
     """
     trace = projection.trace(faces)
-    whole: list[int] = []
-    outside: list[int] = []
-    crossing: list[int] = []
+    whole, outside, crossing = list[int](), list[int](), list[int]()
     for i, (clip, beyond) in enumerate(zip(trace.clip, trace.outside, strict=True)):
         if not beyond.any():
             whole.append(i)

@@ -269,10 +269,8 @@ def _sharp_in_picture(projection: Projection, lens: _Focused, subject: Subject) 
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # the middle of each front's upper edge
-    names = [
-        Text("sharp", top, "v", text=WORDS["sharp"]) for top in tops.image[is_sharp & seen(tops)]
-    ][:1]
-    return Marks.of(*lines, *names)
+    first = tops.image[is_sharp & seen(tops)][:1]
+    return Marks.of(*lines, *(Text("sharp", top, "v", text=WORDS["sharp"]) for top in first))
 
 
 def _diagram(lens: _Focused) -> Diagram:

@@ -145,8 +145,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     return Illustration(
         (
             Reading("S", tuple((matrix + 0.0).ravel().tolist()), note=_formula(settings, light)),
-            Reading.or_why(WORDS["vertex"], _middle_and_distances(place), why=note),
-            Reading.or_why(WORDS["shadow"], _middle_and_distances(measured), why=note),
+            *(
+                Reading.or_why(WORDS[name], None if at is None else tuple(at.tolist()), why=note)
+                for name, at in (("vertex", place), ("shadow", measured))
+            ),
             Reading.or_why(WORDS["off"], off, why=note),
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
@@ -170,10 +172,6 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     if light[3] == 1.0:
         return WORDS.phrase("of-lamp", *parts)
     return WORDS.phrase("of-sun", *parts, max(map(abs, point(settings, "light"))))
-
-
-def _middle_and_distances(place: Array | None) -> tuple[float, ...] | None:
-    return None if place is None else tuple(place.tolist())
 
 
 _MOST = 2.5  # of the reach below, from the object's middle to the plane's sides

@@ -29,16 +29,7 @@ from app.scenes.phenomena.picture import (
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
-from app.scenes.shapes import (
-    EDGE_RGB,
-    SIDE_RGB,
-    Coloured,
-    box_faces,
-    edges_of,
-    flat,
-    ground_grid,
-    joined,
-)
+from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("vanishing-points")
 
@@ -201,12 +192,9 @@ def _geometry() -> tuple[Coloured, Coloured]:
     block = box_faces((-1.2, 0.0, -1.0), (1.2, 2.4, 1.0))
     shades = (SIDE_RGB * 0.5 + 127.0).astype(np.uint8)
     corners = (1.2, 0.8, 1.0), (1.2, 1.6, 1.0), (-0.4, 2.4, 1.0), (0.4, 2.4, 1.0)
-    floors = np.concatenate([edges_of(box_faces((-1.2, 0.0, -1.0), each))[0] for each in corners])
-    lines = joined(
-        ground_grid((-5.0, -12.0), (5.0, 5.0), (1.0, 1.0), 0.0),
-        edges_of(block),
-        (floors, flat(EDGE_RGB, len(floors))),
-    )
+    floors = (edges_of(box_faces((-1.2, 0.0, -1.0), each)) for each in corners)
+    grid = ground_grid((-5.0, -12.0), (5.0, 5.0), (1.0, 1.0), 0.0)
+    lines = joined(grid, edges_of(block), *floors)
     return (block, shades), lines
 
 
