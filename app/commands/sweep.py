@@ -198,10 +198,9 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
         raise CliError(f"--transition: step {place} shows the same as the step before.")
     if first is None or last is None:
         return figures
-    parts = (_eased(step / (len(figures) - 1)) for step in range(len(figures)))
     return [
-        _seen(figure, camera_between(first, last, part))
-        for figure, part in zip(figures, parts, strict=True)
+        _seen(figure, camera_between(first, last, _eased(step / (len(figures) - 1))))
+        for step, figure in enumerate(figures)
     ]
 
 

@@ -191,10 +191,8 @@ class Morph:
     @cached_property
     def _middle_depth(self) -> float:
         """Distance of the scene's middle, clamped to the view volume."""
-        lens = self._lens
-        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
-        depth = -float(self._view_from_local[2] @ [*middle, 1.0])
-        return min(max(depth, lens.near), lens.far)
+        depth = -float(self._view_from_local[2] @ [*_middle_of(self._local_corners), 1.0])
+        return min(max(depth, self._lens.near), self._lens.far)
 
     # -- what is shown at a position
 
@@ -391,8 +389,7 @@ class FreeMorph(Morph):
 
     def _evening(self, stop: int) -> float:
         stage = self.stage_from_local(stop if stop < NDC else NDC)
-        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
-        w = float(stage[3] @ [*middle, 1.0])
+        w = float(stage[3] @ [*_middle_of(self._local_corners), 1.0])
         return 1.0 / w if w > 0.0 else 1.0
 
     def display_from_local(self, position: float) -> Array:
@@ -410,17 +407,12 @@ class FreeMorph(Morph):
             assert self._local_from_box is not None
             return np.asarray(self.display_from_local(position) @ self._local_from_box)
         part = position - NDC
-        cube = self.display_from_stage(NDC) @ self._clip_from_box
-        picture = self.display_from_stage(IMAGE) @ self.projection.image_from_ndc
-        picture = picture @ self._clip_from_box
-        return np.asarray((1.0 - part) * cube + part * picture)
-
-    @property
-    def _clip_from_box(self) -> Array:
         z_near, z_far = self.projection.depth_range
-        matrix = np.diag([1.0, 1.0, z_near - z_far, 1.0])
-        matrix[2, 3] = z_far
-        return matrix
+        clip_from_box = np.diag([1.0, 1.0, z_near - z_far, 1.0])
+        clip_from_box[2, 3] = z_far
+        cube, picture = self.display_from_stage(NDC), self.display_from_stage(IMAGE)
+        mixed = (1.0 - part) * cube + part * (picture @ self.projection.image_from_ndc)
+        return np.asarray(mixed @ clip_from_box)
 
     def planes_display(self, position: float) -> Array:
         return super().planes_display(self._jumped(position))
@@ -470,10 +462,12 @@ def _units(matrix: Array, axes: Array) -> Array:
 
 def _ball_of(points: Array) -> tuple[Array, float]:
     """Return the middle of points, and the scale at which they fill the framed ball."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle = low / 2.0 + high / 2.0
-    radius = max(math.hypot(*point) for point in points - middle)
-    return middle, RADIUS / radius
+    middle = _middle_of(points)
+    return middle, RADIUS / max(math.hypot(*point) for point in points - middle)
+
+
+def _middle_of(points: Array) -> Array:
+    return np.asarray(points.min(axis=0) / 2.0 + points.max(axis=0) / 2.0)
 
 
 def rotation_between(frame: Array, part: float) -> Array:
