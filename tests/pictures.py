@@ -82,6 +82,11 @@ PICTURES: dict[str, tuple[str, ...]] = {
     "measure-depth.png": ("depth", "bytes", "float32, reversed"),
     "measure-smoothing.png": ("smoothing", "time", "FXAA"),
     "measure-detail.png": ("detail", "time", "5 %"),
+    "measure-drift.png": ("drift", "time", "float32, fast inverse root"),
+    "measure-vertex-depth.png": ("vertex-depth", "time", "each vertex"),
+    "measure-cracks.png": ("cracks", "bytes", "8 bits, own boxes"),
+    "measure-jitter.png": ("jitter", "time", "two floats"),
+    "measure-unprojection.png": ("unprojection", "time", "float32, ray times depth"),
     "measure-sweeps.png": ("sweeps",),
 }  # fmt: skip
 
@@ -113,7 +118,7 @@ def captioned(page: str) -> str:
         said = " ".join(filter(None, (meaning(part), bargain(part, choice))))
         return "\n".join([found[1], *textwrap.wrap(f"*{said}*", 100)])
 
-    return re.sub(r"(!\[[^]]*\]\((measure-(?!sweeps)\w+\.png)\)\n)\n\*[^*]*\*", caption, page)
+    return re.sub(r"(!\[[^]]*\]\((measure-(?!sweeps)[\w-]+\.png)\)\n)\n\*[^*]*\*", caption, page)
 
 
 def different(one: Path, other: Path) -> float:

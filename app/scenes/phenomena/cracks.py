@@ -138,5 +138,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"vertices"}),
     names=("left-mesh", "right-mesh", "seam"),
     shot=Shot(-20.0, 14.0),
+    upright=Shot(-45.0, 25.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -167,5 +167,6 @@ PHENOMENON = Phenomenon(
     requires=frozenset({"vertices"}),
     names=("floor", "drawn", "foundation"),
     shot=Shot(-64.0, 12.0),
+    upright=Shot(-64.0, 35.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
 )  # fmt: skip
