@@ -49,7 +49,7 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear, Log
-from widgets.parts.section import Rows, Section, TitledRows, quiet
+from widgets.parts.section import QUIET, Rows, Section, TitledRows
 
 _ALL = tuple(PARTS.values())
 
@@ -84,8 +84,7 @@ class Controls(Dock, RowHolder):
         self.setAccessibleName(self.tr("Controls"))
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_match)
-        self._not_here = PlainLabel(wordWrap=True, objectName="paneNote")
-        self._not_here.hide()
+        self._not_here = PlainLabel(wordWrap=True, objectName="paneNote", visible=False)
         self.card = SceneCard()
         self.card.highlighted.connect(self.highlighted)
         self.pass_on(self.card)
@@ -142,7 +141,7 @@ class Controls(Dock, RowHolder):
             for binding in bindings_of(parameter, rows, memory):
                 self._bindings[binding.parameter.name] = binding
                 rows.add(binding.row)
-        quiet(self._bindings[KIND.name].row.name_label)
+        self._bindings[KIND.name].row.name_label.setObjectName(QUIET)
         for angle in (FOV_Y, FOV_X):
             self._number(angle.name).field.below = 180.0
 

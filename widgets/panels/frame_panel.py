@@ -225,7 +225,6 @@ class FramePanel(Panel):
         self._show_playing()
 
     def pause(self) -> None:
-        """Stop playing."""
         self._timer.stop()
         self._show_playing()
 

@@ -243,7 +243,6 @@ class KindsPanel(ReadablePanel):
         super().__init__()
         self.setAccessibleName(self.tr("Kinds of projection"))
         self._shown: ShownData | None = None
-        self._style = LIGHT
         self._pointed = ""
         self._tree = _Tree()
         self.nodes = self._tree.nodes
@@ -263,10 +262,6 @@ class KindsPanel(ReadablePanel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._fit()
-
-    def set_style(self, style: Style) -> None:
-        self._style = style
-        self._readable.changed()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown

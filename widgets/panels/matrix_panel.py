@@ -18,7 +18,6 @@ from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
-from app.drawings.style import LIGHT, Style
 from app.lecture.copying import as_latex, as_numpy, as_text
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import LETTERS, Letters
@@ -94,7 +93,6 @@ class MatrixPanel(ReadablePanel):
         self._highlight = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
-        self._style = LIGHT
         self._plan: object = None
         self._unfolded: set[str] = set()
         self._speaker: MatrixView | None = None  # the view whose cell is explained
@@ -315,10 +313,6 @@ class MatrixPanel(ReadablePanel):
         self._projection = projection
         if not self.isVisible():
             self._before = None
-        self._readable.changed()
-
-    def set_style(self, style: Style) -> None:
-        self._style = style
         self._readable.changed()
 
     def changeEvent(self, event: QEvent) -> None:

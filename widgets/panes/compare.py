@@ -107,7 +107,6 @@ class Divider(QWidget):
             painter.drawPolygon(
                 QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
             )
-        painter.end()
 
 
 class _Other(QWidget):
@@ -131,11 +130,10 @@ class _Other(QWidget):
         self.pane.canvas.setMinimumSize(1, 1)
         self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.pane.setParent(self)
-        self.why = PlainLabel(parent=self)
-        self.why.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.why.setWordWrap(True)
-        self.why.setAutoFillBackground(True)
-        self.why.hide()
+        self.why = PlainLabel(
+            parent=self, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter,
+            autoFillBackground=True, visible=False,
+        )  # fmt: skip
         """Says why there is no such picture."""
         self.shown: ShownData | None = None
 

@@ -18,7 +18,6 @@ PLAY_KEY, FULL_SCREEN_KEY = (
     else ("Ctrl+Space", "F11")
 )
 
-
 KEYS = Path(__file__).with_name("keys.md")
 """The content of the table of keys; `tests/texts.py` makes a source for lupdate from it."""
 

@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -34,6 +34,7 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
+from widgets.window.transition import Transition
 
 TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
@@ -41,21 +42,6 @@ MOST_MISTAKES = 5
 """Most mistakes of a file that are named at once."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
-
-
-class WayOfPanes(Protocol):
-    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
-
-    @property
-    def is_wanted(self) -> bool: ...
-
-    def begin(self, *, cuts: bool) -> bool: ...
-
-    def start(self, moves: bool) -> bool: ...
-
-    def paint(self) -> None: ...
-
-    def go(self, part: float) -> None: ...
 
 
 class Lessons(QObject):
@@ -85,12 +71,12 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        transition: WayOfPanes,
+        panes: Transition,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
-        self._look_from, self._panes = look_from, transition
+        self._look_from, self._panes = look_from, panes
         self.player: Player | None = None
         """The open lesson, as it is played."""
         self._clock = Clock(self)
@@ -162,7 +148,9 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.player = left
             return False
-        self._watch()
+        self._unwatch()
+        if course.file is not None:
+            self._watcher.addPaths([str(course.file), str(course.file.parent)])
         self.opened.emit()
         self.stepped.emit()
         return True
@@ -339,13 +327,6 @@ class Lessons(QObject):
             self.arrived.emit()
 
     # -- the file
-
-    def _watch(self) -> None:
-        assert self.player is not None
-        path = self.player.course.file
-        self._unwatch()
-        if path is not None:
-            self._watcher.addPaths([str(path), str(path.parent)])
 
     def _unwatch(self) -> None:
         watched = [*self._watcher.files(), *self._watcher.directories()]

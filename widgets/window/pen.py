@@ -332,4 +332,3 @@ class Pen(QWidget):
         if strokes:
             painter = QPainter(self)
             paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
-            painter.end()

@@ -116,7 +116,6 @@ class Present(QObject):
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
 
     def swap(self) -> None:
-        """Swap the screens of class and speaker, and remember that for these screens."""
         if self.screens.swap():
             self._move()
         else:
@@ -184,7 +183,6 @@ class Present(QObject):
             self.end()
 
     def show_tools(self, seen: bool) -> None:
-        """Show the tool bar while presenting, or hide it."""
         if self.is_on:
             self._tools.setVisible(seen)
             self._tools.raise_()

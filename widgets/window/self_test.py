@@ -24,7 +24,6 @@ COLUMNS = 2
 
 
 def exercises_text(count: int) -> str:
-    """Return a number of exercises in words."""
     if count == 1:
         return QCoreApplication.translate("SelfTestDialog", "1 exercise")
     return QCoreApplication.translate("SelfTestDialog", "%n exercises", "", count)
@@ -83,7 +82,6 @@ class SelfTestDialog(QDialog):
 
     @property
     def topics(self) -> list[str]:
-        """Return the names of the chosen topics."""
         return [name for name, box in self._boxes.items() if box.isChecked()]
 
     def _choose(self, on: bool) -> None:

@@ -8,7 +8,6 @@ from contextlib import suppress
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
 from PySide6.QtWidgets import (
-    QFrame,
     QGridLayout,
     QListWidget,
     QPushButton,
@@ -136,16 +135,11 @@ class SpeakerWindow(QWidget):
         self._tick.start()
 
     def _make(self) -> None:
-        self._number = PlainLabel()
-        self._title, self._next_title = (PlainLabel(wordWrap=True) for _ in range(2))
-        self._message = PlainLabel(wordWrap=True)
-        self._clock = PlainLabel()
-        self._elapsed = PlainLabel()
-        self._plan = PlainLabel()
-        self.notes = QTextEdit()
+        self._number, self._clock, self._elapsed, self._plan = (PlainLabel() for _ in range(4))
+        wrapped = (PlainLabel(wordWrap=True) for _ in range(3))
+        self._title, self._next_title, self._message = wrapped
+        self.notes = QTextEdit(readOnly=True)
         self.notes.setDocument(TextDocument(self.notes))
-        self.notes.setReadOnly(True)
-        self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
         self.steps = QListWidget()

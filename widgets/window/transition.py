@@ -45,7 +45,6 @@ class _Old(QWidget):
         painter = QPainter(self)
         painter.setOpacity(self._light)
         painter.drawPixmap(0, 0, self._picture)
-        painter.end()
 
 
 class Transition(QObject):

@@ -50,7 +50,6 @@ class FixedViews(QWidget):
         self.mark("")
 
     def mark(self, name: str) -> None:
-        """Mark a viewpoint as the current one."""
         self.buttons[name].setChecked(True)
         self.menu.setText(self.buttons[name].text())
         self.menu.setAccessibleName(f"{self.menu.toolTip()}: {self.menu.text()}")

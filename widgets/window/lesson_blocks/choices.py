@@ -53,7 +53,6 @@ class _ChoiceButton(QWidget):
             painter = QPainter(self)
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
-            painter.end()
 
 
 _ARROWS: dict[int, int] = {
@@ -146,12 +145,7 @@ class ChoiceView(BlockView):
     def _show_right_answer(self) -> list[str]:
         text = self.question.replies[self.question.right].text
         self._close()
-        said = self.tr("The answer is {0}.").format(_quoted(text))
-        said = f"{said} {self.question.why}".strip()
-        solution = self.question.solution(self.played.here)
-        self._add_text("help", "", said)
-        self._add_text("", "", solution)
-        return [said, solution]
+        return self._tell(self.tr("The answer is {0}.").format(_quoted(text)))
 
     def _close(self) -> None:
         for choice in self._choices:

@@ -39,8 +39,7 @@ class ExerciseView(BlockView):
             self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
         )
         self._another.hide()
-        title = PlainLabel(self.tr("Exercise"))
-        title.setObjectName("paneTitle")
+        title = PlainLabel(self.tr("Exercise"), objectName="paneTitle")
         row = on_holder(
             PlainLabel(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
         )

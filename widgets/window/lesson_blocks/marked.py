@@ -95,8 +95,4 @@ class MarkedAnswerView(BlockView):
         if "\n" in answer:  # a table stands by itself
             text = self.tr("The answer is:") + f"\n\n{answer}\n\n"
         self._close()
-        text = f"{text} {self.question.why}".strip()
-        solution = self.question.solution(self.played.here)
-        self._add_text("help", "", text)
-        self._add_text("", "", solution)
-        return [text, solution]
+        return self._tell(text)

@@ -64,7 +64,6 @@ class _Brackets(QWidget):
             painter.drawLine(side, box.top(), side, box.bottom())
             for end in (box.top(), box.bottom()):
                 painter.drawLine(side, end, side + inwards, end)
-        painter.end()
 
 
 class MatrixAnswerView(MarkedAnswerView):

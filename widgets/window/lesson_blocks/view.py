@@ -58,7 +58,6 @@ class Sign(QWidget):
         else:
             painter.setPen(QPen(self.palette().color(self.foregroundRole()), 1.4))
             painter.drawRect(QRect(2, 3, side - 5, side - 5))
-        painter.end()
 
 
 class BlockView(QFrame):
@@ -187,6 +186,14 @@ class BlockView(QFrame):
         return []
 
     # -- the response
+
+    def _tell(self, answer: str) -> list[str]:
+        """Show a sentence with the right answer, the reason and the solution; return the texts."""
+        question = self.played.question
+        texts = [f"{answer} {question.why}".strip(), question.solution(self.played.here)]
+        for icon, text in zip(("help", ""), texts, strict=True):
+            self._add_text(icon, "", text)
+        return texts
 
     def _settled(self) -> None:
         if self._offered is not None:
