@@ -1,5 +1,6 @@
 """Functions that make rows and columns of widgets, and paint them at once."""
 
+from collections.abc import Iterable
 from typing import TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
@@ -79,6 +80,14 @@ def _filled(
         # and later takes whatever lies at the address of a deleted item for it.
         on.setLayout(line)
     return line
+
+
+def discard(line: QLayout, widgets: Iterable[QWidget]) -> None:
+    """Take widgets out of a line; they are hidden at once, and deleted later."""
+    for widget in widgets:
+        line.removeWidget(widget)
+        widget.hide()
+        widget.deleteLater()
 
 
 def scrolled(inside: QWidget, name: str) -> QScrollArea:

@@ -113,9 +113,6 @@ class EquationSlide(QWidget):
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        self.show_equation(shown)
-
-    def show_equation(self, shown: ShownData) -> None:
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation

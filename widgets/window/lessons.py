@@ -14,7 +14,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
@@ -34,7 +34,6 @@ from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
-from widgets.window.transition import Transition
 
 TRANSITION_S = 0.4
 """Duration of the model's motion between two steps."""
@@ -42,6 +41,21 @@ MOST_MISTAKES = 5
 """Most mistakes of a file that are named at once."""
 SETTLED_MS = 150
 """Delay before a changed file is read: editors may write it twice."""
+
+
+class WayOfPanes(Protocol):
+    """Moves the panes' cameras between two steps, or fades their pictures; see `Transition`."""
+
+    @property
+    def is_wanted(self) -> bool: ...
+
+    def begin(self, *, cuts: bool) -> bool: ...
+
+    def start(self, moves: bool) -> bool: ...
+
+    def paint(self) -> None: ...
+
+    def go(self, part: float) -> None: ...
 
 
 class Lessons(QObject):
@@ -71,7 +85,7 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        panes: Transition,
+        panes: WayOfPanes,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages

@@ -389,7 +389,7 @@ class MainWindow(QMainWindow):
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
-        self.slide.equation.show_equation(self.shown)
+        self.slide.equation.take(self.shown, frozenset())
         self.band.take(self.shown, frozenset())
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()

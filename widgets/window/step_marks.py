@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from app.lessons.player import Player
 from app.lessons.text import in_line
 from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_row
+from widgets.parts.layouts import FREE, discard, in_row
 from widgets.parts.plain import PlainLabel
 from widgets.parts.roles import give_role
 
@@ -37,10 +37,7 @@ class StepMarks(QWidget):
 
     def make(self, player: Player) -> None:
         row, lesson = self._row, player.lesson
-        for old in (*self._numbers, *self._heads):
-            row.removeWidget(old)
-            old.hide()
-            old.deleteLater()
+        discard(row, (*self._numbers, *self._heads))
         self._numbers.clear()
         self._heads.clear()
         before = False

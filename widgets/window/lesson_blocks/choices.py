@@ -4,7 +4,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
-from app.lessons.blocks.block import REVEALED, Verdict
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
@@ -92,11 +92,7 @@ class ChoiceView(BlockView):
             if answer == str(number):
                 choice.button.setChecked(True)
 
-    def restore(self) -> None:
-        answer = self.played.answer
-        if answer == REVEALED:
-            self._show_right_answer()
-            return
+    def _restore(self, answer: str) -> None:
         self._show(answer)
         try:
             verdict = self.question.mark(self.played.here, answer)

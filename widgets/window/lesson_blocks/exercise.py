@@ -10,7 +10,7 @@ from app.lessons.blocks.block import Asked
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
-from widgets.parts.layouts import FREE
+from widgets.parts.layouts import FREE, discard
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
@@ -111,9 +111,7 @@ class ExerciseView(BlockView):
         asked.responded.connect(self.responded)
         asked.set_within()
         if self.asked is not None:
-            self._column.removeWidget(self.asked)
-            self.asked.hide()
-            self.asked.deleteLater()
+            discard(self._column, [self.asked])
         self.asked = asked
         self._insert(asked)
         self._begin.hide()

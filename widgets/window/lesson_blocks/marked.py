@@ -7,7 +7,7 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
-from app.lessons.blocks.block import REVEALED, Verdict
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.question import MarkedQuestion
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
@@ -36,13 +36,9 @@ class MarkedAnswerView(BlockView):
     def _show_verdict(self, verdict: Verdict) -> None:
         """Show the verdict where the answer is, besides the sentences below."""
 
-    def restore(self) -> None:
-        answer = self.played.answer
-        if answer == REVEALED:
-            self._show_right_answer()
-        else:
-            self._show(answer)
-            self._praise_and_close(self.question.mark(self.played.here, answer))
+    def _restore(self, answer: str) -> None:
+        self._show(answer)
+        self._praise_and_close(self.question.mark(self.played.here, answer))
 
     def _submit(self, typed: str, given: str = "") -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""

@@ -19,13 +19,13 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPainter, Q
 from PySide6.QtWidgets import QAbstractButton, QFrame, QLineEdit, QPushButton, QSizePolicy, QWidget
 
 from app.document.document import Document
-from app.lessons.blocks.block import Asked, Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
-from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
@@ -151,6 +151,13 @@ class BlockView(QFrame):
 
     def restore(self) -> None:
         """Show an answered block as the student left it."""
+        if self.played.answer == REVEALED:
+            self._show_right_answer()
+        else:
+            self._restore(self.played.answer)
+
+    def _restore(self, answer: str) -> None:
+        """Show an answer of the student, and the response to it."""
 
     def look(self, now: Document) -> None:
         """Check how far the window's current state fulfils the block."""
@@ -201,10 +208,7 @@ class BlockView(QFrame):
         self.settled.emit()
 
     def _remove_response(self) -> None:
-        for widget in self._responses:
-            self._feedback.removeWidget(widget)
-            widget.hide()
-            widget.deleteLater()
+        discard(self._feedback, self._responses)
         self._responses.clear()
         self._hint = None
 
