@@ -226,10 +226,10 @@ class StatusLine(QStatusBar):
         menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
 
     def _ask(
-        self, edited: SignalInstance, about: tuple[str, str, float, float, float, str]
+        self, edited: SignalInstance, of: tuple[str, str, float, float, float, str]
     ) -> None:
         """Ask for a number in a `NumberDialog`."""
-        dialog = NumberDialog(*about, self)
+        dialog = NumberDialog(*of, self)
         if dialog.exec():
             edited.emit(dialog.number)
 
