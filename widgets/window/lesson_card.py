@@ -20,7 +20,6 @@ from PySide6.QtWidgets import (
     QHBoxLayout,
     QLineEdit,
     QPushButton,
-    QToolButton,
     QWidget,
 )
 
@@ -94,8 +93,9 @@ class LessonCard(QFrame):
         """Whether the card shows a lesson, or that one is finished."""
         self._title = PlainLabel(wordWrap=True, objectName="paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
-        self.anew = _tool("reset", forget, self.begin_again)
-        close = _tool("close", self.tr("Close the lesson"), self.leave)
+        self.anew = tool_button("", forget, self.begin_again, icon="reset", flat=True)
+        tip = self.tr("Close the lesson")
+        close = tool_button("", tip, self.leave, icon="close", flat=True)
         self._marks = StepMarks()
         self._marks.chosen.connect(self.go_to)
         self.page = StepPage()
@@ -460,10 +460,6 @@ def _after(path: Path) -> Head | None:
     lessons = heads(talks=False)
     following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
     return following.get(path)
-
-
-def _tool(icon: str, name: str, act: object) -> QToolButton:
-    return tool_button(tip=name, act=act, icon=icon, name=name, flat=True)
 
 
 def _push(text: str, tip: str, act: object) -> QPushButton:

@@ -64,7 +64,6 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
-from widgets.window.hiding import Hiding
 from widgets.window.history import History
 from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
@@ -304,9 +303,6 @@ class MainWindow(QMainWindow):
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings, self.record)
         self.side.take_card(self.lesson_card)
         self.practice = Practice(self, self.lesson_card, self.record, self.settings, self.messages)
-        self.hiding = Hiding(
-            self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
-        )
         self.pane_words = PaneWords(self.panes, self.store, lambda: self.shown.scene, self)
         self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)

@@ -225,9 +225,7 @@ class StatusLine(QStatusBar):
         )  # fmt: skip
         menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
 
-    def _ask(
-        self, edited: SignalInstance, of: tuple[str, str, float, float, float, str]
-    ) -> None:
+    def _ask(self, edited: SignalInstance, of: tuple[str, str, float, float, float, str]) -> None:
         """Ask for a number in a `NumberDialog`."""
         dialog = NumberDialog(*of, self)
         if dialog.exec():

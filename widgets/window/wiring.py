@@ -15,6 +15,7 @@ from widgets.parts.panel import Panel
 from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits, lettering
 from widgets.window.equation import EquationSlide
+from widgets.window.hiding import hide
 
 
 def wire(window: Any) -> None:
@@ -109,7 +110,8 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
-    card.page.hidden.connect(window.hiding.hide)
+    cursors = window.cursors.values()
+    card.page.hidden.connect(partial(hide, window.panels, window.controls, cursors, window.panes))
     card.page.hidden.connect(window.pane_words.hide)
     card.page.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
