@@ -54,16 +54,10 @@ class SceneCard(QWidget, RowHolder):
 
     settings_edited = Signal(object)
     """The user or a motion set these values, by the names of the settings."""
-    mesh_wanted = Signal()
-    """The user wants to replace the scene's objects with a mesh."""
-    mesh_removed = Signal()
-    """The user wants the scene's own objects back."""
     comparison_wanted = Signal(str)
     """The user wants to see this comparison of the scene."""
     highlighted = Signal(str, object)
     """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
-    explanation_wanted = Signal()
-    """The user wants to see the explanation and the diagrams of the scene."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -94,16 +88,16 @@ class SceneCard(QWidget, RowHolder):
         self.use_mesh = tool_button(
             self.tr("My mesh…"),
             self.tr("Replace the scene's own objects with a mesh from a file"),
-            self.mesh_wanted, name=self.tr("My mesh"), by_click=True,
+            name=self.tr("My mesh"), by_click=True,
         )  # fmt: skip
         self.remove_mesh = tool_button(
             self.tr("Own objects"), self.tr("Restore the scene's own objects"),
-            self.mesh_removed, name=self.tr("Own objects"), by_click=True,
+            name=self.tr("Own objects"), by_click=True,
         )  # fmt: skip
         self.explanation = tool_button(
             self.tr("Explanation…"),
             self.tr("Show what the scene is about, its lectures and its diagrams, below the panes"),
-            self.explanation_wanted, name=self.tr("Explanation and diagrams"), by_click=True,
+            name=self.tr("Explanation and diagrams"), by_click=True,
         )  # fmt: skip
         self.comparisons: list[QToolButton] = []
         self._offered: dict[QWidget, bool] = {}

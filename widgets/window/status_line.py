@@ -45,8 +45,6 @@ class StatusLine(QStatusBar):
     """The error in pixels up to which a GPU's own arithmetic may draw."""
     frame_edited = Signal(float)
     """The longest frame while a control is dragged, in ms; 0 for no limit."""
-    automatic_wanted = Signal()
-    """The user wants automatic quality again."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -79,7 +77,7 @@ class StatusLine(QStatusBar):
         tip = self.tr(
             "The panes are drawn with the quality that you chose; click for the automatic one"
         )
-        self.quality = tool_button("", tip, self.automatic_wanted, flat=True)
+        self.quality = tool_button("", tip, flat=True)
         # Without a text it would be as high as an icon, and take height from the panes.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.quality.hide()

@@ -320,11 +320,11 @@ class Talks(QObject):
             self.speaker = speaker = SpeakerWindow(self._settings, self._window)
             for signal, act in (
                 (speaker.left, self._forget_speaker),
-                (speaker.next_wanted, self.next),
-                (speaker.previous_wanted, self.previous),
-                (speaker.blank_wanted, self._present.blank),
+                (speaker.next.clicked, self.next),
+                (speaker.back.clicked, self.previous),
+                (speaker.blank.clicked, self._present.blank),
                 (speaker.jump_wanted, self.jump),
-                (speaker.swap_wanted, self._present.swap),
+                (speaker.swap.clicked, self._present.swap),
             ):
                 signal.connect(act)
             self._place_speaker()
