@@ -210,9 +210,8 @@ class Drawer(QSplitter):
         self._handle_px = self.handleWidth()
         self.addWidget(above)
         self.addWidget(panels)
-        for place, stretch in ((0, 1), (1, 0)):
-            self.setStretchFactor(place, stretch)
-            self.setCollapsible(place, False)
+        self.setStretchFactor(0, 1)
+        self.setChildrenCollapsible(False)
         panels.opened.connect(self.fit)
         panels.rest.timeout.connect(self._fit_content)
         self.splitterMoved.connect(self._dragged)

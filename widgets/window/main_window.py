@@ -257,7 +257,6 @@ class MainWindow(QMainWindow):
         parts = (self.messages, self.band, (split, 1), self.control_strip, self.bottom)
         self._body = in_column(*parts, on=body, margins=BODY_MARGINS, gap=BODY_GAP_PX)
         split.setStretchFactor(0, 1)
-        split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 

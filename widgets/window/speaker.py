@@ -143,18 +143,14 @@ class SpeakerWindow(QWidget):
             chosen.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
         self.pause = push_button("", act=self.clock.toggle)
         self.reset = push_button(self.tr("&Reset"), act=self.clock.reset)
-        self.back, self.next = push_button(self.tr("◀ &Back")), push_button(self.tr("&Next ▶"))
-        self.blank, self.swap = (
-            push_button(self.tr("B&lank")),
-            push_button(self.tr("S&wap screens")),
-        )
-        buttons = self.back, self.next, self.blank, self.swap
+        texts = self.tr("◀ &Back"), self.tr("&Next ▶"), self.tr("B&lank"), self.tr("S&wap screens")
+        buttons = [push_button(text) for text in texts]
+        self.back, self.next, self.blank, self.swap = buttons
         for button in (self.pause, self.reset, *buttons):
             button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
             button.clicked.connect(self._show_time)
-        set_tip(
-            self.swap, self.tr("Swap the screens of class and notes (W); the choice is remembered")
-        )
+        tip = self.tr("Swap the screens of class and notes (W); the choice is remembered")
+        set_tip(self.swap, tip)
         times = (
             PlainLabel(self.tr("Time")), 6, self._clock, 16,
             PlainLabel(self.tr("Elapsed")), 6, self._elapsed, 16,
