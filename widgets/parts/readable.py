@@ -37,10 +37,7 @@ class Readable(QObject):
     """
 
     def __init__(
-        self,
-        widget: QWidget,
-        show: Callable[[], None],
-        is_seen: Callable[[], bool] | None = None,
+        self, widget: QWidget, show: Callable[[], None], is_seen: Callable[[], bool] | None = None
     ) -> None:
         super().__init__(widget)
         self._show, self._is_seen = show, is_seen or widget.isVisible

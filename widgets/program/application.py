@@ -51,13 +51,7 @@ from widgets.program import opengl
 from widgets.program.display import display
 from widgets.program.logs import log_qt, log_vtk, start_log
 from widgets.program.report import ExceptionWatch
-from widgets.window.settings import (
-    Settings,
-    labels_path,
-    log_path,
-    name_application,
-    settings_path,
-)
+from widgets.window.settings import Settings, labels_path, log_path, name_application, settings_path
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene

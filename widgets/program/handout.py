@@ -107,7 +107,7 @@ class _HandoutSheet:
         elif isinstance(content, Heading):
             yield paper.text(content.text, self._width, TITLE_PT, title=True)
         elif isinstance(content, ToWrite):
-            yield self._lines(LINES_BELOW * RULE_PT)
+            yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
         else:
             yield paper.text(content, self._width, TEXT_PT)
 
@@ -124,7 +124,7 @@ class _HandoutSheet:
             yield figure
             yield from self._below(texts, note)
             if not self._answers:
-                yield self._lines(LINES_BELOW * RULE_PT)
+                yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
             return
         beside, most = list[PageBlock](), COLUMN_OVER * figure.height
         if not self._answers:
@@ -150,9 +150,6 @@ class _HandoutSheet:
         yield from (paper.text(text, self._width, TEXT_PT) for text in texts)
         if note:
             yield paper.text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
-
-    def _lines(self, height: float) -> PageBlock:
-        return paper.ruled(self._width, height)
 
 
 def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:

@@ -7,13 +7,7 @@ from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
-from PySide6.QtWidgets import (
-    QGridLayout,
-    QListWidget,
-    QSizePolicy,
-    QTextEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QTextEdit, QWidget
 
 from app.document.document import Document
 from app.drawings.figure import Figure

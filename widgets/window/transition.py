@@ -54,11 +54,7 @@ class Transition(QObject):
     """
 
     def __init__(
-        self,
-        look: Look,
-        slide: QWidget,
-        settings: Settings,
-        is_for_class: Callable[[], bool],
+        self, look: Look, slide: QWidget, settings: Settings, is_for_class: Callable[[], bool]
     ) -> None:
         super().__init__(slide)
         self._look, self._slide, self._settings = look, slide, settings
