@@ -9,6 +9,7 @@ from app.lessons.blocks.choices import Choices
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
+from widgets.panes.canvas import ARROWS
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks.view import BlockView, Sign
@@ -55,14 +56,6 @@ class _ChoiceButton(QWidget):
             painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
 
 
-_ARROWS: dict[int, int] = {
-    Qt.Key.Key_Down: 1,
-    Qt.Key.Key_Right: 1,
-    Qt.Key.Key_Up: -1,
-    Qt.Key.Key_Left: -1,
-}
-
-
 class ChoiceView(BlockView):
     """The choices of a question: a prediction is made once; an answer may be repeated."""
 
@@ -102,8 +95,8 @@ class ChoiceView(BlockView):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            step = _ARROWS.get(event.key(), 0)
-            if step:  # Qt would only move the focus if nothing is chosen
+            if event.key() in ARROWS:  # Qt would only move the focus if nothing is chosen
+                step = int(sum(ARROWS[Qt.Key(event.key())]))
                 buttons = self._group.buttons()
                 at = next(at for at, button in enumerate(buttons) if button is watched)
                 there = buttons[(at + step) % len(buttons)]
