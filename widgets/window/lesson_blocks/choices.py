@@ -94,15 +94,16 @@ class ChoiceView(BlockView):
             self._refuse(error)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            if event.key() in ARROWS:  # Qt would only move the focus if nothing is chosen
-                step = int(sum(ARROWS[Qt.Key(event.key())]))
-                buttons = self._group.buttons()
-                at = next(at for at, button in enumerate(buttons) if button is watched)
-                there = buttons[(at + step) % len(buttons)]
-                there.setChecked(True)
-                there.setFocus(Qt.FocusReason.OtherFocusReason)
-                return True
+        is_pressed = event.type() == QEvent.Type.KeyPress
+        if is_pressed and isinstance(event, QKeyEvent) and event.key() in ARROWS:
+            # Qt would only move the focus if nothing is chosen.
+            step = int(sum(ARROWS[Qt.Key(event.key())]))
+            buttons = self._group.buttons()
+            at = next(at for at, button in enumerate(buttons) if button is watched)
+            there = buttons[(at + step) % len(buttons)]
+            there.setChecked(True)
+            there.setFocus(Qt.FocusReason.OtherFocusReason)
+            return True
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
