@@ -25,7 +25,7 @@ def tool_button(
     """Make a tool button; `act` is a function or a signal.
 
     `icon` is a name in `widgets.parts.icons`, and `name` is for screen readers, if neither the text
-    nor, without a text, the tip says it. A `flat` button has a frame only under the mouse. With
+    nor the tip of an icon alone says it. A `flat` button has a frame only under the mouse. With
     `by_click` a click gives it the keyboard's focus, as Tab does.
     """
     made = QToolButton(autoRaise=flat)
@@ -36,7 +36,7 @@ def tool_button(
     if by_click:
         made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setCheckable(checkable)
-    return _filled(made, text, tip, act, name or ("" if text else tip))
+    return _filled(made, text, tip, act, name or (tip if icon and not text else ""))
 
 
 def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:
