@@ -197,10 +197,8 @@ class Controls(Dock, RowHolder):
     def _disable_camera(self, disabled: bool) -> None:
         """Disable or enable what moves the camera: a typed view matrix has no camera."""
         why = self.tr("No camera has the typed view matrix: undo, or choose a lens.")
-        for part in (
-            *(each.row for each in self._bindings.values() if each.part == "camera"),
-            self.animation,
-        ):
+        rows = [each.row for each in self._bindings.values() if each.part == "camera"]
+        for part in (*rows, self.animation):
             part.setDisabled(disabled)
             set_tip(part, why if disabled else "")
         if disabled:

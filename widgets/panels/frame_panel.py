@@ -267,10 +267,9 @@ class FramePanel(Panel):
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        before, self._projection = self._projection, shown.projection
-        if before.camera != shown.projection.camera or (
-            before.has_camera != shown.projection.has_camera
-        ):
+        before, now = self._projection, shown.projection
+        self._projection = now
+        if (before.camera, before.has_camera) != (now.camera, now.has_camera):
             self._refresh()
 
     def _refresh(self) -> None:

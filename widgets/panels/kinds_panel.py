@@ -317,12 +317,10 @@ class KindsPanel(ReadablePanel):
         if factors is None:
             text = self.tr("No scale factors: things farther away are drawn smaller.")
         else:
-            drawn = (
-                self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")
-                if is_so
-                else self.tr("A unit would be drawn {0} long along x, {1} along y, {2} along z.")
-            )
-            text = drawn.format(*map(read_text, factors))
+            text = self.tr("A unit would be drawn {0} long along x, {1} along y, {2} along z.")
+            if is_so:
+                text = self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")
+            text = text.format(*map(read_text, factors))
         document = replace(self._shown.document, projection=projection)
         illustration = ShownData.of(document, self._shown.scene).illustration
         if illustration is not None and illustration.warning is not None:

@@ -89,11 +89,9 @@ class _HandoutSheet:
             is_kept = bool(after) and (
                 not self._answers or isinstance(after, StepFigure | EquationTables | PanelNumbers)
             )
-            for block in blocks[:-1]:
-                block.kept = (
-                    block.kept or is_kept or isinstance(each, EquationTables | PanelNumbers)
-                )
-            blocks[-1].kept = blocks[-1].kept or is_kept
+            is_table = isinstance(each, EquationTables | PanelNumbers)
+            for block in blocks:
+                block.kept |= is_kept or (is_table and block is not blocks[-1])
             yield from blocks
 
     def _blocks(self, content: Content) -> Iterator[PageBlock]:

@@ -133,7 +133,7 @@ class MainWindow(QMainWindow):
         self.start_card: StartCard | None = None
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
-        self._before_presenting: tuple[bool, str, list[int]] | None = None
+        self._before_presenting: tuple[bool, str, list[int]] = True, "", []
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._show_unsaved
@@ -475,15 +475,14 @@ class MainWindow(QMainWindow):
         self._body.setSpacing(0 if on else BODY_GAP_PX)
         self.body.setAutoFillBackground(on)
         self.menus.fit_icons()
-        if not on and self._before_presenting is not None:
-            whole = self._before_presenting[1]
+        dock, whole, shared = self._before_presenting
+        if not on:
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
         if on:
             self.menus.controls.setChecked(False)
             self.setFocus()  # no pane of the slide has a ring
-        if not on and self._before_presenting is not None:
-            dock, _, shared = self._before_presenting
+        else:
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
