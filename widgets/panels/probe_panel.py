@@ -78,13 +78,11 @@ class ProbePanel(ReadablePanel):
             label = PlainLabel(name)
             label.setBuddy(field)
             parts += label, (field, 1)
-        set_tip(
-            self.fields[3],
-            self.tr(
-                "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
-                " x, y, z; with any other w the point is (x/w, y/w, z/w)"
-            ),
+        tip = self.tr(
+            "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
+            " x, y, z; with any other w the point is (x/w, y/w, z/w)"
         )
+        set_tip(self.fields[3], tip)
         tip = self.tr("Keep this probe: the next click makes another one")
         self.pin = push_button(self.tr("Pin"), tip, self._pin_clicked)
         self.pin.setCheckable(True)

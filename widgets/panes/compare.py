@@ -62,13 +62,11 @@ class Divider(QWidget):
         self.setCursor(Qt.CursorShape.SplitHCursor)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("Divider between two pictures"))
-        set_tip(
-            self,
-            self.tr(
-                "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
-                "ends the comparison"
-            ),
+        tip = self.tr(
+            "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
+            "ends the comparison"
         )
+        set_tip(self, tip)
         FocusRing(self)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:

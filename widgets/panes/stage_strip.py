@@ -106,13 +106,10 @@ class StageStrip(QWidget, Playing):
         self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
         self.slider.setAccessibleName(self.tr("Stage"))
-        set_tip(
-            self.slider,
-            self.tr(
-                "From the world through all stages to the picture; the arrow keys go from stop to"
-                " stop"
-            ),
+        tip = self.tr(
+            "From the world through all stages to the picture; the arrow keys go from stop to stop"
         )
+        set_tip(self.slider, tip)
         self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
         self.slider.grasped.connect(self._grasped)
@@ -192,21 +189,18 @@ class StageStrip(QWidget, Playing):
             set_tip(button, tip)
 
     def _title(self) -> str:
-        titles = (
-            self.tr("World"),
-            self.tr("View"),
-            self.tr("Canonical parallel") if self._parallel else self.tr("Canonical perspective"),
-            self.tr("Canonical parallel"),
-            self.tr("NDC cube"),
-            self.tr("Image"),
-        )
+        parallel = self.tr("Canonical parallel")
+        titles = {
+            CANONICAL_PERSPECTIVE: parallel if self._parallel else self.tr("Canonical perspective"),
+            CANONICAL_PARALLEL: parallel, NDC: self.tr("NDC cube"),
+        }  # fmt: skip
         if self._free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
-            return titles[self.stop]
+            return titles.get(self.stop, self._names[self.stop][0])
         before = math.floor(self._at)
         if self._parallel and before == CANONICAL_PERSPECTIVE:  # where nothing moves
-            return titles[CANONICAL_PARALLEL]
+            return parallel
         if self._parallel and before == CANONICAL_PARALLEL:
             return f"{self._names[before][0]} → {self._names[NDC][0]}"
         return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"

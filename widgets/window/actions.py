@@ -69,13 +69,9 @@ class Actions(QObject):
         super().__init__(window)
         self._window, self._files = window, files
         self._slots, self._panes = slots, panes
-        self.scene_titles = {
-            name: of_phenomena(title)
-            for name, title in (
-                *((name, words.title) for name, words in WORDS.items()),
-                *((each.name, each.words.title) for each in PHENOMENA.values()),
-            )
-        }
+        own_words = {each.name: each.words for each in PHENOMENA.values()}
+        titles = {name: words.title for name, words in (WORDS | own_words).items()}
+        self.scene_titles = {name: of_phenomena(title) for name, title in titles.items()}
         keys = QKeySequence.StandardKey
         self.open = self._action(
             self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,

@@ -281,11 +281,8 @@ class MainWindow(QMainWindow):
             self.look, image, self.status, self.settings, self.store, lambda: self.shown,
             self.files.scene, self.messages.show_message,
         )  # fmt: skip
-        players = (
-            controls.animation.pause,
-            controls.card.pause,
-            *(cursor.let_go for cursor in self.cursors.values()),
-        )
+        dragged = [cursor.let_go for cursor in self.cursors.values()]
+        players = controls.animation.pause, controls.card.pause, *dragged
         self.history = History(
             self, self.store, self.menus, lambda: self.shown.scene.start, players
         )

@@ -39,9 +39,8 @@ class Screens:
         if self.both is None:
             return False
         kept, pair = self._settings.swapped_screens, self._pair
-        self._settings.swapped_screens = (
-            [each for each in kept if each != pair] if pair in kept else [*kept, pair]
-        )
+        others = [each for each in kept if each != pair]
+        self._settings.swapped_screens = others if pair in kept else [*kept, pair]
         return True
 
     @property

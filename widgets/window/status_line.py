@@ -63,15 +63,13 @@ class StatusLine(QStatusBar):
         self._show_precisions(self._drawn, 0.0, None)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
-        set_tip(
-            self.precision,
-            self.tr(
-                "The precision of the picture (drawn) and of its numbers (read), each with a "
-                "bound on its error. The bound of the picture holds for what is visible. The "
-                "bounds of the numbers and of the alternatives in the menu hold for every point "
-                "in front of the eye"
-            ),
+        tip = self.tr(
+            "The precision of the picture (drawn) and of its numbers (read), each with a "
+            "bound on its error. The bound of the picture holds for what is visible. The "
+            "bounds of the numbers and of the alternatives in the menu hold for every point "
+            "in front of the eye"
         )
+        set_tip(self.precision, tip)
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
         tip = self.tr(

@@ -8,13 +8,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from app.document.store import Store
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
-from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits, lettering
-from widgets.window.equation import EquationSlide
 from widgets.window.hiding import hide
 
 
@@ -143,13 +140,7 @@ def _wire_gestures(window: Any) -> None:
     """Connect every gesture, such as a drag, to the store, which makes it one undo step."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
-    equation = window.slide.equation
-    listeners: tuple[Store | Readable | Panel | EquationSlide, ...] = (
-        store,
-        controls.card.readable,
-        equation,
-        *panels,
-    )
+    listeners = (store, controls.card.readable, window.slide.equation, *panels)
     for each in sources:
         for told in listeners:
             each.gesture_started.connect(told.begin_gesture)

@@ -98,11 +98,8 @@ class MatrixAnswerView(MarkedAnswerView):
         return self.cells[0]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if (
-            isinstance(watched, _MatrixCellEdit)
-            and isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-        ):
+        is_pressed = event.type() == QEvent.Type.KeyPress
+        if is_pressed and isinstance(event, QKeyEvent) and isinstance(watched, _MatrixCellEdit):
             if event.matches(QKeySequence.StandardKey.Paste):
                 return self.played.is_open and self._paste()
             if not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:

@@ -95,10 +95,8 @@ class BlockView(QFrame):
     ) -> QPushButton:
         """Make the button that submits an answer; in a test there is one try."""
         if self.played.is_test:
-            name, tip = (
-                self.tr("Hand it &in"),
-                self.tr("This is my answer; there is one try (Enter)"),
-            )
+            name = self.tr("Hand it &in")
+            tip = self.tr("This is my answer; there is one try (Enter)")
         return button(name or self.tr("Chec&k"), tip or self.tr("Enter"), act)
 
     def _insert(self, widget: QWidget) -> None:
