@@ -100,13 +100,11 @@ class Controls(Dock, RowHolder):
             self._layout.addWidget(part)
         self._layout.addStretch(1)
         named = self.sections
-        self._fixed = PlainLabel(
-            self.tr(
-                "The objects of this scene are fixed, because its numbers depend on them. You can"
-                " move those of the letter F, the cube, the posts and any mesh."
-            ),
-            wordWrap=True,
+        text = self.tr(
+            "The objects of this scene are fixed, because its numbers depend on them. You can"
+            " move those of the letter F, the cube, the posts and any mesh."
         )
+        self._fixed = PlainLabel(text, wordWrap=True)
         named["object"].add(self._fixed)
         self._bindings: dict[str, Binding] = {}
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})

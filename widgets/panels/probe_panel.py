@@ -92,13 +92,11 @@ class ProbePanel(ReadablePanel):
         self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
         line = in_row(*parts, self.pin, self._remove, self._clear)
         self.error = RefusalLabel()
-        self._hint = PlainLabel(
-            self.tr(
-                "Click a point in any pane to follow it from the world to its pixel; click "
-                "an empty place in the image for the ray of that pixel."
-            ),
-            wordWrap=True,
+        text = self.tr(
+            "Click a point in any pane to follow it from the world to its pixel; click "
+            "an empty place in the image for the ray of that pixel."
         )
+        self._hint = PlainLabel(text, wordWrap=True)
         column = (line, self.error, self._hint, (self.table, 1))
         in_column(*column, on=self, margins=(4, 0, 4, 2), gap=2)
 

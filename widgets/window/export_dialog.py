@@ -49,70 +49,48 @@ class ExportDialog(QDialog):
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
+        tip = self.tr(
+            "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
+        )
         self._fields = {
             "width": self._field("1800", self.tr("Width of the picture")),
             "height": self._field("600", self.tr("Height of the picture")),
-            "text": self._field(
-                "",
-                self.tr("Height of the letters in points"),
-                self.tr(
-                    "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0}"
-                    " pixels"
-                ).format(DPI),
-            ),
+            "text": self._field("", self.tr("Height of the letters in points"), tip.format(DPI)),
         }
         self._form, self._combos = QFormLayout(), dict[str, Combo]()
-        self._choose(
-            "ending",
-            self.tr("&Format"),
-            self.tr(
-                "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
-                " Moving pictures and many at once: the command “export”"
-            ),
-            {ending[1:].upper(): ending[1:] for ending in ENDINGS},
+        tip = self.tr(
+            "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
+            " Moving pictures and many at once: the command “export”"
         )
+        formats = {ending[1:].upper(): ending[1:] for ending in ENDINGS}
+        self._choose("ending", self.tr("&Format"), tip, formats)
         self._form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
-        self._choose(
-            "column",
-            self.tr("&Arranged"),
-            self.tr("Whether the panes stand beside or below each other"),
-            {self.tr("in a row"): False, self.tr("in a column"): True},
-        )
-        unit = self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI)
-        self._choose("unit", "", unit, {unit: unit for unit in ("px", "mm", "cm", "in")})
+        tip = self.tr("Whether the panes stand beside or below each other")
+        is_column = {self.tr("in a row"): False, self.tr("in a column"): True}
+        self._choose("column", self.tr("&Arranged"), tip, is_column)
+        tip = self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI)
+        self._choose("unit", "", tip, {unit: unit for unit in ("px", "mm", "cm", "in")})
         width, height = self._sides
         size = in_row(width, PlainLabel("×"), height, self._combos["unit"])
         self._form.addRow(self.tr("Size"), size)
         self._form.addRow(self.tr("&Letters (pt)"), self._fields["text"])
-        self._choose(
-            "palette",
-            self.tr("C&olours"),
-            self.tr("In print, faces and lines that differ in colour differ in grey, too"),
-            {
-                self.tr("as on the screen"): "screen",
-                self.tr("for print"): "print",
-                self.tr("dark"): "dark",
-                self.tr("most contrast"): "contrast",
-            },
-        )
-        self._choose(
-            "hidden",
-            self.tr("&Hidden lines"),
-            self.tr("What becomes of lines behind faces, in SVG, PDF and TEX"),
-            {self.tr("left out"): "none", self.tr("dashed"): "dashed", self.tr("grey"): "grey"},
-        )
-        self._choose(
-            "scale",
-            self.tr("Scal&e"),
-            self.tr("Draws the same PNG with more pixels; text and lines scale with it"),
-            {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)},
-        )
-        self._choose(
-            "transparent",
-            self.tr("&Background"),
-            self.tr("What is behind the picture"),
-            {self.tr("filled"): False, self.tr("transparent"): True},
-        )
+        tip = self.tr("In print, faces and lines that differ in colour differ in grey, too")
+        palettes = {
+            self.tr("as on the screen"): "screen",
+            self.tr("for print"): "print",
+            self.tr("dark"): "dark",
+            self.tr("most contrast"): "contrast",
+        }
+        self._choose("palette", self.tr("C&olours"), tip, palettes)
+        tip = self.tr("What becomes of lines behind faces, in SVG, PDF and TEX")
+        lines = {self.tr("left out"): "none", self.tr("dashed"): "dashed", self.tr("grey"): "grey"}
+        self._choose("hidden", self.tr("&Hidden lines"), tip, lines)
+        tip = self.tr("Draws the same PNG with more pixels; text and lines scale with it")
+        factors = {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)}
+        self._choose("scale", self.tr("Scal&e"), tip, factors)
+        tip = self.tr("What is behind the picture")
+        is_transparent = {self.tr("filled"): False, self.tr("transparent"): True}
+        self._choose("transparent", self.tr("&Background"), tip, is_transparent)
         self._combos["column"].currentIndexChanged.connect(self._panes_changed)
         self._combos["unit"].currentIndexChanged.connect(self._unit_changed)
         self._crop = QCheckBox(self.tr("C&rop to the content"))

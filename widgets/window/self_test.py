@@ -61,13 +61,11 @@ class SelfTestDialog(QDialog):
         self._count = PlainLabel()
         every = push_button(self.tr("&All topics"), act=lambda: self._choose(True))
         none = push_button(self.tr("&None"), act=lambda: self._choose(False))
-        how = PlainLabel(
-            self.tr(
-                "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
-                " digits. At the end you see all solutions."
-            ).format(MOST),
-            wordWrap=True,
+        text = self.tr(
+            "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
+            " digits. At the end you see all solutions."
         )
+        how = PlainLabel(text.format(MOST), wordWrap=True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.begin = buttons.addButton(self.tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         buttons.accepted.connect(self.accept)
