@@ -291,15 +291,13 @@ class FramePanel(Panel):
         self.angle.setValue(tidy(up.angle_deg))
         if not self.angle.in_hand:
             self.angle.clear_error()
-        self.figures.setText(
-            self.tr(
-                "Angle of {3} and view direction: {0}°\n|{3} × {4}| = {1}\n"
-                "An error in {3} is {2} times as large in u and v."
-            ).format(
-                *map(read_text, (up.angle_deg, up.length, up.magnified)),
-                *(frame_letters(lettering.now)[name] for name in ("up", "n")),
-            )
+        text = self.tr(
+            "Angle of {3} and view direction: {0}°\n|{3} × {4}| = {1}\n"
+            "An error in {3} is {2} times as large in u and v."
         )
+        numbers = map(read_text, (up.angle_deg, up.length, up.magnified))
+        letters = frame_letters(lettering.now)
+        self.figures.setText(text.format(*numbers, letters["up"], letters["n"]))
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
         text = ""
         if off_deg <= CLOSE_DEG:
