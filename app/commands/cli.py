@@ -60,9 +60,8 @@ def _window(arguments: Sequence[str]) -> int:
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
     if lesson and options.set:
-        raise CliError(
-            f"--set {options.set[0]}: {file} is a lesson, whose steps set what is shown."
-        )
+        given = options.set[0]
+        raise CliError(f"--set {given}: {file} is a lesson, whose steps set what is shown.")
     saved = document_before(file, options.set)
     document = with_values(saved, options.set)
     from_file = is_mesh(document.scene) or document.mesh

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING
 
 from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
-from app.document.naming import nameable
-from app.document.view import EVERYTHING, PANES
-from app.lessons.course import Course, scene_of
+from app.document.view import PANES
+from app.lessons.course import Course, scene_of, unnameable
 from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal, counted
 
@@ -50,14 +49,11 @@ class Composed:
         line = step.state.line if step.state is not None else step.line
         where = f"{lesson.path}: line {line}, step {place + 1} ({step.name})"
         self.steps += 1
-        faults = dict[str, None]()
-        kinds = set[str]()
+        faults, kinds = dict[str, None](), set[str]()
         for document in documents:
-            seen, screen_px = panes_of(document, lesson.is_talk), None
-            em = PANE_EM_PX
-            if lesson.is_talk:
-                em, screen_px = SLIDE_EM_PX, SLIDE_PX[1]
-            for name in self._missing(document, list(seen) if lesson.is_talk else list(PANES)):
+            seen = panes_of(document, lesson.is_talk)
+            em, screen_px = (SLIDE_EM_PX, SLIDE_PX[1]) if lesson.is_talk else (PANE_EM_PX, None)
+            for name in unnameable(document, [*seen] if lesson.is_talk else PANES):
                 faults[f"{where}: view.names has {name}, which no pane draws here."] = None
             for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):
@@ -66,15 +62,6 @@ class Composed:
                         kinds.add(kind)
         self.wrong += faults
         self.faulty.update(kinds)
-
-    def _missing(self, document: Document, panes: list[str]) -> list[str]:
-        """The names of a view that none of these panes can draw; none if there is no pane."""
-        names = document.view.names
-        if names is None or names == EVERYTHING or not panes:
-            return []
-        scene = scene_of(document)
-        drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in panes))
-        return [name for name in names if name not in drawn]
 
 
 def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:

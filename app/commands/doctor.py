@@ -124,9 +124,8 @@ def _folders() -> Iterator[Finding]:
         if os.path.isdir(there) and os.access(there, os.W_OK):
             yield Finding(name, str(folder))
         else:
-            yield Finding(
-                name, f"{folder}: not writable", f"make {there} a folder that you may write to"
-            )
+            remedy = f"make {there} a folder that you may write to"
+            yield Finding(name, f"{folder}: not writable", remedy)
 
 
 def _display() -> Iterator[Finding]:
@@ -157,11 +156,10 @@ def _display() -> Iterator[Finding]:
     else:
         how = "software, without a graphics card" if answer["software"] else "graphics card"
         yield Finding("OpenGL", f"{answer['version']}, {answer['renderer']} ({how})")
-    painting = {
-        "opengl": "drawn in the window by OpenGL",
-        "raster": "drawn off-screen and painted as pixels",
-    }
-    yield Finding("Panes", f"{painting[answer['canvas']]} (--canvas {answer['canvas']})")
+    how = "drawn in the window by OpenGL"
+    if answer["canvas"] == "raster":
+        how = "drawn off-screen and painted as pixels"
+    yield Finding("Panes", f"{how} (--canvas {answer['canvas']})")
 
 
 def _off_screen() -> Finding:

@@ -74,10 +74,8 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
     for word in (word.strip() for word in text.split(",")):
         path = file_of(word)
         if not os.path.isfile(path):
-            topics = (
-                each.stem.partition("-")[0].upper().replace("L0", "L") for each in contained()
-            )
-            last = max(int(each[1:]) for each in topics if re.fullmatch(r"L\d+", each))
+            stems = (re.match(r"l(\d+)-", each.stem) for each in contained())
+            last = max(int(stem[1]) for stem in stems if stem)
             raise CliError(
                 f"--topics = {word!r}: must be topics from L1 to L{last}, or files of lessons, "
                 "separated by commas."

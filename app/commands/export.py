@@ -173,18 +173,15 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
         from app.drawings.moving import WEBP_PX
         from app.drawings.mp4 import program
     if len(sizes) > 1:
-        raise CliError(
-            f"--{sweep.motions(options)[0]}: frames of a film have one size; set --size."
-        )
+        motion = sweep.motions(options)[0]
+        raise CliError(f"--{motion}: frames of a film have one size; set --size.")
     (size,) = sizes
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
         raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
-            sides = "x".join(map(str, size))
-            raise CliError(
-                f"OUT = {out!r}: .mp4 has even sides in pixels, not {sides}; set --size."
-            )
+            odd = "x".join(map(str, size))
+            raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {odd}; set --size.")
         with blamed_on(out, UNWRITABLE):
             program()
 

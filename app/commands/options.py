@@ -88,8 +88,7 @@ class Parser(argparse.ArgumentParser):
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
-        self._command = command
-        self._names = names
+        self._command, self._names = command, names
         self.add_argument("words", nargs="*", metavar=names, help=text)
 
     def _print_message(self, message: str, _file: object = None) -> None:
@@ -107,10 +106,8 @@ class Parser(argparse.ArgumentParser):
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
-            where = f"an option of {self._command}" if self._command else "an option of the window"
-            raise CliError(
-                f"{option} is not {where}; the nearest is {nearest(option.lower(), names)}."
-            )
+            where, near = self._command or "the window", nearest(option.lower(), names)
+            raise CliError(f"{option} is not an option of {where}; the nearest is {near}.")
         words: list[str] = [*options.words, *arguments[end + 1 :]]
         command = self._command or "The window"
         if "" in words:
@@ -219,15 +216,9 @@ def _parsed(
     return read
 
 
-def _whole(value: str) -> int:
-    if not re.fullmatch("[0-9]{1,9}", value):
-        raise CliError(f"--frames = {value!r}: must be a whole number.")
-    return int(value)
-
-
-def _digits(value: str) -> int:
-    if not re.fullmatch("[1-9]|1[0-7]", value):
-        raise CliError(f"--digits = {value!r}: must be a whole number from 1 to 17.")
+def _whole(pattern: str, value: str) -> int:
+    if not re.fullmatch(pattern, value):
+        raise ValueError(value)
     return int(value)
 
 
@@ -266,11 +257,8 @@ def _window() -> Parser:
     )
     parser.add_set()
     parser.add_choice("--theme", THEMES, "colours, for this start only")
-    parser.add_choice(
-        "--canvas",
-        CANVASES,
-        "how panes draw (default: opengl with a graphics card, raster without)",
-    )
+    text = "how panes draw (default: opengl with a graphics card, raster without)"
+    parser.add_choice("--canvas", CANVASES, text)
     parser.add_flag("--reset", "delete the settings, then open the window")
     parser.add("--screenshot", "OUT", "save a picture of the window as PNG and quit")
     parser.add("--size", "WIDTHxHEIGHT", "size of the window", read=_size)
@@ -298,8 +286,7 @@ def _export() -> Parser:
         "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
         "each pane",
         read=_parsed(
-            "--size",
-            f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
+            "--size", f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
             parse_size,
         ),
     )  # fmt: skip
@@ -334,11 +321,8 @@ def _export() -> Parser:
     parser.add_flag(
         "--resume", "of --batch: leave out figures that are newer than the list and their document",
     )  # fmt: skip
-    parser.add_choice(
-        "--format",
-        FIGURE_FORMATS,
-        "of --batch with a folder or a lesson: what to write (default: png)",
-    )
+    text = "of --batch with a folder or a lesson: what to write (default: png)"
+    parser.add_choice("--format", FIGURE_FORMATS, text)
     parser.add(
         "--sweep", "NAME=FIRST:LAST",
         "draw a moving picture: a value of --set changes from FIRST to LAST",
@@ -365,7 +349,7 @@ def _export() -> Parser:
         "--frames", "COUNT",
         "of a moving picture: how many frames (default: 48; of --stages 120, of --transition "
         "24; in .html 21)",
-        read=_whole,
+        read=_parsed("--frames", "a whole number", partial(_whole, "[0-9]{1,9}")),
     )  # fmt: skip
     parser.add(
         "--fps", "COUNT", "of a moving picture: how many frames a second (default: 12)",
@@ -408,7 +392,7 @@ def _matrices() -> Parser:
     parser.add(
         "--digits", "COUNT",
         "in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",
-        read=_digits,
+        read=_parsed("--digits", "a whole number from 1 to 17", partial(_whole, "[1-9]|1[0-7]")),
     )  # fmt: skip
     parser.add_choice(
         "--letters", LETTERS, "in LaTeX: the letters of a lecture (default: the document's)"

@@ -42,9 +42,8 @@ _POINTS = re.compile(r"(?=.*\d)[-+.\deE\s,;()\[\]]+")
 
 def check_typed(arguments: Sequence[str]) -> None:
     """Refuse coordinates typed in place of a file (1,2,3 or 1 2 3), and say how to give them."""
-    typed = [
-        word for word in arguments if _POINTS.fullmatch(plain(word)) and not os.path.lexists(word)
-    ]
+    typed = [each for each in arguments if _POINTS.fullmatch(plain(each))]
+    typed = [each for each in typed if not os.path.lexists(each)]
     if not typed:
         return
     parts = [part for part in re.split(r"[\s,;()\[\]]+", plain(" ".join(typed))) if part]

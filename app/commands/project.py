@@ -36,15 +36,14 @@ def run(arguments: Sequence[str]) -> int:
     projection = document_of(file[0] if file else None, options.set).projection
     read = points.read(source)
     rows, has_w = np.array(read.points), read.has_w
-    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=options.space)
+    space: Space = options.space
+    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=space)
     precision = options.rung or precision_for_reading(predictions)
     if has_w:
-        traced = trace_homogeneous(projection, rows, precision, options.space)
+        traced = trace_homogeneous(projection, rows, precision, space)
     else:
-        traced = trace(projection, rows[:, :3], precision, space=options.space)
-    answer = _ProjectedPoints(
-        projection, traced, precision, predictions, options.space, read.columns
-    )
+        traced = trace(projection, rows[:, :3], precision, space=space)
+    answer = _ProjectedPoints(projection, traced, precision, predictions, space, read.columns)
     if options.format == "table":
         write_out([f"{lens_line(projection)}\n\n"])
     write_out(_PROJECT_FORMATS[options.format](answer))
@@ -165,10 +164,8 @@ def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
                 known = nothing % tuple(texts[first : first + answer.in_world])
                 lines.append(f"{known}{next(others)}}}")
                 continue
-            if in_front:
-                line = seen % tuple(texts[first : first + count])
-            else:
-                line = unseen % tuple(texts[first : first + before_ndc])
+            form, size = (seen, count) if in_front else (unseen, before_ndc)
+            line = form % tuple(texts[first : first + size])
             inside = "true" if in_front and not outside_of else "false"
             outside = json.dumps(outside_of)
             more = next(others)
@@ -236,9 +233,8 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
     unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
     nothing = "%-10s  " + line + f"{labels[0]:>10}  {line}"
     # The position of each number in a table of four columns with a header row.
-    places = [
-        4 * row + i for row, (_, names) in enumerate(answer.stages, 1) for i in range(len(names))
-    ]
+    sizes = [len(names) for _, names in answer.stages]
+    places = [4 * row + i for row, size in enumerate(sizes, 1) for i in range(size)]
     numbers, before_ndc = answer.counts
     number = 0
     names = answer.columns.names
@@ -281,18 +277,14 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
             if lost:
                 lines.append(next(others))
                 continue
-            beyond = ", ".join(outside_of)
-            lines.append(
-                f"{'outside of' if beyond else 'inside':>10}  {beyond or 'the view volume'}\n"
-            )
+            where = "outside of" if outside_of else "inside"
+            lines.append(f"{where:>10}  {', '.join(outside_of) or 'the view volume'}\n")
             lines.append(next(others))
         yield "".join(lines)
     if answer.predictions is not None:
         errors = [
-            f"{precision} {error.px:.1e} px"
-            if math.isfinite(error.px)
-            else f"{precision} has no bound"
-            for precision, error in answer.predictions.items()
+            f"{name} {error.px:.1e} px" if math.isfinite(error.px) else f"{name} has no bound"
+            for name, error in answer.predictions.items()
         ]
         yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
 

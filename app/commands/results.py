@@ -98,10 +98,8 @@ def _summary(students: Sequence[Sequence[RemarkedAnswer]]) -> Iterator[str]:
         f"{counted(len(students), 'file')}, {counted(len(answers), 'answer')}: "
         f"{words[RIGHT]} right, {wrong} wrong, {words[SHOWN]} shown, {words['']} not marked"
     )
-    changed = sum(
-        bool(each.word) and (each.word == RIGHT) != (each.attempt.verdict == RIGHT)
-        for each in answers
-    )
+    given = [each for each in answers if each.word]
+    changed = sum((each.word == RIGHT) != (each.attempt.verdict == RIGHT) for each in given)
     if changed:
         yield f"{counted(changed, 'mark')} not as in the files"
     if ideas:

@@ -198,10 +198,9 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
         raise CliError(f"--transition: step {place} shows the same as the step before.")
     if first is None or last is None:
         return figures
-    parts = (_eased(step / (len(figures) - 1)) for step in range(len(figures)))
     return [
-        _seen(figure, camera_between(first, last, part))
-        for figure, part in zip(figures, parts, strict=True)
+        _seen(figure, camera_between(first, last, _eased(step / (len(figures) - 1))))
+        for step, figure in enumerate(figures)
     ]
 
 
@@ -211,9 +210,8 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
 def _still(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
     """Return figures whose world is seen from one place, as in the window while a value changes."""
     first = figures[0]
-    if (
-        "world" not in panes(options) or "world" in first.document.view.panes or _is_fixed(first)
-    ):  # fmt: skip
+    is_turned = "world" in first.document.view.panes
+    if is_turned or "world" not in panes(options) or _is_fixed(first):
         return figures
     (view,) = _standing(figures, [0.0])
     return [_seen(figure, view) for figure in figures]

@@ -14,14 +14,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from app.drawings.occlusion import (
-    BORDER_PX,
-    SAME_DEPTH,
-    Occlusion,
-    Points,
-    ScreenCell,
-    cut,
-)
+from app.drawings.occlusion import BORDER_PX, SAME_DEPTH, Occlusion, Points, ScreenCell, cut
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 _LEAST_PX2 = 0.01  # of what two faces have in common, or of a face

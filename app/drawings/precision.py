@@ -56,8 +56,8 @@ _SHALLOW = 1.0 - 2.0**-22  # of the depth range: or the far plane takes what flo
 
 
 def least_tolerance(scene: Scene, tolerance_px: float) -> float:
-    """Return a scene's tolerance: infinite with a texture, which needs the GPU's vertices."""
-    return math.inf if "texture" in scene.requires else tolerance_px
+    """Return a scene's tolerance: infinite if a texture or moved vertices need the GPU's own."""
+    return math.inf if scene.requires & {"texture", "vertices"} else tolerance_px
 
 
 _projected: WeakKeyDictionary[Scene, _Projected] = WeakKeyDictionary()

@@ -19,14 +19,11 @@ def as_text(matrix: WrittenMatrix, letters: Letters = "own", *, formulas: bool =
         else [[format_value(value) for value in row] for row in matrix.values]
     )
     widths = [max(map(_places, column)) for column in zip(*cells, strict=True)]
-    lines = (
-        "  "
-        + "  ".join(
-            " " * (width - _places(cell)) + cell for cell, width in zip(row, widths, strict=True)
-        )
-        for row in cells
-    )
-    return "\n".join([_title(matrix), *lines]) + "\n"
+    lines = [_title(matrix)]
+    for row in cells:
+        padded = (" " * (w - _places(cell)) + cell for cell, w in zip(row, widths, strict=True))
+        lines.append("  ".join(["", *padded]))
+    return "\n".join(lines) + "\n"
 
 
 def _places(text: str) -> int:
@@ -36,9 +33,7 @@ def _places(text: str) -> int:
 
 def as_numpy(matrix: WrittenMatrix) -> str:
     """Write the matrix as a Python statement, with ``np`` for NumPy."""
-    rows = ",\n".join(
-        "    [" + ", ".join(repr(value) for value in row) + "]" for row in matrix.values
-    )
+    rows = ",\n".join(f"    [{', '.join(map(repr, row))}]" for row in matrix.values)
     called = f"  # {matrix.called}" if matrix.called else ""
     return f"{matrix.name} = np.array([{called}\n{rows},\n])\n"
 

@@ -98,9 +98,8 @@ def scale_factors(projection: Projection) -> Vector | None:
         return None
     left, right, bottom, top = projection.window
     clips = (trace_at_infinity(projection, axis).clip.tolist() for axis in AXES)
-    x, y, z = (
-        math.hypot(clip[0] * (right - left) / 2.0, clip[1] * (top - bottom) / 2.0) for clip in clips
-    )
+    width, height = (right - left) / 2.0, (top - bottom) / 2.0
+    x, y, z = (math.hypot(clip[0] * width, clip[1] * height) for clip in clips)
     return x, y, z
 
 
@@ -116,19 +115,15 @@ def kind_of(projection: Projection) -> str | None:
     has_face = sum(through) == 1
     receding = math.hypot(*lens.shear)
     if receding > TOLERANCE:
-        drawn = (
-            k for k in KINDS.values() if k.receding is not None and _same(receding, k.receding)
-        )
-        kind = next(drawn, None)
-        return kind.name if kind is not None and has_face else "oblique"
+        drawn = (k.name for k in KINDS.values() if k.receding and _same(receding, k.receding))
+        return next(drawn, "oblique") if has_face else "oblique"
     if has_face:
         faces = {(0, True): "side", (1, True): "top", (2, True): "front"}
         axis = through.index(True)
         return faces.get((axis, away[axis] > 0.0), "multiview")
     x, y, z = map(abs, away)  # the sines of the axes' angles with the image plane
-    return ("trimetric", "dimetric", "dimetric", "isometric")[
-        _same(x, y) + _same(y, z) + _same(x, z)
-    ]
+    equal = _same(x, y) + _same(y, z) + _same(x, z)
+    return ("trimetric", "dimetric", "dimetric", "isometric")[equal]
 
 
 def _same(a: float, b: float) -> bool:

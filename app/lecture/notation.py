@@ -9,10 +9,11 @@ come from `Projection.stages`; only their signs may change.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache, lru_cache, partial
 from typing import NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import product
@@ -20,13 +21,7 @@ from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
-from app.lecture.letters import (
-    FROM_SHEARED,
-    MATRIX_NAMES,
-    SHEARED,
-    Letters,
-    written,
-)
+from app.lecture.letters import FROM_SHEARED, MATRIX_NAMES, SHEARED, Letters, written
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
 from app.model.object_transform import FACTORS, FROM_OBJECT
@@ -129,13 +124,11 @@ def matrices(
     """
     lens = _written(projection)
     steps = _steps(lens.table, letters)
-    first, view, *own, last = projection.stages
-    between = own
+    first, view, *between, last = projection.stages
     if steps is not lens.table.steps:  # a lecture's steps, without our factors
         staged = [projection.staged(step) for step in steps]
         between = [stage._replace(factors=stage.factors[:1]) for stage in staged]
-    shown: list[tuple[Stage, tuple[str, ...]]] = [(first, ())]
-    shown.append((view, ()))
+    shown: list[tuple[Stage, tuple[str, ...]]] = [(first, ()), (view, ())]
     so_far, source = view.exact, view.name
     if running and view.factors:  # a typed view matrix has no camera axes
         shown.append((_inverse_view(projection), ()))
@@ -218,9 +211,8 @@ def _chained(whole: Sequence[WrittenMatrix], names: Mapping[str, str]) -> tuple[
         called = [*filter(None, (names.get(matrix.name, ""), _chain(names, of)))]
         shown[matrix.name] = called[0] if called else matrix.name
         chain = tuple(_chain(shown, [name]) for name in parts)
-        whole_chain.append(
-            matrix._replace(product=parts, factors=factors, called=" = ".join(called), chain=chain)
-        )
+        named = matrix._replace(factors=factors, called=" = ".join(called), chain=chain)
+        whole_chain.append(named._replace(product=parts))
     return tuple(whole_chain)
 
 
@@ -274,17 +266,13 @@ def _matrix(
     rows: bool,
 ) -> WrittenMatrix:
     signs = _signs(_written(projection), letters)
+    one = partial(_one, signs=signs, projection=projection, tables=tables, rows=rows)
     inner = {} if "_from_" in "".join(name for name, _ in stage.factors) else dict(stage.factors)
-    factors = []
-    if len(inner) > 1:
-        for label, array in inner.items():
-            factors.append(_one(label, f"{stage.name}/{label}", array, signs,
-                                projection, tables, rows, ()))  # fmt: skip
-    whole = _one(stage.name, stage.name, stage.matrix, signs, projection, tables, rows,
-                 tuple(factors))  # fmt: skip
-    if rows:
-        product = product[::-1]
-    return whole._replace(product=product, note=stage.note, chain=product)
+    turn = -1 if rows else 1
+    parts = list(inner.items())[::turn] if len(inner) > 1 else ()
+    factors = tuple(one(label, f"{stage.name}/{label}", array) for label, array in parts)
+    whole, product = one(stage.name, stage.name, stage.matrix), product[::turn]
+    return whole._replace(factors=factors, product=product, note=stage.note, chain=product)
 
 
 def _one(
@@ -295,7 +283,6 @@ def _one(
     projection: Projection,
     tables: _Tables,
     rows: bool,
-    factors: tuple[WrittenMatrix, ...],
 ) -> WrittenMatrix:
     values = tuple(
         tuple(signs(key, i, j) * value + 0.0 for j, value in enumerate(row))
@@ -311,10 +298,8 @@ def _one(
         fields = (*fields[:2], depths, fields[3])
     if rows:
         values, fields = tuple(zip(*values, strict=True)), tuple(zip(*fields, strict=True))
-        formulas = tuple(tuple(_turned(cell) for cell in row)
-                         for row in zip(*formulas, strict=True))  # fmt: skip
-        factors = factors[::-1]
-    return WrittenMatrix(label, values, formulas, fields, factors)
+        formulas = tuple(tuple(map(_turned, row)) for row in zip(*formulas, strict=True))
+    return WrittenMatrix(label, values, formulas, fields)
 
 
 @cache
@@ -328,9 +313,8 @@ def _turned(formula: str) -> str:
 @cache
 def _spelled(formula: str, lens: Formulas) -> str:
     """Replace the cells p_ij in a formula by their own formulas."""
-    cells = {
-        f"p_{i}{j}": parse(cell) for i, row in enumerate(lens, 1) for j, cell in enumerate(row, 1)
-    }
+    letters = itertools.chain(*_lettered("p"))
+    cells = dict(zip(letters, map(parse, itertools.chain(*lens)), strict=True))
     return parse(formula).where(cells).text
 
 
@@ -341,21 +325,15 @@ def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _Fi
     A cell also depends on the depth range if another range gives it another formula, and likewise
     on an infinite far.
     """
-    own = _formulas(lens, letters)
+    own, moved = _formulas(lens, letters), lens._replace(order=lens.order or "trs")
     # An object that is not moved can be moved.
-    own = {
-        **own,
-        FROM_OBJECT: _formulas(lens._replace(order=lens.order or "trs"), letters)[FROM_OBJECT],
-    }
+    own = {**own, FROM_OBJECT: _formulas(moved, letters)[FROM_OBJECT]}
     others = [
         (field, _formulas(lens._replace(table=table), letters))
         for field, table in lens.table.otherwise.items()
     ]
-    others += [
-        ("depth", _formulas(lens._replace(depth=other), letters))
-        for other in DEPTH_RANGES
-        if other != lens.depth
-    ]
+    for other in DEPTH_RANGES.keys() - {lens.depth}:
+        others.append(("depth", _formulas(lens._replace(depth=other), letters)))
 
     def cell(key: str, i: int, j: int) -> tuple[str, ...]:
         formula = _spelled(own[key][i][j], own["clip_from_view"])
@@ -387,16 +365,10 @@ def _signs(lens: _WrittenForm, letters: Letters) -> Callable[[str, int, int], in
             return w * z_row
         if name == "clip_from_depth_range":
             return w
-        if name.startswith("depth_range_from"):
+        if name == "image_from_ndc" or name.startswith("depth_range_from"):
             if key.endswith("/translation"):  # S T = T' S: only the shift changes sign
                 return turned if (i, j) == (2, 3) else 1
-            return z_row
-        if name == "image_from_ndc":
-            if key.endswith("/scale"):
-                return z_row
-            if key.endswith("/translation"):
-                return turned if (i, j) == (2, 3) else 1
-            return turned if j == 2 and i == 2 else 1
+            return z_row if key != "image_from_ndc" or j == 2 else 1
         return 1
 
     return sign
@@ -451,18 +423,13 @@ def _view_formulas(has_own_view: bool) -> _Table:
     """Return lecture 004's view matrix, its factors and its inverse."""
     axes = tuple(tuple(f"{axis}_{part}" for part in "xyz") for axis in "uvn")
     shifted = (*((*axis, f"-dot(axis_{axis[0][0]}, eye)") for axis in axes), _LAST_ROW)
-    ones = (row[:3] for row in _IDENTITY)
+    moved = ((*_IDENTITY[i][:3], f"-eye_{part}") for i, part in enumerate("xyz"))
+    back = ((*(f"{axis}_{part}" for axis in "uvn"), f"eye_{part}") for part in "xyz")
     return {
         "view_from_world": _lettered("m") if has_own_view else shifted,
         "view_from_world/rotation": (*((*axis, "0") for axis in axes), _LAST_ROW),
-        "view_from_world/translation": (
-            *((*one, f"-eye_{part}") for one, part in zip(ones, "xyz", strict=False)),
-            _LAST_ROW,
-        ),
-        "world_from_view": (
-            *((*(f"{axis}_{part}" for axis in "uvn"), f"eye_{part}") for part in "xyz"),
-            _LAST_ROW,
-        ),
+        "view_from_world/translation": (*moved, _LAST_ROW),
+        "world_from_view": (*back, _LAST_ROW),
     }
 
 

@@ -115,9 +115,8 @@ def _pmatrix(matrix: WrittenMatrix, letters: Letters, formulas: bool, digits: in
     ends = [r" \\[2pt]" if "frac" in row else r" \\" for row in rows[:-1]] + [""]
     body = "\n".join(row + end for row, end in zip(rows, ends, strict=True))
     width = sum(max(map(_width, column)) + _COLUMN_PT for column in zip(*cells, strict=True))
-    return _ProductPart(
-        f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}", width + _BRACKETS_PT - _COLUMN_PT
-    )
+    tex = f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
+    return _ProductPart(tex, width + _BRACKETS_PT - _COLUMN_PT)
 
 
 def _small(tex: str) -> str:

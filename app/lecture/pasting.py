@@ -84,9 +84,8 @@ def _views(projection: Projection, rows: Sequence[Sequence[float]], write: Write
         ahead = (-shown.camera.frame[2] + 0.0).tolist()
         eye, along = (", ".join(write(part) for part in p) for p in (shown.camera.eye, ahead))
         said = [MatrixProperty(OF_A_CAMERA, (eye, along)), *rounded_view(shown, cells, write)]
-        possible.append(
-            Pasted(shown, [MatrixProperty(FOR_ROWS), *said] if turned is not matrix else said)
-        )
+        said = [MatrixProperty(FOR_ROWS), *said] if turned is not matrix else said
+        possible.append(Pasted(shown, said))
     if possible:
         return possible
     is_for_rows = bool(matrix[3, :3].any()) and not matrix[:3, 3].any()

@@ -29,7 +29,7 @@ from `Projection`.
 """
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -76,6 +76,8 @@ class Morph:
     projection: Projection
     origin: Vector
     corners_world: Array
+    _evens: dict[int, Array] = field(default_factory=dict, init=False)
+    _boxes: dict[int, Array] = field(default_factory=dict, init=False)
 
     @property
     def _lens(self) -> Lens:
@@ -91,10 +93,8 @@ class Morph:
         if stop == WORLD:
             return np.eye(4)
         if stop >= NDC:
-            clip_from_local = self.projection.clip_from_local(self.origin)
-            return (
-                clip_from_local if stop == NDC else self.projection.image_from_ndc @ clip_from_local
-            )
+            clip = self.projection.clip_from_local(self.origin)
+            return clip if stop == NDC else self.projection.image_from_ndc @ clip
         matrix: Array = self._view_from_local
         if stop >= CANONICAL_PERSPECTIVE:
             matrix = self._canonical[0] @ matrix
@@ -104,10 +104,8 @@ class Morph:
 
     @cached_property
     def _view_from_local(self) -> Array:
-        matrix: Array = self.projection.view_rotation @ translation(
-            np.asarray(self.origin) - self.projection.camera.eye
-        )
-        return matrix
+        shift = translation(np.asarray(self.origin) - self.projection.camera.eye)
+        return np.asarray(self.projection.view_rotation @ shift)
 
     @cached_property
     def _canonical(self) -> tuple[Array, Array]:
@@ -193,10 +191,8 @@ class Morph:
     @cached_property
     def _middle_depth(self) -> float:
         """Distance of the scene's middle, clamped to the view volume."""
-        lens = self._lens
-        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
-        depth = -float(self._view_from_local[2] @ [*middle, 1.0])
-        return min(max(depth, lens.near), lens.far)
+        depth = -float(self._view_from_local[2] @ [*_middle_of(self._local_corners), 1.0])
+        return min(max(depth, self._lens.near), self._lens.far)
 
     # -- what is shown at a position
 
@@ -241,10 +237,6 @@ class Morph:
             self._evens[stop] = self._display_stop(stop) * self._evening(stop)
         return self._evens[stop]
 
-    @cached_property
-    def _evens(self) -> dict[int, Array]:
-        return {}
-
     def _evening(self, stop: int) -> float:
         if stop <= CANONICAL_PERSPECTIVE:
             return 1.0
@@ -284,10 +276,6 @@ class Morph:
                 box = box * float(lens.w(lens.near) / lens.w(self._middle_depth))
             self._boxes[stop] = box
         return self._boxes[stop]
-
-    @cached_property
-    def _boxes(self) -> dict[int, Array]:
-        return {}
 
     @cached_property
     def _view_from_box(self) -> Array:
@@ -401,8 +389,7 @@ class FreeMorph(Morph):
 
     def _evening(self, stop: int) -> float:
         stage = self.stage_from_local(stop if stop < NDC else NDC)
-        middle = self._local_corners.min(axis=0) / 2.0 + self._local_corners.max(axis=0) / 2.0
-        w = float(stage[3] @ [*middle, 1.0])
+        w = float(stage[3] @ [*_middle_of(self._local_corners), 1.0])
         return 1.0 / w if w > 0.0 else 1.0
 
     def display_from_local(self, position: float) -> Array:
@@ -420,17 +407,12 @@ class FreeMorph(Morph):
             assert self._local_from_box is not None
             return np.asarray(self.display_from_local(position) @ self._local_from_box)
         part = position - NDC
-        cube = self.display_from_stage(NDC) @ self._clip_from_box
-        picture = self.display_from_stage(IMAGE) @ self.projection.image_from_ndc
-        picture = picture @ self._clip_from_box
-        return np.asarray((1.0 - part) * cube + part * picture)
-
-    @property
-    def _clip_from_box(self) -> Array:
         z_near, z_far = self.projection.depth_range
-        matrix = np.diag([1.0, 1.0, z_near - z_far, 1.0])
-        matrix[2, 3] = z_far
-        return matrix
+        clip_from_box = np.diag([1.0, 1.0, z_near - z_far, 1.0])
+        clip_from_box[2, 3] = z_far
+        cube, picture = self.display_from_stage(NDC), self.display_from_stage(IMAGE)
+        mixed = (1.0 - part) * cube + part * (picture @ self.projection.image_from_ndc)
+        return np.asarray(mixed @ clip_from_box)
 
     def planes_display(self, position: float) -> Array:
         return super().planes_display(self._jumped(position))
@@ -480,10 +462,12 @@ def _units(matrix: Array, axes: Array) -> Array:
 
 def _ball_of(points: Array) -> tuple[Array, float]:
     """Return the middle of points, and the scale at which they fill the framed ball."""
-    low, high = points.min(axis=0), points.max(axis=0)
-    middle = low / 2.0 + high / 2.0
-    radius = max(math.hypot(*point) for point in points - middle)
-    return middle, RADIUS / radius
+    middle = _middle_of(points)
+    return middle, RADIUS / max(math.hypot(*point) for point in points - middle)
+
+
+def _middle_of(points: Array) -> Array:
+    return np.asarray(points.min(axis=0) / 2.0 + points.max(axis=0) / 2.0)
 
 
 def rotation_between(frame: Array, part: float) -> Array:
@@ -498,9 +482,7 @@ def rotation_between(frame: Array, part: float) -> Array:
     diagonal = np.diag(frame)
     squares = np.array([frame.trace(), *diagonal])
     largest = int(squares.argmax())
-    skew = np.array(
-        [frame[2, 1] - frame[1, 2], frame[0, 2] - frame[2, 0], frame[1, 0] - frame[0, 1]]
-    )
+    skew = (frame - frame.T)[[2, 0, 1], [1, 2, 0]]
     if largest == 0:
         quaternion = np.array([1.0 + squares[0], *skew])
     else:
@@ -515,10 +497,8 @@ def rotation_between(frame: Array, part: float) -> Array:
     angle = part * 2.0 * math.atan2(length, quaternion[0])
     x, y, z = quaternion[1:] / length
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    rotation: Array = (
-        np.eye(3) + math.sin(angle) * cross + 2.0 * math.sin(angle / 2.0) ** 2 * (cross @ cross)
-    )
-    return rotation
+    versine = 2.0 * math.sin(angle / 2.0) ** 2
+    return np.asarray(np.eye(3) + math.sin(angle) * cross + versine * (cross @ cross))
 
 
 def _positive_inverse(matrix: Array) -> Array:

@@ -99,9 +99,8 @@ def with_matrix(
             return replace(moved, lens=standard)
         described = readings(clip_from_view, moved.image_size, moved.depth, former)
         former = described[0].lens if described else former
-    return replace(
-        projection, camera=camera, lens=FreeMatrix(clip_from_view, view_from_world, former)
-    )
+    lens = FreeMatrix(clip_from_view, view_from_world, former)
+    return replace(projection, camera=camera, lens=lens)
 
 
 # --------------------------------------------------------------------------- recognition: lenses
@@ -261,9 +260,8 @@ def readings(
                 shown_by = Projection(camera, in_hand, image_size, range_)
                 lens = recognised_lens(ours, shown_by, whole=True)
                 if lens is not None and lens.near >= 0.0:
-                    ranked.append(
-                        (is_unit, MatrixReading(lens, range_, y_sign, z_sign, is_transposed))
-                    )
+                    reading = MatrixReading(lens, range_, y_sign, z_sign, is_transposed)
+                    ranked.append((is_unit, reading))
         if rows == tuple(zip(*rows, strict=True)):
             break
     units = any(is_unit for is_unit, _ in ranked)
@@ -370,7 +368,6 @@ THROUGH_INFINITY = QT_TRANSLATE_NOOP(
     "Matrix", "the view volume reaches infinity: the frustum cannot be drawn"
 )
 
-
 ROUNDED_TO_FLOAT32 = QT_TRANSLATE_NOOP("Matrix", "rows are orthonormal to {0}: rounded to float32")
 ROUNDED_TO_DIGITS = QT_TRANSLATE_NOOP(
     "Matrix", "rows are orthonormal to {0}: rounded to {1} digits"
@@ -467,9 +464,8 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera
-        stated.append(
-            MatrixProperty(NEAREST_IS_USED if is_used else NEAREST, (write(float(f"{px:.2g}")),))
-        )
+        template = NEAREST_IS_USED if is_used else NEAREST
+        stated.append(MatrixProperty(template, (write(float(f"{px:.2g}")),)))
     return stated
 
 
@@ -505,12 +501,9 @@ def _of_last_row(last: list[Fraction], write: Write) -> list[MatrixProperty]:
     """Return the properties of the last row, which determines w."""
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
-        return [
-            MatrixProperty(NOT_AFFINE, (", ".join(linear),)),
-            MatrixProperty(
-                W_VANISHES, (linear[0] if sum(map(bool, last)) == 1 else _sum(last, write),)
-            ),
-        ]
+        zero = linear[0] if sum(map(bool, last)) == 1 else _sum(last, write)
+        depends = MatrixProperty(NOT_AFFINE, (", ".join(linear),))
+        return [depends, MatrixProperty(W_VANISHES, (zero,))]
     template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
     return [MatrixProperty(template, (write(float(last[3])),))]
 

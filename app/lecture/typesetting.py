@@ -128,14 +128,10 @@ def _read(tex: str) -> Outline:
     if not 0.0 <= width <= WIDEST * _EM:
         raise ValueError(f"is less than 0 or more than {WIDEST} letters wide")
     vertices, codes = reader.get_text_path(font, text, ismath=True)
-    return Outline(
-        width / _EM,
-        (height - descent) / _EM,
-        descent / _EM,
-        np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM,
-        np.asarray(codes),
-        tuple(_letters(reader, font, text)),
-    )
+    points = np.reshape(np.asarray(vertices, dtype=np.float64), (-1, 2)) / _EM
+    ascent, descent = (height - descent) / _EM, descent / _EM
+    letters = tuple(_letters(reader, font, text))
+    return Outline(width / _EM, ascent, descent, points, np.asarray(codes), letters)
 
 
 def _letters(reader: Any, font: Any, text: str) -> Iterator[tuple[str, int, int]]:
@@ -177,9 +173,8 @@ def _refuse(warning: logging.LogRecord) -> bool:
 def pieces_of(text: str) -> list[tuple[str, bool]]:
     """Split a label into words and formulas, each with whether it is TeX."""
     pieces: list[tuple[str, bool]] = []
-    for token in _TOKEN.finditer(
-        _LOWERED.sub(lambda match: "_" + match[0].translate(_LEVEL), text)
-    ):
+    text = _LOWERED.sub(lambda match: "_" + match[0].translate(_LEVEL), text)
+    for token in _TOKEN.finditer(text):
         if token["tex"]:
             pieces.append((token["tex"], True))
         elif token["letter"]:
@@ -198,9 +193,8 @@ def pieces_of(text: str) -> list[tuple[str, bool]]:
 
 def _tex(letter: str, sub: str) -> str:
     name = letter.removesuffix(ARROW)
-    base = (
-        rf"\mathrm{{{name}}}" if len(name) > 1 else rf"\{GREEK[name]} " if name in GREEK else name
-    )
+    base = rf"\mathrm{{{name}}}" if len(name) > 1 else name
+    base = rf"\{GREEK[name]} " if name in GREEK else base
     if name != letter:
         base = rf"\vec{{{base}}}"
     below = sub[1:].strip("{}")

@@ -9,11 +9,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from app.document.naming import nameable
-from app.document.view import EVERYTHING, PANES
+from app.document.view import PANES
 from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial
-from app.lessons.course import Course, scene_of
+from app.lessons.course import Course, unnameable
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.state import path_of
@@ -109,12 +108,9 @@ def _check(course: Course, trial: Trial, progress: Progress | None) -> None:
 
 
 def _count(steps: Sequence[Step], trial: Trial) -> None:
-    practice = [step for step in steps if step.varies]
-    others = [step for step in steps if step not in practice]
-    for some, most, said in (
-        (others, MOST_STEPS, TOO_MANY),
-        (practice, MOST_PRACTICE, TOO_MUCH_PRACTICE),
-    ):
+    limits = (False, MOST_STEPS, TOO_MANY), (True, MOST_PRACTICE, TOO_MUCH_PRACTICE)
+    for varies, most, said in limits:
+        some = [step for step in steps if step.varies == varies]
         if len(some) > most:
             trial.add_fault(refused(some[most].line, said, most + 1, most))
 
@@ -124,13 +120,8 @@ def _check_view(course: Course, place: int, trial: Trial) -> None:
     state = course.lesson.steps[place].state
     values = state.values if state is not None else ()
     line = next((at for at, text in values if path_of(text) == "view.names"), 0)
-    document = course.shown(place).document
-    if line and document.view.names not in (None, EVERYTHING):
-        scene = scene_of(document)
-        drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in PANES))
-        for name in document.view.names:
-            if name not in drawn:
-                trial.add_fault(refused(line, NOT_NAMED, name))
+    for name in unnameable(course.shown(place).document, PANES) if line else ():
+        trial.add_fault(refused(line, NOT_NAMED, name))
 
 
 def _check_texts(step: Step, trial: Trial) -> None:
@@ -143,8 +134,7 @@ def _check_texts(step: Step, trial: Trial) -> None:
     words = sum(len(each.text.split()) for each in step.words)
     if words > MOST_WORDS:
         trial.add_fault(refused(step.line, TOO_LONG, words, MOST_WORDS))
-    words = len(step.note.text.split()) if step.note is not None else 0
-    if step.note is not None and words > MOST_WORDS:
+    if step.note is not None and (words := len(step.note.text.split())) > MOST_WORDS:
         trial.add_fault(refused(step.note.line, LONG_NOTE, words, MOST_WORDS))
 
 

@@ -15,8 +15,9 @@ from typing import Any, NamedTuple
 
 from app.document import files
 from app.document.document import Document, is_mesh
+from app.document.naming import nameable
 from app.document.settings import set_values
-from app.document.view import AS_EVER, FIELDS, PANES, View
+from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
 from app.lessons.blocks.block import Asked, Idea
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
@@ -45,6 +46,16 @@ def panes_of(document: Document) -> list[str]:
     """Return the panes that a class sees, or the large one."""
     large = document.view.large or scene_of(document).leading
     return [pane for pane in document.view.slide if pane in PANES] or [large]
+
+
+def unnameable(document: Document, panes: Sequence[str]) -> list[str]:
+    """Return the names of a view that none of these panes can draw; none if there is no pane."""
+    names = document.view.names
+    if names is None or names == EVERYTHING or not panes:
+        return []
+    scene = scene_of(document)
+    drawn = frozenset[str]().union(*(nameable(pane, document, scene) for pane in panes))
+    return [name for name in names if name not in drawn]
 
 
 class ShownStep(NamedTuple):

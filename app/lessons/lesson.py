@@ -18,7 +18,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from app.document.codec import Path as AnyPath
 from app.document.files import UNREADABLE, blamed_on, content_of
 from app.lecture.letters import LETTERS, Letters
-from app.lessons.blocks import KINDS, Kind
+from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Block, StepContent, TextBlock
 from app.lessons.blocks.shown import ShownState
 from app.lessons.lines import (
@@ -333,7 +333,7 @@ def _line(token: Token, first: int) -> int:
     return token.map[0] + first + 1
 
 
-def _read_whole(kind: Kind, body: Body) -> tuple[Block | None, list[Refusal]]:
+def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refusal]]:
     """Read a block; return it, or its faults, all if it is not too long.
 
     A line with a fault is left out to find the next one, with the indented lines below it. Then a
@@ -431,7 +431,7 @@ class _StepReader:
         for fault in faults:
             self._add_fault(fault)
 
-    def _opened(self, token: Token, kind: str, given: str, line: int) -> tuple[Kind, Body]:
+    def _opened(self, token: Token, kind: str, given: str, line: int) -> tuple[type[Block], Body]:
         """Return the kind of a block and its unread lines."""
         if kind not in KINDS:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]

@@ -51,11 +51,9 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
         if not error.field and error.value is ...:  # a whole sentence, of a scene or its file
             raise refused(line, CANNOT_BE, str(error).rstrip(".?")) from error
         name = what if error.field in ("formula", "condition") and what else error.field
+        where = f"line {line}, {name}" if name else f"line {line}"
         raise Refusal.in_document(
-            error.bound,
-            *error.limits,
-            field=f"line {line}, {name}" if name else f"line {line}",
-            value=error.value,
+            error.bound, *error.limits, field=where, value=error.value
         ) from error
 
 
@@ -114,9 +112,12 @@ class LineItem(NamedTuple):
 class Items(tuple[LineItem, ...]):
     """The items of a block, by key."""
 
+    def every(self, key: str) -> list[LineItem]:
+        return [item for item in self if item.key == key]
+
     def single(self, key: str) -> LineItem | None:
         """Return the item of a key; refuse a second one."""
-        same = [item for item in self if item.key == key]
+        same = self.every(key)
         if len(same) > 1:
             raise refused(same[1].line, ONLY_ONCE, key)
         return same[0] if same else None
@@ -128,15 +129,14 @@ class Items(tuple[LineItem, ...]):
 
     def texts(self, key: str) -> tuple[str, ...]:
         """Return every text of a key that may be repeated."""
-        return tuple(item.text for item in self if item.key == key)
+        return tuple(item.text for item in self.every(key))
 
     def conditions(self, key: str) -> tuple[tuple[int, Condition], ...]:
         """Read every condition of a key, each with its line."""
         conditions = []
-        for item in self:
-            if item.key == key:
-                with on_line(item.line, key):
-                    conditions.append((item.line, Condition.read(item.text)))
+        for item in self.every(key):
+            with on_line(item.line, key):
+                conditions.append((item.line, Condition.read(item.text)))
         return tuple(conditions)
 
     def sentences(self) -> tuple[tuple[int, str], ...]:
@@ -167,9 +167,8 @@ class Body(NamedTuple):
             choice = _CHOICE.fullmatch(text.rstrip()) if choices and not indented else None
             key = _KEY.fullmatch(text.strip())
             if choice:
-                items.append(
-                    LineItem("choice", choice[1].strip().lower(), choice[2].strip(), number)
-                )
+                about, answer = choice[1].strip().lower(), choice[2].strip()
+                items.append(LineItem("choice", about, answer, number))
             elif indented and items:
                 items[-1] = _continued(items[-1], key, text.strip(), number, keys)
             elif key and not indented and key[1] in keys:

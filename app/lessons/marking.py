@@ -113,9 +113,9 @@ _ROOT = re.compile(rf"\^ *(?:\( *([-+]? *{_DECIMAL}(?: */ *{_DECIMAL})?) *\)|(-?
 """A power that is no whole number."""
 _BASE = re.compile(r"(?:(?<![0-9.])[0-9.]+|(?<![a-z])[a-z]+)$")
 
-_OF_ANGLES = r"(?<![a-z])(?:sin|cos|tan|cot)"
+_OF_AN_ANGLE = r"(?<![a-z])(?:sin|cos|tan|cot)"
 _BARE = re.compile(
-    rf"({_OF_ANGLES}|(?<![a-z])a(?:rc)?(?:sin|cos|tan)) *"
+    rf"({_OF_AN_ANGLE}|(?<![a-z])a(?:rc)?(?:sin|cos|tan)) *"
     rf"([-+]? *(?:{_DECIMAL}(?:e[-+]?[0-9]+)?|pi(?![a-z])|π))"
 )
 """A function without brackets and its number; what may follow it and belong to it or not."""
@@ -202,9 +202,8 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     digits = len(match[2].replace(".", "").lstrip("0"))
     if is_endless and digits < DIGITS:
         raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
-    return _bounded(text, TypedNumber(value, digits, Fraction(10) ** (power - len(places)))).times(
-        factor
-    )
+    typed = TypedNumber(value, digits, Fraction(10) ** (power - len(places)))
+    return _bounded(text, typed).times(factor)
 
 
 def _in_one_line(text: str) -> str:
@@ -258,7 +257,7 @@ def _with_brackets(text: str, plain: str) -> str:
         parts.append(f"{plain[at : match.start()]}{name}({number})")
         at = end
     plain = "".join(parts) + plain[at:]
-    for match in reversed([*re.finditer(rf"{_OF_ANGLES} *\(", plain)]):
+    for match in reversed([*re.finditer(rf"{_OF_AN_ANGLE} *\(", plain)]):
         end = _closing(plain, match.end())
         inside = plain[match.end() : end]
         angle = _RADIANS.sub("", _DEGREES.sub("", inside))
@@ -336,7 +335,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
             raise
         raise Refusal("answer", text, NOT_DEFINED) from error
     value = _bounded(text, TypedNumber(value, DIGITS, Fraction(0))).value
-    return value, "." in plain, _is_angle(formula)
+    return value, "." in plain, is_angle(formula)
 
 
 def _with_roots(plain: str) -> str:
@@ -360,7 +359,7 @@ def _with_roots(plain: str) -> str:
 def _in_degrees(text: str, formula: Formula) -> Formula:
     """Return a formula whose angles with a pi in them, which are in radians, are in degrees."""
     parts = [_in_degrees(text, part) for part in formula.parts]
-    if isinstance(formula, Call) and formula.name in _ANGLED and "pi" in formula.letters:
+    if isinstance(formula, Call) and formula.name in OF_ANGLES and "pi" in formula.letters:
         if any(isinstance(part, Call) and part.name in _TO_ANGLES for part in formula):
             raise Refusal("answer", text, TWO_ANGLES, formula.text)
         one, twice = (abs(parts[0].value({"pi": times * _KNOWN["pi"]}, _TYPED)) for times in (1, 2))
@@ -370,11 +369,11 @@ def _in_degrees(text: str, formula: Formula) -> Formula:
     return formula.with_parts(parts)
 
 
-def _is_angle(formula: Formula) -> bool:
+def is_angle(formula: Formula) -> bool:
     """Whether the value is an angle, as far as its functions say so."""
     if isinstance(formula, Call):
         return formula.name in _TO_ANGLES
-    return any(map(_is_angle, formula.parts))
+    return any(map(is_angle, formula.parts))
 
 
 def _typed_function(name: str, arguments: Sequence[Fraction]) -> Fraction:
@@ -386,7 +385,7 @@ def _typed_function(name: str, arguments: Sequence[Fraction]) -> Fraction:
 
 _TYPED = Arithmetic(Fraction, _typed_function)
 _KNOWN = {"pi": Fraction(math.pi)}
-_ANGLED, _TO_ANGLES = ("sin", "cos", "tan", "cot"), ("asin", "acos", "atan")
+OF_ANGLES, _TO_ANGLES = ("sin", "cos", "tan", "cot"), ("asin", "acos", "atan")
 
 
 def _bounded(text: str, typed: TypedNumber) -> TypedNumber:

@@ -187,9 +187,8 @@ class PlayedBlock:
 
     def _settle(self, answer: str) -> None:
         self.answer = answer
-        self._player.keep_answer(
-            self._key, f"{self.seed} {answer}" if self.block.varies else answer
-        )
+        kept = f"{self.seed} {answer}" if self.block.varies else answer
+        self._player.keep_answer(self._key, kept)
 
     def _record(self, typed: str, word: str) -> None:
         idea = "" if word in (RIGHT, WRONG, SHOWN) else word

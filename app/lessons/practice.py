@@ -260,10 +260,8 @@ def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:
     marks = []
     for item, step in zip(sheet.items, sheet.lesson.steps, strict=True):
         kept = answers.get(f"{step.name}/{item.placed.exercise.name}", "")
-        (seed, _, typed), variant = kept.partition(" "), item.variant
-        word = (
-            None if seed != str(variant.seed) else _verdict(variant.question, variant.here, typed)
-        )
+        (seed, _, typed), of = kept.partition(" "), item.variant
+        word = _verdict(of.question, of.here, typed) if seed == str(of.seed) else None
         if word is None:  # the lessons have changed since, or the file is damaged
             typed = ""
         marks.append(ExerciseMark(item, typed, word or WRONG))

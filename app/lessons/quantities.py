@@ -221,7 +221,6 @@ class Quantities:
         self._before = before
         self._given = given
         self._traces: dict[int, Trace] = {}
-        self._readings: dict[str, Any] | None = None
 
     # -- the interface of formulas
 
@@ -295,15 +294,8 @@ class Quantities:
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self.readings]
-        return (
-            *self._given,
-            *_SIMPLE,
-            *probes,
-            *self._stages,
-            *self._direct_stages,
-            *settings,
-            *readings,
-        )
+        known = *self._given, *_SIMPLE, *probes, *self._stages, *self._direct_stages
+        return (*known, *settings, *readings)
 
     @property
     def projection(self) -> Projection:
@@ -326,14 +318,11 @@ class Quantities:
         is_part = axis in XYZ and isinstance(settings.get(head), tuple)
         return settings[head][XYZ.index(axis)] if is_part else None
 
-    @property
+    @cached_property
     def readings(self) -> Mapping[str, Any]:
         """Return the numbers of the scene's readout, by the names that formulas use."""
-        if self._readings is None:
-            shown = self._scene().illustration(self.projection, self.document.settings)
-            readings = () if shown is None else shown.readings
-            self._readings = {reading_name(each.label): each.value for each in readings}
-        return self._readings
+        shown = self._scene().illustration(self.projection, self.document.settings)
+        return {reading_name(each.label): each.value for each in (shown.readings if shown else ())}
 
     def _reading(self, name: str) -> Any:
         readings = self.readings
@@ -348,9 +337,8 @@ class Quantities:
             return self.projection.placement.object_from_world(row)[XYZ.index(part)]
         if number not in self._traces:
             *place, w = row
-            self._traces[number] = (
-                self.projection.trace(place) if w else trace_at_infinity(self.projection, place)
-            )
+            at = self.projection
+            self._traces[number] = at.trace(place) if w else trace_at_infinity(at, place)
         trace = self._traces[number]
         of_space: Array = trace.depth if part == "depth" else getattr(trace, space)
         value = float(of_space if part == "depth" else of_space[(*XYZ, "w").index(part)])
@@ -441,6 +429,7 @@ def _of_frame(row: int, place: int, known: Quantities) -> float:
     return float(known.projection.camera.frame[row][place])
 
 
+_VALUES = WIDTH, HEIGHT, DISTANCE, AZIMUTH, ELEVATION
 _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "pi": lambda known: math.pi,
     "infinity": lambda known: math.inf,
@@ -452,10 +441,7 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     **{each.formula: partial(_of_lens, each) for each in (ALPHA, BETA)},
     FOCAL_E.formula: lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1, known) / 2.0)),
     FOCAL_LENGTH.formula: lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
-    **{
-        each.formula: partial(_value, each)
-        for each in (WIDTH, HEIGHT, DISTANCE, AZIMUTH, ELEVATION)
-    },
+    **{each.formula: partial(_value, each) for each in _VALUES},
     "stage": lambda known: known._view.stage,
     "turned": lambda known: float("world" in known._view.panes),
 }

@@ -20,8 +20,6 @@ _ALONE = re.compile(rf"<p>((?:[{FORMULA}{DISPLAYED}]\s*)+)</p>")
 _ROW = re.compile(rf"((?:{DISPLAYED}\s*)+[.,;:]?)")
 _MINUS = re.compile(r"(?<![\w.)\]])-(?=\d)")
 _NO_HEAD = re.compile(r"<thead>\s*<tr>(\s*<th[^>]*></th>)+\s*</tr>\s*</thead>\s*")
-
-
 MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
 
 
@@ -53,10 +51,8 @@ def _math(state: StateInline, silent: bool) -> bool:
 
 
 def formulas_in(text: str) -> list[str]:
-    tokens = markdown().parse(text)
-    return [
-        part.content for token in tokens for part in token.children or () if part.type == "math"
-    ]
+    parts = (part for token in markdown().parse(text) for part in token.children or ())
+    return [part.content for part in parts if part.type == "math"]
 
 
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:
@@ -182,8 +178,6 @@ def plain_of(text: str, formula: Callable[[str], str] = str) -> str:
 
 
 _LOWERED = str.maketrans("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ")
-
-
 _SIGNS = {
     "alpha": "\u03b1", "beta": "β", "theta": "θ", "lambda": "λ", "varphi": "φ", "psi": "ψ",
     "cdot": "·", "times": "×",

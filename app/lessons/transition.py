@@ -5,7 +5,7 @@ from dataclasses import fields, replace
 from typing import Any, TypeVar
 
 from app.document.document import Document
-from app.model.projection import Camera, Lens, ObjectTransform, Orbit, Projection
+from app.model.projection import Camera, Lens, ObjectTransform, Orbit
 from app.model.refusal import Refusal
 
 Owner = TypeVar("Owner", Lens, ObjectTransform)
@@ -29,17 +29,15 @@ def between(start: Document, end: Document, part: float) -> Document | None:
     """
     one, other = start.projection, end.projection
     try:
-        projection = Projection(
-            camera_between(one.camera, other.camera, part),
-            _fields(one.lens, other.lens, part),
-            other.image_size,
-            other.depth,
-            _fields(one.placement, other.placement, part),
+        projection = replace(
+            other,
+            camera=camera_between(one.camera, other.camera, part),
+            lens=_fields(one.lens, other.lens, part),
+            placement=_fields(one.placement, other.placement, part),
         )
-        before = start.settings
-        settings = {
-            name: _mixed(before.get(name), value, part) for name, value in end.settings.items()
-        }
+        settings = dict(end.settings)
+        for name, value in settings.items():
+            settings[name] = _mixed(start.settings.get(name), value, part)
         return replace(end, projection=projection, settings=settings)
     except Refusal:  # the straight path leads through an impossible state
         return None

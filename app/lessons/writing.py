@@ -237,9 +237,8 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
     except Refusal as error:
         if error.bound != NOT_IN_WORDS:
             raise
-        beside = folder / _free(
-            f"{lesson.path.stem}-{name}", lambda each: os.path.lexists(folder / each), ".json"
-        )
+        stem = f"{lesson.path.stem}-{name}"
+        beside = folder / _free(stem, lambda each: os.path.lexists(folder / each), ".json")
         values = [f"document: {beside.name}"]
     return _NewStep([f"# {_one_line(title)} {{#{name}}}", "```state", *values, "```"], beside)
 

@@ -119,9 +119,8 @@ def summed(
     columns = np.ascontiguousarray(world.T)
     eye = np.array(projection.camera.eye).reshape(3, 1)
     with np.errstate(all="ignore"):
-        if origin is None:
-            matrix = projection.clip_from_eye.astype(kind)
-        else:
+        matrix = projection.clip_from_eye.astype(kind)
+        if origin is not None:
             matrix = projection.clip_from_local(origin).astype(kind)
             columns = (columns - np.reshape(origin, (3, 1))).astype(kind)
     offset, product = np.empty_like(columns), np.empty(columns.shape[1], dtype=kind)
@@ -238,15 +237,11 @@ def measure(
     seconds: float = 10.0,
     watch: Watch = unwatched,
 ) -> Trade:
-    """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`.
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`."""
     world = looked_at(projection, points_world)
     if not len(world):
-        return Trade(
-            "arithmetic", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0
-        )
+        nothing = ChartPoint("", None, None, None, note=NO_POINTS)
+        return Trade("arithmetic", "ns", "px", (nothing,), 0)
     judged, where = sample(world)
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}
@@ -284,10 +279,8 @@ def measure(
         # Snapping and reciprocals save no memory, so they have no place among the formats.
         size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
         choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))
-    choices += [
-        ChartPoint(name, None, None, None, note=note, library=True)
-        for name, note in missing.items()
-    ]
+    for name, note in missing.items():
+        choices.append(ChartPoint(name, None, None, None, note=note, library=True))
     choices.sort(key=lambda choice: choice.library)
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 0)
     runs = {name: way.run for name, way in every.items()}

@@ -21,10 +21,7 @@ def gap_px(both: Array, bits: int, common: bool, scale: Array) -> tuple[float, f
     """
     each = grids(both, bits, common)
     kept = [grid.rounded(mesh[1])[:, :2] * scale for grid, mesh in zip(each, both, strict=True)]
-    moved = max(
-        np.hypot(*(one - mesh[1, :, :2] * scale).T).max()
-        for one, mesh in zip(kept, both, strict=True)
-    )
+    moved = np.linalg.norm(kept - both[:, 1, :, :2] * scale, axis=2).max()
     half = 0.0 if common else (each[0].step + each[1].step) / 2.0
     bound = ROUNDED_UP * half * float(np.hypot(*scale))
     return float(np.hypot(*(kept[0] - kept[1]).T).max()), bound, float(moved)
@@ -32,9 +29,8 @@ def gap_px(both: Array, bits: int, common: bool, scale: Array) -> tuple[float, f
 
 def measure(projection: Projection) -> Trade:
     """Measure trade 8."""
-    left, right, bottom, top = projection.lens.window_at(
-        projection.window, projection.camera.distance
-    )
+    lens, distance = projection.lens, projection.camera.distance
+    left, right, bottom, top = lens.window_at(projection.window, distance)
     scale = np.array(projection.image_size) / (right - left, top - bottom)
     choices = []
     for grid, name in GRIDS.items():

@@ -37,8 +37,6 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     The cost is bytes of memory per pixel. The error is the distance behind the target, in world
     units, from which on the buffer separates every surface from it. It is measured by encoding, and
     predicted by the buffer's formula.
-
-    A `Cancelled` that `watch` raises has the choices done.
     """
     lens = projection.lens
     distance = -float(projection.trace(projection.camera.target).view[2])
@@ -80,15 +78,16 @@ def gaps(
     distance, the value is that of the surface, and the gaps are those of `EVERY_BUFFER`.
     """
     lens = SWEEPS[parameter].set(projection, value)[0].lens
-    distance, buffers = value, EVERY_BUFFER
+    distance, names = value, EVERY_BUFFER
     if parameter != OVER_DISTANCE:
-        distance, buffers = -float(projection.trace(projection.camera.target).view[2]), BUFFERS
+        distance, names = -float(projection.trace(projection.camera.target).view[2]), tuple(BUFFERS)
         distance = distance if distance < lens.far else lens.far / 2.0
         distance = distance if distance > lens.near else 2.0 * lens.near
     answers: dict[str, Answer] = {}
-    for name, drawn in buffers.items():
+    for name in names:
+        form, _, mapping = name.partition(", ")
         try:
-            buffer = DepthBuffer(drawn["depth_format"], drawn["depth_mapping"], lens)
+            buffer = DepthBuffer(form, mapping or "opengl", lens)
             within("distance", distance, lens.near, lens.far)
         except Refusal as error:
             answers[name] = None, None, str(error)

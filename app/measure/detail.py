@@ -44,8 +44,6 @@ def measure(
     The cost is ms per frame, and bytes of positions and corners in 32 bits each. The error is the
     Hausdorff distance of the two outlines, the largest distance of a point of one from the other,
     in px of a pane-sized picture.
-
-    A `Cancelled` that `watch` raises has the choices so far.
     """
     own = scene.triangles >= LEAST_TRIANGLES and can_be_reduced(scene)
     if not own:

@@ -52,10 +52,7 @@ def turning(numbers: str, way: str) -> Callable[[], Any]:
 def measure(
     projection: Projection, points_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure the drift of the scene's vertices (n, 3).
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure the drift of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
         return Trade("drift", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0)

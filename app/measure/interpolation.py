@@ -12,7 +12,6 @@ of the piece, and the error is divided by k. A table of reciprocals in place of 
 by at most its relative error, because t is at most 1.
 """
 
-import itertools
 import math
 from collections.abc import Callable
 from typing import NamedTuple
@@ -62,11 +61,8 @@ def steepest_edge(projection: Projection, corners_world: Array) -> ClipEdge | No
 
     Corner i of `corners_world` (8, 3) has the upper bound of axis a if bit a of i is set.
     """
-    pairs = [
-        (i, i | 1 << axis) for i, axis in itertools.product(range(8), range(3)) if not i >> axis & 1
-    ]
-    clip = projection.trace(corners_world).clip
-    starts, ends = (clip[[pair[side] for pair in pairs]] for side in (0, 1))
+    pairs = [(i, i | j) for i in range(8) for j in (1, 2, 4) if not i & j]
+    starts, ends = projection.trace(corners_world).clip[pairs].swapaxes(0, 1)
     cut = clip_segments(starts, ends, projection.depth)
     half = np.array(projection.image_size) / 2.0
     best: ClipEdge | None = None
@@ -166,10 +162,7 @@ def truth(edge: ClipEdge, s: Array) -> Array:
 def measure(
     projection: Projection, corners_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3).
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3)."""
     edge = steepest_edge(projection, corners_world)
     if edge is None:
         nothing = ChartPoint("perspective-correct", None, None, None, note=NOTHING)

@@ -23,10 +23,7 @@ _WAYS = {
 def measure(
     projection: Projection, points_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure the jumps of the scene's vertices (n, 3).
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure the jumps of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
         return Trade("jitter", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0)
@@ -37,11 +34,8 @@ def measure(
         error, predicted = float(wrong.max()), float(bounds.max())
         choices.append(ChartPoint(name, None, None, error, predicted, {}, "", use, size))
     high = np.ascontiguousarray(points.T, dtype=np.float32)
-    eye, near, (low, rest) = (
-        high[:, :1].copy(),
-        np.empty_like(high),
-        np.zeros((2, *high.shape), "f"),
-    )
+    eye, near = high[:, :1].copy(), np.empty_like(high)
+    low, rest = np.zeros((2, *high.shape), "f")
 
     def subtract() -> None:
         np.subtract(high, eye, near)

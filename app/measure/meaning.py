@@ -51,6 +51,47 @@ USUAL = {
     "unprojection": "float32, inverse of P V",
 }
 """The choice that the others are compared with."""
+GIVEN_UP = {
+    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Fewer digits for each vertex: the corners move."),
+    "interpolation": QT_TRANSLATE_NOOP(
+        "Measure", "No division at each pixel: the pattern bends along the diagonal."
+    ),
+    "depth": QT_TRANSLATE_NOOP(
+        "Measure", "Fewer bits of depth: what lies behind comes through in stripes."
+    ),
+    "smoothing": QT_TRANSLATE_NOOP("Measure", "Fewer samples in a pixel: edges become stairs."),
+    "detail": QT_TRANSLATE_NOOP("Measure", "Fewer triangles: outlines become angular."),
+    "drift": QT_TRANSLATE_NOOP(
+        "Measure", "A turn made of many small turns: a full round does not come home."
+    ),
+    "vertex-depth": QT_TRANSLATE_NOOP(
+        "Measure", "A logarithmic depth only at the vertices: the floor sinks behind the wall."
+    ),
+    "cracks": QT_TRANSLATE_NOOP(
+        "Measure", "Each mesh rounded in a box of its own: light comes through the seam."
+    ),
+    "jitter": QT_TRANSLATE_NOOP(
+        "Measure", "World coordinates in float32, far from the origin: the picture jumps."
+    ),
+    "unprojection": QT_TRANSLATE_NOOP(
+        "Measure", "From a pixel back into the world by one matrix: the point misses."
+    ),
+}
+"""What each trade gives up, and what one sees of it."""
+SHOWN = {
+    "arithmetic": {"scene": "cheap-arithmetic", "settings.preset": "bits8"},
+    "interpolation": {"scene": "interpolation", "settings.interpolation": "affine"},
+    "depth": {"scene": "depth-buffer"},
+    "smoothing": {"smoothing": "half resolution"},
+    "detail": {
+        "scene": "far-plane-popping", "settings.detail": "true",
+        "settings.detail_1": "0", "settings.detail_2": "0.001",
+    },
+}  # fmt: skip
+"""How a trade is shown, in the form of `ChartPoint.use`; without a scene, every scene shows it. If
+it is missing, the scene of the trade's own name does."""
+ANY_SCENE = "letter-f"
+"""The scene of a trade that every scene shows."""
 _BARGAINS = {
     ("time", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times faster, {3}."),
     ("time", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times slower, {3}."),
@@ -102,12 +143,40 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
     return (TRADE_OFF, (*ends, good.name)) if good else (NONE_GOOD, ends)
 
 
+def shown_by(name: str) -> dict[str, str]:
+    """Return the scene that shows a trade, and how, in the form of `ChartPoint.use`."""
+    return SHOWN.get(name, {"scene": name})
+
+
+def boldest(trade: Trade) -> tuple[str, ChartPoint] | None:
+    """Return the cost, time before bytes, and the choice that saves most against the usual one.
+
+    Of choices that cost the same it is the smallest, then the least exact. If none saves anything,
+    it is the cheapest that is more exact.
+    """
+    offers, usual = [], USUAL[trade.name]
+    for cost in ("time", "bytes"):
+        part = trade.by_cost(cost)
+        for best in part.frontier:
+            others = [c for c in part.as_cheap(best) if c.name != usual]
+            choice = min((best, *others), key=lambda c: (c.bytes or 0.0, -(c.error or 0.0)))
+            offers.append((_times_cheaper(part, choice), cost, choice))
+    known = [offer for offer in offers if offer[0] and offer[2].name != usual]
+    saving = [offer for offer in known if offer[0] > 1.0 + STEADY]
+    return next((offer[1:] for offer in saving or known), None)
+
+
+def _times_cheaper(trade: Trade, choice: ChartPoint) -> float:
+    """Return the usual choice's cost over that of a choice; 0 if one is unknown."""
+    usual = next((c.cost for c in trade.choices if c.name == USUAL[trade.name]), None)
+    return usual / choice.cost if usual and choice.cost else 0.0
+
+
 def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:
     """State what a choice gains and costs against the usual one; empty if that is unknown."""
-    usual = next((c for c in trade.choices if c.name == USUAL[trade.name]), choice)
-    if usual.name == choice.name or not (usual.cost and choice.cost) or choice.error is None:
+    usual, ratio = USUAL[trade.name], _times_cheaper(trade, choice)
+    if usual == choice.name or not ratio or choice.error is None:
         return ""
-    ratio = usual.cost / choice.cost
     paid = "bytes" if trade.cost_unit == "B" else "time"
     template = _BARGAINS[paid, ratio > 1.0]
     if max(ratio, 1.0 / ratio) <= (1.0 if paid == "bytes" else 1.0 + STEADY):
@@ -116,7 +185,7 @@ def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = 
     off = _MEASURED if choice.predicted is None else _PREDICTED
     off = translate(_SEPARATES if trade.name == "depth" else off)
     off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
-    names = (named(each.name, translate) for each in (choice, usual))
+    names = (named(each, translate) for each in (choice.name, usual))
     return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)
 
 

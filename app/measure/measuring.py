@@ -36,27 +36,21 @@ from app.model.refusal import Cancelled
 from app.scenes.scene import Scene
 
 TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
-    "arithmetic": lambda scene, projection, seconds, watch: arithmetic.measure(
-        projection, scene.sample, scene.origin, seconds, watch
+    "arithmetic": lambda scene, projection, *how: arithmetic.measure(
+        projection, scene.sample, scene.origin, *how
     ),
-    "interpolation": lambda scene, projection, seconds, watch: interpolation.measure(
-        projection, scene.corners, seconds, watch
+    "interpolation": lambda scene, projection, *how: interpolation.measure(
+        projection, scene.corners, *how
     ),
     "depth": lambda _scene, projection, _seconds, watch: depth.measure(projection, watch),
     "smoothing": smoothing.measure,
     "detail": detail.measure,
-    "drift": lambda scene, projection, seconds, watch: drift.measure(
-        projection, scene.sample, seconds, watch
-    ),
-    "vertex-depth": lambda _scene, projection, seconds, watch: vertex_depth.measure(
-        projection, seconds, watch
-    ),
+    "drift": lambda scene, projection, *how: drift.measure(projection, scene.sample, *how),
+    "vertex-depth": lambda _, projection, *how: vertex_depth.measure(projection, *how),
     "cracks": lambda _scene, projection, _seconds, _watch: cracks.measure(projection),
-    "jitter": lambda scene, projection, seconds, watch: jitter.measure(
-        projection, scene.sample, seconds, watch
-    ),
-    "unprojection": lambda scene, projection, seconds, watch: unprojection.measure(
-        projection, scene.sample, seconds, watch
+    "jitter": lambda scene, projection, *how: jitter.measure(projection, scene.sample, *how),
+    "unprojection": lambda scene, projection, *how: unprojection.measure(
+        projection, scene.sample, *how
     ),
 }
 """Every trade, in the order of measurement."""

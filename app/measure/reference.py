@@ -90,12 +90,8 @@ def truth(projection: Projection, points_world: Array) -> Truth:
                 x, y = near * x / w, near * y / w
                 gone, left_over = 1 / near - 1 / w, 1 / w - 1 / far
             depth = (left_over if projection.depth == "reversed" else gone) / (gone + left_over)
-            true = (
-                width * (x - left) / (2 * half_width),
-                height * (top - y) / (2 * half_height),
-                depth,
-            )
-            for column, value in enumerate(true):
+            across, down = (x - left) / (2 * half_width), (top - y) / (2 * half_height)
+            for column, value in enumerate((width * across, height * down, depth)):
                 numbers[row, column] = float(value)
                 rests[row, column] = float(value - numbers[row, column])
     return Truth(numbers, rests)

@@ -95,23 +95,11 @@ BUFFERS = {
     "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
 }
 """The depth buffers of the sweeps of near and far, as of `ChartPoint.use`."""
-EVERY_BUFFER = {
-    name: {
-        "depth_format": name.partition(", ")[0],
-        "depth_mapping": name.partition(", ")[2] or "opengl",
-    }
-    for name in (
-        "fixed8",
-        "fixed16",
-        "fixed24",
-        "fixed32",
-        "float16",
-        "float32",
-        "float32, reversed",
-        "fixed24, logarithmic",
-    )
-}
-"""Those of the sweep over the distance."""
+EVERY_BUFFER: tuple[str, ...] = (
+    "fixed8", "fixed16", "fixed24", "fixed32", "float16", "float32", "float32, reversed",
+    "fixed24, logarithmic",
+)  # fmt: skip
+"""The formats of the sweep over the distance, with their mapping if it is none of OpenGL."""
 GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
@@ -325,9 +313,9 @@ class Sweep:
             use = {"scene": "depth-buffer", DISTANCE.path: repr(self.values[row])}
             planes = lens if isinstance(lens, dict) else {}
             use |= {f"lens.{each}": str(planes[each]) for each in ("near", "far") if each in planes}
-            for field, value in EVERY_BUFFER.get(name, {}).items():
-                setting = {"depth_format": "format", "depth_mapping": "range"}[field]
-                use[f"settings.{setting}"] = "standard" if value == "opengl" else value
+            form, _, mapping = name.partition(", ")
+            if form:
+                use |= {"settings.format": form, "settings.range": mapping or "standard"}
             return use
         field = _SWEPT_FIELDS.get(self.parameter, "")
         if not field or row >= len(self.values):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from functools import cache
 from pathlib import Path
 
 from app.measure.chart import TITLES, machine
@@ -47,10 +48,15 @@ def read_results(path: Path) -> Measurements:
     results = from_json(text, path.name)
     for name in split(results):
         if name not in TITLES:
-            raise Refusal.saying(
-                DAMAGED, path.name, f"{json.dumps(name)} is nothing that is measured"
-            )
+            why = f"{json.dumps(name)} is nothing that is measured"
+            raise Refusal.saying(DAMAGED, path.name, why)
     return results
+
+
+@cache
+def shipped() -> dict[str, Measurements]:
+    """Return the results that the program brings, each with a single trade or sweep."""
+    return split(read_results(SHIPPED))
 
 
 def rows_of_other(other: Measurements, all_digits: bool) -> tuple[list[str], list[list[str]]]:

@@ -64,8 +64,6 @@ def measure(
 
     The cost is ms per frame, which every choice draws, reads back and scales to the screen. The
     error is the root mean square of the pixels' differences, in levels from 0 to 255.
-
-    A `Cancelled` that `watch` raises has the pictures' errors, and the times so far.
     """
     size = picture_size(projection)
     with ExitStack() as stack:
@@ -170,10 +168,8 @@ def samples_given(asked: int) -> int:
     """
     with off_screen(64, 64) as screen:
         screen.render_window.SetMultiSamples(asked)
-        half = face_actor(
-            [(-9.0, -1.9, 0.0), (9.0, 1.9, 0.0), (9.0, -1.9, 0.0)], [(0, 1, 2)], WHITE
-        )
-        screen.renderer.AddViewProp(half)
+        half = [(-9.0, -1.9, 0.0), (9.0, 1.9, 0.0), (9.0, -1.9, 0.0)]
+        screen.renderer.AddViewProp(face_actor(half, [(0, 1, 2)], WHITE))
         screen.renderer.SetActiveCamera(identity_camera())
         screen.render_window.Render()
         shades = len(np.unique(pixels_of(screen.render_window)[..., 0]))
@@ -189,12 +185,8 @@ def shown(pixels: Pixels, scale: float, size: tuple[int, int]) -> Pixels:
     width, height = size
     if scale < 1.0:
         times, whole = round(1.0 / scale), pixels.view(np.uint32)[..., 0]
-        return (
-            whole.repeat(times, axis=0)
-            .repeat(times, axis=1)
-            .view(np.uint8)
-            .reshape(height, width, 4)
-        )
+        whole = whole.repeat(times, axis=0).repeat(times, axis=1)
+        return whole.view(np.uint8).reshape(height, width, 4)
     if scale == 1.0:
         return pixels
     factor = round(scale)

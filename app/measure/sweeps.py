@@ -18,6 +18,7 @@ from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.projection import Array, Camera, Frustum, Perspective, Projection
 from app.model.refusal import Cancelled, Refusal
 from app.precision.levels import Prediction, predict, trace
+from app.scenes.phenomena.picture import image_from_ndc, seen
 
 WORLD = "float32, world coordinates"
 """With vertices that are not measured from near the camera; over distances only."""
@@ -202,27 +203,22 @@ def in_view(projection: Projection, points_world: Array) -> Array:
 
     They are the scene's own if enough of those are inside, else points spread over the volume.
     """
-    traced = projection.trace(points_world)
-    inside = points_world[traced.in_front & ~traced.outside.any(axis=1)]
+    inside = points_world[seen(projection.trace(points_world))]
     if len(inside) >= SAMPLE:
-        step = len(inside) // SAMPLE
-        return np.asarray(inside[::step][:SAMPLE])
+        return np.asarray(inside[:: len(inside) // SAMPLE][:SAMPLE])
     rng = np.random.default_rng(1)
-    width, height = projection.image_size
-    lens = projection.lens
-    far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(lens.near), 1e-100)
-    near = lens.near
+    lens, near = projection.lens, projection.lens.near
+    far = lens.far if math.isfinite(lens.far) else 1e3 * max(abs(near), 1e-100)
     if lens.even_extent:
         depth = near + (far - near) * rng.uniform(0.02, 0.98, SAMPLE)
     else:
         # No farther than float64 can place a point beside this eye.
         depth = np.geomspace(near, min(far, 1e9 * near), SAMPLE + 2)[1:-1]
-    pixels = rng.uniform(0.02, 0.98, (SAMPLE, 2)) * (width, height)
+    pixels = rng.uniform(0.02, 0.98, (SAMPLE, 2)) * projection.image_size
     world = _spread(projection, pixels, depth)
-    traced = projection.trace(world)
-    seen = traced.in_front & ~traced.outside.any(axis=1)
+    here = seen(projection.trace(world))
     # A view too narrow for float64 points still contains its middle.
-    return world[seen] if seen.any() else np.array([projection.camera.target])
+    return world[here] if here.any() else np.array([projection.camera.target])
 
 
 def _spread(projection: Projection, pixels: Array, depth: Array) -> Array:
@@ -245,22 +241,18 @@ def _vtk_camera(projection: Projection, world: Array, reference: Truth) -> Answe
     camera.SetClippingRange(lens.near, lens.far)
     left, right, bottom, top = projection.window
     fov_y_deg = lens.fov_y_deg
-    if not lens.central:
+    if lens.central:
+        fov_y_deg = fov_y_deg or math.degrees(2.0 * math.atan2(top, lens.near))
+        camera.SetViewAngle(fov_y_deg)
+    else:
         camera.ParallelProjectionOn()
         camera.SetParallelScale((top - bottom) / 2.0)
-    else:
-        if fov_y_deg is None:
-            fov_y_deg = math.degrees(2.0 * math.atan2(top, lens.near))
-        camera.SetViewAngle(fov_y_deg)
     aspect = (right - left) / (top - bottom)
     elements = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)
     matrix = np.array([elements.GetElement(i, j) for i in range(4) for j in range(4)])
     clip = np.column_stack([world, np.ones(len(world))]) @ matrix.reshape(4, 4).T
     ndc = clip[:, :3] / clip[:, 3:]
-    width, height = projection.image_size
-    answers = np.column_stack(
-        [(ndc[:, 0] + 1.0) * width / 2.0, (1.0 - ndc[:, 1]) * height / 2.0, (ndc[:, 2] + 1.0) / 2.0]
-    )
+    answers = np.column_stack([image_from_ndc(projection, ndc), (ndc[:, 2] + 1.0) / 2.0])
     notes = []
     if fov_y_deg not in (None, camera.GetViewAngle()):
         notes.append(f"clamps the view angle to {camera.GetViewAngle():g}°")

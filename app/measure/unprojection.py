@@ -1,7 +1,7 @@
 """Trade, back from the picture: ns a point against the error, in parts of the distance.
 
 Every way gets the same pixels and depths, and returns the numbers of `app.precision.unprojecting`
-bit for bit. Sums of products are added term by term; cells that are 0 or 1 cost nothing. The
+bit for bit. Sums of products are added term by term, without the cells that are 0. The
 world's origin is `AWAY` from the eye, where the ways differ most; columns have nearer ones.
 """
 
@@ -23,40 +23,29 @@ from app.scenes.phenomena.unprojection import origin_away
 AWAY = 1e5
 NEARER = {"error_1": 1.0, "error_1000": 1e3}
 """The distances of the origin in further columns."""
-NAMES = dict(
-    zip(WAYS, ("inverse of P V", "inverses of P and of V", "ray times depth"), strict=True)
-)
+_NAMES = "inverse of P V", "inverses of P and of V", "ray times depth"
+NAMES = dict(zip(WAYS, _NAMES, strict=True))
 
 
 def timed_way(
     projection: Projection, pixels: Array, way: str, form: str, origin: Vector
 ) -> Callable[[], Array]:
     """Return a function that unprojects pixels and depths (n, 3) to points (3, n), as hardware."""
-    columns = np.ascontiguousarray(pixels.T).astype(form)
+    columns = np.vstack([pixels.T, np.ones(len(pixels))]).astype(form)
     spare, steps = np.empty_like(columns[0]), []
     add, multiply, divide = np.add, np.multiply, np.divide
     for (matrix, _), divides in kept_matrices(projection, way, origin, form):
-        out = np.empty((4, len(pixels)), dtype=form)
-        rows = []
-        for row, cells in zip(out[: 4 if divides else 3], matrix.astype(form), strict=False):
-            ones = [None if cell == 1.0 else cell for cell in cells]
-            terms = [(j, ones[j]) for j in range(3) if cells[j]]
-            rows.append((row, terms, cells[3]))
-        steps.append((out, rows, divides))
+        out, cells = np.empty_like(columns), matrix.astype(form)
+        terms = [[(j, row[j]) for j in np.flatnonzero(row)] for row in cells]
+        steps.append((out, list(zip(out, terms, strict=True)), divides))
 
     def run() -> Array:
         point = columns
         for out, rows, divides in steps:
-            for row, terms, constant in rows:
-                total = None
-                for j, cell in terms:
-                    into = row if total is None else spare
-                    term = point[j] if cell is None else multiply(point[j], cell, into)
-                    total = term if total is None else add(total, term, row)
-                if total is None:
-                    row.fill(constant)
-                elif constant or total is not row:
-                    add(total, constant, row)
+            for row, ((first, cell), *more) in rows:
+                multiply(point[first], cell, row)
+                for j, cell in more:
+                    add(row, cell if j == 3 else multiply(point[j], cell, spare), row)
             if divides:
                 for row in out[:3]:
                     divide(row, out[3], row)
@@ -69,10 +58,7 @@ def timed_way(
 def measure(
     projection: Projection, points_world: Array, seconds: float = 10.0, watch: Watch = unwatched
 ) -> Trade:
-    """Measure the trade with the scene's vertices (n, 3), from their pixels and depths.
-
-    A `Cancelled` that `watch` raises has the errors, and the times so far.
-    """
+    """Measure the trade with the scene's vertices (n, 3), from their pixels and depths."""
     trace = projection.trace(looked_at(projection, points_world))
     pixels = float32_pixels(trace.image, trace.depth)
     pixels = pixels[(pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0)]
@@ -80,10 +66,8 @@ def measure(
         nothing = ChartPoint("", None, None, None, note=NO_POINTS)
         return Trade("unprojection", "ns", "of the distance", (nothing,), 0)
     away = np.linalg.norm(projection.world_from_image(pixels) - projection.camera.eye, axis=1)
-    origins = {
-        name: origin_away(projection, distance)
-        for name, distance in (("error", AWAY), *NEARER.items())
-    }
+    distances = {"error": AWAY, **NEARER}
+    origins = {name: origin_away(projection, each) for name, each in distances.items()}
     judged, where = sample(pixels)
     exact = {name: exact_points(projection, judged, origin) for name, origin in origins.items()}
     choices, runs = [], {}

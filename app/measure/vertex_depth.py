@@ -60,7 +60,7 @@ def predicted(near: float, far: float, pieces: int) -> float:
 
 
 def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatched) -> Trade:
-    """Measure trade 7. A `Cancelled` that `watch` raises has the errors, and the times so far."""
+    """Measure trade 7."""
     lens, names = projection.lens, ["each pixel", "each vertex"]
     names += [f"each vertex, {pieces} pieces" for pieces in PIECES[1:]]
     try:
@@ -77,10 +77,9 @@ def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatc
         use = {"scene": "vertex-depth", "settings.depth": "vertex" if pieces else "pixel"}
         note, ends = "" if pieces else NO_EARLY_TEST, max(1, pieces) + 1.0
         use |= {"settings.pieces": str(pieces)} if pieces else {}
-        errors = too_far(near, far, s, run()), predicted(near, far, pieces)
-        choices.append(
-            ChartPoint(name, None, None, *errors, note=note, use=use, bytes=AFFINE_BYTES * ends)
-        )
+        off, bound = too_far(near, far, s, run()), predicted(near, far, pieces)
+        size = AFFINE_BYTES * ends
+        choices.append(ChartPoint(name, None, None, off, bound, {}, note, use, size))
     trade = Trade("vertex-depth", "ns", "w", tuple(choices), 0)
     # However many pieces there are, a pixel's work is the same: it is timed once.
     same = dict.fromkeys(names[1:], names[1])

@@ -99,10 +99,7 @@ def cheap(
     With float32, no snapping and an exact reciprocal, the numbers are bit for bit those of the
     precision ``float32`` of `app.precision.levels`.
     """
-    (picture,) = cheap_formats(
-        projection, points_world, hardware, (hardware.vertices,), origin, box
-    )
-    return picture
+    return cheap_formats(projection, points_world, hardware, (hardware.vertices,), origin, box)[0]
 
 
 def cheap_formats(
@@ -118,15 +115,10 @@ def cheap_formats(
     numbers = FORMATS[hardware.numbers]
     with np.errstate(all="ignore"):
         each = [_loaded(points, name, numbers, origin, box) for name in vertices]
-        point = BoundedNumbers(
-            *(np.concatenate(parts, axis=1) for parts in zip(*each, strict=True))
-        )
+        point = BoundedNumbers(*(np.hstack(parts) for parts in zip(*each, strict=True)))
         matrix, has_w = _matrix(projection, origin, numbers)
         clip = applied(matrix, point, numbers)
-        w, ndc = (
-            BoundedNumbers(*(part[3] for part in clip)),
-            BoundedNumbers(*(part[:3] for part in clip)),
-        )
+        ndc, w = (BoundedNumbers(*(part[rows] for part in clip)) for rows in (slice(3), 3))
         if has_w:
             ndc = divided(ndc, w, RECIPROCALS[hardware.reciprocal], numbers)
         image, bounds = _on_the_screen(projection, ndc, numbers)

@@ -148,9 +148,8 @@ class _Bounds:
             return None
         local = np.abs(columns - self._origin)
         if not seen.all():
-            numerators, w, weighed, local = (
-                part[..., seen] for part in (numerators, w, weighed, local)
-            )
+            parts = numerators, w, weighed, local
+            numerators, w, weighed, local = (part[..., seen] for part in parts)
         w *= 1.0 - 2.0**-10  # the product's error
         quotients = numerators * (1.0 / w)
         largest = quotients.max(axis=1)

@@ -21,7 +21,7 @@ from typing import TypeAlias
 import numpy as np
 
 from app.arithmetic.formats import FORMATS
-from app.arithmetic.rationals import Rationals, dot, nearest, product
+from app.arithmetic.rationals import Rationals, dot, nearest, product, rationals
 from app.model.limits import NO_POINT, within
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import Refusal
@@ -60,13 +60,26 @@ def steps(projection: Projection, way: str, origin: Vector) -> Steps:
         if way == "one":
             return [(product(clip, to_eye), True)]
         return [(product(view, to_eye), False), (projection.direct_stages[0].exact, True)]
-    from_eye, from_clip = _moved(offset), projection.eye_from_clip
+    from_eye, from_clip = _moved(offset), _short(projection)
     if way == "inverse":
         return [(product(from_eye, from_clip), True)]
     if way == "ray":
         return [(from_clip, True), (from_eye, False)]
     back = product(from_eye, inverse("view_from_world", view))
     return [(product(view, from_clip), True), (back, False)]
+
+
+@lru_cache(maxsize=4)
+def _short(projection: Projection) -> Rationals:
+    """`Projection.eye_from_clip` to 159 bits: its own rationals are so long that they are slow."""
+    short = []
+    for row in projection.eye_from_clip:
+        high = [Fraction(nearest(cell)) for cell in row]
+        for _ in range(2):
+            rests = zip(row, high, strict=True)
+            high = [part + Fraction(float(cell - part)) for cell, part in rests]
+        short.append(high)
+    return short
 
 
 def _moved(offset: Sequence[Fraction]) -> Rationals:
@@ -79,10 +92,8 @@ def _moved(offset: Sequence[Fraction]) -> Rationals:
 def ndc_from_pixels(projection: Projection) -> Rationals:
     """The inverse of the viewport: pixels and depths to NDC."""
     (width, height), low = projection.image_size, int(min(projection.depth_range))
-    scales = Fraction(2, width), Fraction(-2, height), Fraction(1 - low), Fraction(1)
-    matrix = _moved([Fraction(-1), Fraction(1), Fraction(low)])
-    return [[cell * scales[j] if i == j else cell for j, cell in enumerate(row)]
-            for i, row in enumerate(matrix)]  # fmt: skip
+    across, down = Fraction(2, width), Fraction(-2, height)
+    return rationals([[across, 0, 0, -1], [0, down, 0, 1], [0, 0, 1 - low, low], [0, 0, 0, 1]])
 
 
 @lru_cache(maxsize=16)  # a step of a setting changes few of them
@@ -121,13 +132,13 @@ def exact_points(
     projection: Projection, pixels: Array, origin: Vector
 ) -> list[tuple[Fraction, ...]]:
     """The points of pixels and depths (n, 3), measured from the world's `origin`, in rationals."""
-    ((matrix, _),) = steps(projection, "inverse", origin)
-    matrix = product(matrix, ndc_from_pixels(projection))
-    points = []
+    offset = [Fraction(e) - Fraction(o) for e, o in zip(projection.camera.eye, origin, strict=True)]
+    to_ndc, points = ndc_from_pixels(projection), []
     for pixel in pixels.tolist():
         check_pixel(projection, pixel)
-        *xyz, w = (dot(row, [*map(Fraction, pixel), Fraction(1)]) for row in matrix)
-        points.append(tuple(part / w for part in xyz))
+        ndc = [dot(row, [*map(Fraction, pixel), Fraction(1)]) for row in to_ndc]
+        *xyz, w = (dot(row, ndc) for row in projection.eye_from_clip)
+        points.append(tuple(part / w + moved for part, moved in zip(xyz, offset, strict=True)))
     return points
 
 

@@ -62,10 +62,7 @@ def _cube() -> Parts:
             edges_of(faces),
             (axes, SIDE_RGB[[1, 3, 5]]),  # the darker shades, visible on a light background
         ),
-        Projection(
-            Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)),
-            Perspective(fov_y_deg=38.0, near=1.5, far=3.5),
-        ),
+        Projection(Camera((1.5, 1.4, 2.0), (0.0, 0.5, 0.0)), Perspective(38.0, 1.5, 3.5)),
     )
 
 
@@ -93,15 +90,8 @@ def _posts() -> Parts:
     return (
         joined(*quads),
         joined(ground, *lines),
-        Projection(
-            Camera((3.0, 2.6, 10.0), (0.2, 1.2, -10.0)),
-            Perspective(fov_y_deg=26.0, near=9.0, far=41.0),
-        ),
+        Projection(Camera((3.0, 2.6, 10.0), (0.2, 1.2, -10.0)), Perspective(26.0, 9.0, 41.0)),
     )
 
 
-BUILDERS: dict[str, Callable[[], Parts]] = {
-    "letter-f": _letter_f,
-    "cube": _cube,
-    "posts": _posts,
-}
+BUILDERS: dict[str, Callable[[], Parts]] = {"letter-f": _letter_f, "cube": _cube, "posts": _posts}

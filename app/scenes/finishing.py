@@ -17,12 +17,10 @@ from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
 ONE_POINT = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are at one point, so there is nothing to see; check the export.",
+    "Refusal", "{0}: all vertices are at one point, so there is nothing to see; check the export."
 )
 ONE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: all vertices are on one line, so there is nothing to see; check the export.",
+    "Refusal", "{0}: all vertices are on one line, so there is nothing to see; check the export."
 )
 WRONG_SIZE = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -198,9 +196,8 @@ def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints,
     for number, which in enumerate(_blocks(large)):
         ends = np.concatenate([[0], np.cumsum(counts[which])])
         places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
-        triangles, owners = divided(
-            mesh.points, ends, mesh.corners[places], partial(tell, number * _BLOCK)
-        )
+        told = partial(tell, number * _BLOCK)
+        triangles, owners = divided(mesh.points, ends, mesh.corners[places], told)
         corners.append(triangles.ravel())
         face.append(which[owners])
     faces = np.concatenate(face)

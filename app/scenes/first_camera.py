@@ -34,10 +34,8 @@ def frame_camera(lower: Sequence[float], upper: Sequence[float]) -> Projection:
     for_width = corners @ n + abs(corners @ u) / (margin * tan_y * aspect)
     for_height = corners @ n + abs(corners @ v) / (margin * tan_y)
     distance = max(float(for_width.max()), float(for_height.max()), 1.25 * radius)
-    eye = rounded(
-        [t + distance * part for t, part in zip(target, toward_eye, strict=True)], decimals
-    )
-    camera = Camera(eye, target)
+    eye = vector(target + distance * np.array(toward_eye))
+    camera = Camera(rounded(eye, decimals), target)
     near = _two_digits(camera.distance - 1.05 * radius, math.floor)
     far = _two_digits(camera.distance + 1.05 * radius, math.ceil)
     return Projection(camera, Perspective(_FOV_DEG, near, far))

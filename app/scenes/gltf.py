@@ -420,9 +420,8 @@ def _placed(mesh: Mesh, world_from_mesh: Floats) -> Mesh:
     first = len(mesh.points) * np.arange(copies)[:, None, None]
     corners = _turned_over(mesh.corners.reshape(-1, 3), mirrored)
     corners += first
-    rgb, dot_rgb = (
-        None if each is None else np.tile(each, (copies, 1)) for each in (mesh.rgb, mesh.dot_rgb)
-    )
+    colours = mesh.rgb, mesh.dot_rgb
+    rgb, dot_rgb = (None if each is None else np.tile(each, (copies, 1)) for each in colours)
     return Mesh(
         points.reshape(-1, 3), np.arange(0, corners.size + 1, 3), corners.ravel(), rgb,
         mesh.painted, (mesh.lines + first).reshape(-1, 2), (mesh.dots + first).ravel(), dot_rgb,
@@ -440,9 +439,8 @@ def _triangles(order: Ints, mode: int) -> Ints:
     if mode == 4:
         return order[: len(order) // 3 * 3].reshape(-1, 3)
     if mode == 5:  # a strip: every other triangle runs the other way round
-        return joins_left_out(
-            np.stack([order[i], order[i + 1 + i % 2], order[i + 2 - i % 2]], axis=1)
-        )
+        odd = i % 2
+        return joins_left_out(np.stack([order[i], order[i + 1 + odd], order[i + 2 - odd]], axis=1))
     if mode == 6:  # a fan about the first vertex
         return np.stack([order[i * 0], order[i + 1], order[i + 2]], axis=1)
     return np.empty((0, 3), dtype=np.int64)
@@ -460,6 +458,5 @@ def _lines(order: Ints, mode: int) -> Ints:
 def _srgb(linear: Floats) -> Floats:
     """Turn linear light from 0 to 1, which glTF stores, into sRGB from 0 to 255."""
     linear = np.clip(linear, 0.0, 1.0)
-    return 255.0 * np.where(
-        linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055
-    )
+    curved = 1.055 * linear ** (1 / 2.4) - 0.055
+    return 255.0 * np.where(linear <= 0.0031308, 12.92 * linear, curved)

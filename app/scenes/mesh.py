@@ -246,9 +246,8 @@ class Mesh:
             used[named] = True
         if not used.all():
             number = np.cumsum(used) - 1
-            self.corners, self.lines, self.dots = (
-                number[named] for named in (self.corners, self.lines, self.dots)
-            )
+            self.corners, self.lines = number[self.corners], number[self.lines]
+            self.dots = number[self.dots]
             self.points = self.points[used]
 
     def paint(self, colours: NDArray[np.floating]) -> None:

@@ -79,9 +79,8 @@ def _read_obj(source: MeshSource) -> Mesh:
     Vertices alone are a cloud of points.
     """
     points, colours = [], []
-    corners, counts, lines_of = (
-        {kind: [np.empty(0, dtype=np.int64)] for kind in "vflp"} for _ in range(3)
-    )
+    none = np.empty(0, dtype=np.int64)
+    corners, counts, lines_of = ({kind: [none] for kind in "vflp"} for _ in range(3))
     vertices = elements = cornered = lines_before = 0
     for text in _obj_blocks(source.file):
         try:

@@ -41,20 +41,15 @@ def own_mesh(surface: PolyMesh, origin: Vector, pixels: bool) -> OwnMesh:
     chosen = _largest(_lengths(places, starts, ends), SUBJECT_EDGES)
     edges = places[np.stack([starts[chosen], ends[chosen]], axis=1)].astype(np.float64)
 
-    if surface.is_all_triangles:
-        triangles = corners.reshape(-1, 3)
-    else:
-        triangles = np.asarray(surface.triangulate().regular_faces, dtype=np.int64)
+    divided = surface if surface.is_all_triangles else surface.triangulate()
+    triangles = np.asarray(divided.regular_faces, dtype=np.int64)
     spans = _lengths(points, triangles, np.roll(triangles, -1, axis=1))
     longest = points[triangles[_largest(spans.max(axis=1), SUBJECT_TRIANGLES)]].astype(np.float64)
     if not len(longest):  # every face is a line
         longest = edges[:1, [0, 0, 1]]
-    whole = np.empty((0, 3, 3))
-    if pixels:
-        whole = _coarser(points, triangles) + origin
-    return OwnMesh(
-        edges + origin, len(starts), longest + origin, len(longest) < len(triangles), whole
-    )
+    whole = _coarser(points, triangles) + origin if pixels else np.empty((0, 3, 3))
+    more = len(longest) < len(triangles)
+    return OwnMesh(edges + origin, len(starts), longest + origin, more, whole)
 
 
 def _coarser(points: NDArray[np.floating], triangles: Ints) -> Floats:

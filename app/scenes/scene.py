@@ -5,9 +5,8 @@ looks the same in the world, in NDC and in the image, and no pane needs a light.
 stored relative to `Scene.origin`, subtracted in float64, because a GPU computes in float32: a mesh
 1e7 away from the world's origin would keep one digit.
 
-The letter F of eight cubes standing on a grid in the xz plane is the scene of lecture 004
-(Horvat); the cube and the receding row of posts prepare and follow it. After them come the
-phenomena of `app.scenes.phenomena`, whose subject can be the user's own mesh.
+The built-in scenes of `app.scenes.built_in` come first, then the phenomena of
+`app.scenes.phenomena`, whose subject can be the user's own mesh.
 
 This package knows neither Qt nor a screen. It only reads files and places the first camera.
 """
@@ -27,13 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.limits import vector
-from app.model.projection import (
-    Array,
-    ObjectTransform,
-    Projection,
-    Space,
-    Vector,
-)
+from app.model.projection import Array, ObjectTransform, Projection, Space, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished
@@ -506,10 +499,5 @@ def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
     decade = 10.0 ** math.floor(math.log10(size / 8.0))
     spacing = max(step * decade for step in (1.0, 2.0, 5.0) if step * decade <= size / 8.0)
     rim = 0.5 * size
-    return ground_grid(
-        (lower[0] - rim, lower[2] - rim),
-        (upper[0] + rim, upper[2] + rim),
-        (spacing, spacing),
-        lower[1],
-        origin,
-    )
+    low, high = (lower[0] - rim, lower[2] - rim), (upper[0] + rim, upper[2] + rim)
+    return ground_grid(low, high, (spacing, spacing), lower[1], origin)

@@ -186,9 +186,7 @@ def letter_f() -> Coloured:
     return cubes([(column - 1.5, float(row), -0.5) for column, row in _LETTER_F])
 
 
-LETTER_F = Projection(
-    Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=38.0, near=5.0, far=12.5)
-)
+LETTER_F = Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 5.0, 12.5))
 """The first projection of the letter F, and of the program."""
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import Any
@@ -11,15 +12,17 @@ import pytest
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
+from app.drawings.precision import least_tolerance
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
-from app.model.projection import Array
+from app.model.limits import vector
+from app.model.projection import Array, Camera
 from app.scenes.phenomena.cheap_arithmetic import PHENOMENON
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Vertices
 from app.scenes.scene import load
-from tests.support.drawings import OffScreen, heard, rendered
+from tests.support.drawings import OffScreen, figure_of, heard, rendered
 
 SIZE = (480, 360)
 SCENE = load("cheap-arithmetic")
@@ -113,3 +116,16 @@ def test_other_drawings_of_the_scene_keep_its_vertices(plotter: Any) -> None:
     first.remove()
     second.remove()
     other.close()
+
+
+@pytest.mark.parametrize("name", ["cracks", "vertex-depth", "cheap-arithmetic"])
+def test_moved_vertices_are_drawn_from_ever_so_near(name: str) -> None:
+    """Float64 cuts faces, and then a vertex would have no place of its own."""
+    scene = load(name)
+    assert least_tolerance(scene, 1e-9) == math.inf
+    camera = scene.start.camera
+    eye = np.array(camera.target) + 0.1 * camera.frame[2]
+    lens = scene.start.lens.replaced(near=1e-3)
+    near = replace(scene.start, camera=Camera(vector(eye), camera.target), lens=lens)
+    picture = figure_of(scene, projection=near, panes=["image"], size=(64, 36)).pixels()
+    assert picture.shape[:2] == (36, 64)

@@ -15,6 +15,7 @@ import numpy as np
 
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.unprojecting import WAYS, float32_pixels, followed
+from tests.fuzz.seams import seams, vertex_depth
 
 BLOCK = 1000
 """Cases that share a camera."""
@@ -97,6 +98,8 @@ def _tan(fov_y_deg: float) -> np.longdouble:
 
 
 TRADES: dict[str, Callable[[random.Random], dict[str, tuple[Array, Array]]]] = {
-    "unprojection": unprojection
+    "unprojection": unprojection,
+    "vertex-depth": vertex_depth,
+    "cracks": seams,
 }
 """Each draws `BLOCK` cases: errors and bounds, (n,) each, by choice."""

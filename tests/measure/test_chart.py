@@ -17,9 +17,20 @@ from PIL import Image
 import app.measure.run
 from app.drawings.curve_names import beside
 from app.measure import chart, measuring
-from app.measure.meaning import meaning
+from app.measure.meaning import USUAL, boldest, meaning
 from app.measure.measuring import TRADES
-from app.measure.results import COLUMNS, GAP, JUDGED, WORDS, Sweep, Trade, named, table, to_csv
+from app.measure.results import (
+    COLUMNS,
+    GAP,
+    JUDGED,
+    WORDS,
+    ChartPoint,
+    Sweep,
+    Trade,
+    named,
+    table,
+    to_csv,
+)
 from app.measure.sweeps import SWEEPS
 from app.model.projection import Projection
 from app.scenes.phenomena.diagram import Diagram, Spot
@@ -47,6 +58,31 @@ def test_every_trade_and_sweep_has_its_texts() -> None:
     for name in SWEEPS:
         (diagram, *_) = chart.diagrams(replace(SWEEP, parameter=name))
         assert diagram.title == chart.TITLES[name] and diagram.x_log and diagram.y_log
+
+
+def test_the_boldest_choice_saves_most_time_before_bytes() -> None:
+    def bold(*choices: ChartPoint) -> tuple[str, str] | None:
+        best = boldest(Trade("arithmetic", "ns", "px", choices, 1))
+        return best and (best[0], best[1].name)
+
+    usual = replace(choice(USUAL["arithmetic"], 10.0, 1e-3), bytes=12.0)
+    quick, quickest = choice("quick", 4.0, 0.5), choice("quickest", 2.0, 5.0)
+    small = replace(choice("small", None, 2.0), bytes=3.0)
+    exact = replace(choice("exact", 90.0, 1e-9), bytes=24.0)
+    assert bold(usual, quick, quickest, small, exact) == ("time", "quickest")
+    assert bold(usual, small, exact) == ("bytes", "small")
+    assert bold(usual, exact) == ("time", "exact"), "nothing is saved"
+    pieces = [
+        replace(choice(f"{count}", cost, 1.0 / count), bytes=8.0 * count)
+        for count, cost in ((1, 2.02), (2, 2.0), (64, 2.05))
+    ]
+    assert bold(usual, *pieces) == ("time", "1"), "of equal times the smallest"
+    same = [
+        replace(choice(name, 2.0, error), bytes=3.0) for name, error in (("a", 0.1), ("b", 4.0))
+    ]
+    assert bold(usual, *same) == ("time", "b"), "of equal costs the least exact"
+    assert bold(usual, choice("equal", 9.8, 1e-4)) == ("time", "equal")
+    assert bold(exact) is None and bold(usual) is None
 
 
 def test_a_choice_is_at_its_cost_and_error() -> None:

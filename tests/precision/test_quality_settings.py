@@ -14,6 +14,7 @@ import pyvista as pv
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QProgressDialog
+from pytestqt.qtbot import QtBot
 
 from app.document.codec import parse, to_json
 from app.document.document import Document
@@ -29,6 +30,7 @@ from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, canvas
+from widgets.panes.pane import REST_MS
 from widgets.parts.number_dialog import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
@@ -586,6 +588,31 @@ def test_a_pane_hidden_during_the_drag_is_restored_too(
     window.slots.make_large("world")
     fresh = make_window(window.store.document)
     assert same(pictures(window), pictures(fresh)) == ALL_SAME
+
+
+def test_a_view_that_is_turned_is_drawn_in_time_and_restored_after_it(
+    make_window: MakeWindow, mesh: str, ball: Scene, qtbot: QtBot
+) -> None:
+    """Only the pane that the hand turns has fewer triangles, as long as the button is down."""
+    window = make_window(Document(mesh, ball.start))
+    settle()
+    window.look.adaptive.set_target(0.001)
+    settle()
+    whole, surface = triangles(window), window.panes["world"].canvas
+    place, level = QPoint(20, 40), window.look.adaptive.budget.level
+    QTest.mousePress(surface, Qt.MouseButton.LeftButton, pos=place)
+    for i in range(1, 20):
+        QTest.mouseMove(surface, place + QPoint(3 * i, i))
+        settle()
+    QTest.qWait(2 * REST_MS)
+    turned = triangles(window)
+    assert turned["world"] < whole["world"] / 10
+    assert window.panes["world"].requested["smoothing"] == "none"
+    assert (turned["ndc"], turned["image"]) == (whole["ndc"], whole["image"])
+    assert window.look.adaptive.budget.level == level, "a drag of a control draws more"
+    QTest.mouseRelease(surface, Qt.MouseButton.LeftButton, pos=place)
+    qtbot.waitUntil(lambda: triangles(window) == whole, timeout=20_000)
+    assert window.panes["world"].requested["smoothing"] != "none"
 
 
 def test_antialiasing_is_dropped_first(

@@ -304,7 +304,7 @@ def of_start_card(window: MainWindow) -> list[str]:
     """Return what the start card says of reviews."""
     window.menus.start_card.trigger()
     settle()
-    card = window.start_card
+    card = window.cover
     assert card is not None and cut(card) == []
     said = [each.text() for kind in (QToolButton, QLabel) for each in card.findChildren(kind)]
     card.close()

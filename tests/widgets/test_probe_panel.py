@@ -770,3 +770,17 @@ def test_a_double_click_there_leaves_the_point_where_it_was(window: MainWindow) 
     QTest.mouseDClick(canvas, Qt.MouseButton.LeftButton, pos=pos)
     QApplication.processEvents()
     assert window.store.document.settings["point"] == before
+
+
+def test_a_distance_of_a_chart_opens_the_depth_buffer_there(window: MainWindow) -> None:
+    window.quality.use(
+        {
+            "scene": "depth-buffer", "camera.distance": "20.0", "lens.near": "0.5",
+            "lens.far": "300.0", "settings.format": "float32", "settings.range": "reversed",
+        }
+    )  # fmt: skip
+    document = window.store.document
+    assert document.scene == "depth-buffer" and document.settings["range"] == "reversed"
+    assert document.projection.camera.distance == pytest.approx(20.0)
+    assert document.projection.lens.far == 300.0
+    assert document.projection.camera.target == load("depth-buffer").start.camera.target

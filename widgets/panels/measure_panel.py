@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
@@ -35,7 +34,7 @@ from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.drawings.style import Style
 from app.measure import chart
-from app.measure.meaning import bargain, meaning
+from app.measure.meaning import ANY_SCENE, bargain, boldest, meaning, shown_by
 from app.measure.results import (
     CANCELLED,
     MEASURED_ONLY,
@@ -50,12 +49,12 @@ from app.measure.results import (
     to_json,
 )
 from app.measure.single import (
-    SHIPPED,
     has_numbers,
     joined_tables,
     only_part,
     read_results,
     rows_of_other,
+    shipped,
     split,
 )
 from app.model.refusal import Refusal
@@ -79,11 +78,6 @@ NOTE_LETTERS = 24
 """Least width of the column of notes, in letters, unless the notes are shorter."""
 _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
 _NAME = Qt.ItemDataRole.UserRole
-
-
-@cache
-def _shipped() -> dict[str, Measurements]:
-    return split(read_results(SHIPPED))
 
 
 class _ResultsTable(QTableWidget):
@@ -265,7 +259,25 @@ class MeasurePanel(DiagramPanel):
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._picked = ""
+        if "scene" in changed:
+            here = shown.document.scene
+            own = [name for name in chart.TITLES if shown_by(name).get("scene") == here]
+            if own and self.name not in own:
+                self.choose(*own)
         self._readable.changed()  # another choice may be in use
+
+    def show_trade(self, name: str) -> None:
+        """Show a trade with the choice that saves most, and the scene that shows what it costs."""
+        self.used.emit({"scene": ANY_SCENE} | shown_by(name))
+        self.choose(name)
+        shown, _ = self._shown()
+        part = only_part(shown) if shown is not None else None
+        bold = boldest(part) if isinstance(part, Trade) else None
+        if bold is not None:
+            cost, choice = bold
+            self.cost.setCurrentIndex(self.cost.findData(cost))
+            self._picked = choice.name
+        self._readable.changed()
 
     def set_style(self, style: Style) -> None:
         super().set_style(style)
@@ -426,7 +438,7 @@ class MeasurePanel(DiagramPanel):
         """Return the results that are shown, and those drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         if self._is_shipped:
-            return _shipped()[self.name], None
+            return shipped().get(self.name), None
         return (measured, loaded) if measured is not None else (loaded, None)
 
     @property
@@ -448,6 +460,8 @@ class MeasurePanel(DiagramPanel):
         if shown is not None and self._is_shipped:
             words = self.tr("Measured with the letter F on another machine: {0}.")
             words = words.format(chart.machine(shown))
+        elif shown is None and self._is_shipped:
+            words = self.tr("There are no results yet: “Measure here” makes them.")
         if shown is None:
             said = words
         else:

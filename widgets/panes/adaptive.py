@@ -5,10 +5,12 @@
     the document changes --> step(dragging) --> every pane: smoothing, detail --> Qt paints
     FrameBudget <-- time from the change to the swap of the buffers <---------------+
     the drag ends ---------> step(False)    --> every pane at full quality
+    a pane's own camera moves -> _turn(pane), and step(False) once the hand rests
 """
 
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QApplication, QWidget
@@ -18,7 +20,7 @@ from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
 from widgets.panes.canvas import SMOOTHINGS, multisamples
-from widgets.panes.pane import Pane
+from widgets.panes.pane import REST_MS, Pane
 from widgets.parts.progress import progress_dialog
 
 AT_FIRST = 200_000
@@ -60,8 +62,13 @@ class Adaptive(QObject):
         self._emitted: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
-        self.budget = FrameBudget([FrameQuality(False, 1.0)], 0.0)
+        self.budget = self._of_turning = FrameBudget([FrameQuality(False, 1.0)], 0.0)
+        self._measured = self.budget
+        """The budget that the present frame counts for."""
+        self._turned = QTimer(self, singleShot=True, interval=REST_MS)
+        self._turned.timeout.connect(self._end_turn)
         for pane in panes.values():
+            pane.hand.moved.connect(partial(self._turn, pane))
             pane.canvas.drawn.connect(self._drawn)
             pane.canvas.shown.connect(self._swapped)
 
@@ -118,11 +125,26 @@ class Adaptive(QObject):
 
     def step(self, dragging: bool) -> None:
         """Set the quality before a change is drawn, or at the end of a drag."""
+        self._turned.stop()
+        self._draw(dragging, self.budget, self._panes.values())
+
+    def _turn(self, pane: Pane) -> None:
+        """Draw a pane as in a drag while the user moves its own camera."""
+        self._draw(True, self._of_turning, (pane,))
+        self._turned.start()
+
+    def _end_turn(self) -> None:
+        if any(pane.hand.is_down for pane in self._panes.values()):
+            self._turned.start()
+        else:
+            self.step(False)
+
+    def _draw(self, dragging: bool, budget: FrameBudget, panes: Iterable[Pane]) -> None:
         self._end_frame(self._drawn_at)  # if the drag is faster than the screen
-        self._dragging = dragging
+        self._dragging, self._measured = dragging, budget
         if dragging:
             self._began = time.perf_counter()
-            level = self.budget.level
+            level = budget.level
             share, smoothing = level.share, self.smoothing(level.smooth)
         else:
             self._began = None
@@ -130,7 +152,7 @@ class Adaptive(QObject):
         fewer: Scene | None = None
         if self._scene is not None and share != self.quality.detail:
             fewer = reduced(self._scene, share)
-        for pane in self._panes.values():
+        for pane in panes:
             pane.request("smoothing", smoothing)
             pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
@@ -148,7 +170,7 @@ class Adaptive(QObject):
     def _end_frame(self, at: float) -> None:
         """Record the time of the last step that was drawn."""
         if self._began is not None and self._drawn_at > self._began:
-            self.budget.frame(1e3 * (at - self._began))
+            self._measured.frame(1e3 * (at - self._began))
             self._began = None
 
     def _emit_changed(self) -> None:
@@ -172,6 +194,7 @@ class Adaptive(QObject):
             few = (i for i, level in enumerate(levels) if level.share * cells <= AT_FIRST)
             first = next(few, len(levels) - 1)
         self.budget = FrameBudget(levels, self._target_ms, first)
+        self._of_turning = FrameBudget(levels, self._target_ms, first)
 
     def _prepare(self) -> None:
         """Make the coarser versions of the scene before anybody drags."""

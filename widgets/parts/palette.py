@@ -48,7 +48,7 @@ _STYLE_SHEET = """
 #paneTitle[reached="true"] {{ color: {HighlightedText}; background: {Highlight};
     border-radius: 3px; }}
 #cardTitle {{ font-size: {large:.0f}px; font-weight: 600; }}
-#startCard {{ background: rgba(0, 0, 0, 110); }}
+#cover {{ background: rgba(0, 0, 0, 110); }}
 #card {{ background: {Window}; border: 1px solid {Mid}; border-radius: 6px; }}
 #lesson {{ border: 1px solid {Mid}; border-radius: 4px; }}
 #asked {{ background: {ToolTipBase}; border: 1px solid {Mid}; border-left: 3px solid {Highlight};

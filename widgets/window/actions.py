@@ -176,8 +176,12 @@ class Actions(QObject):
             self.tr("&Start card"), None, None,
             self.tr("The scenes as pictures, lessons, talks, and recent files"),
         )  # fmt: skip
+        self.trades = self._action(
+            self.tr("S&peed and accuracy"), None, None,
+            self.tr("What a renderer gives up to be fast: trades as pictures, measured"),
+        )  # fmt: skip
         self._menu(
-            self.tr("&Help"), self.start_card, self.help,
+            self.tr("&Help"), self.start_card, self.trades, self.help,
             self._action(self.tr("&Conventions"), help_.show_conventions),
             self._action(self.tr("&About Frustum Lab"), help_.show_about),
         )  # fmt: skip

@@ -211,21 +211,22 @@ class Files(QObject):
 
     def choose_scene(self, name: str) -> bool:
         """Change to a built-in scene, as one undo step."""
-        scene = self._try(lambda: self.scene(name))
-        if scene is None:
+        document = self._try(lambda: self.begun(name))
+        if document is None:
             return False
-        if name != self._store.document.scene:
-            # Keep what was prepared for a class; drop what concerned the previous scene.
-            view = replace(
-                self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-                slide=(), controls=(), equation="", fixed=None,
-                compare=(), dividers=(),
-            )  # fmt: skip
-            if view.names != EVERYTHING:
-                view = replace(view, names=None)
-            extra = self._store.document.extra
-            return self._store.set_document(Document(name, scene.start, extra, view))
-        return True
+        return name == self._store.document.scene or self._store.set_document(document)
+
+    def begun(self, name: str) -> Document:
+        """Return a built-in scene as it starts, in the present view; a `Refusal` if it cannot."""
+        # Keep what was prepared for a class; drop what concerned the previous scene.
+        view = replace(
+            self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
+            slide=(), controls=(), equation="", fixed=None,
+            compare=(), dividers=(),
+        )  # fmt: skip
+        if view.names != EVERYTHING:
+            view = replace(view, names=None)
+        return Document(name, self.scene(name).start, self._store.document.extra, view)
 
     def mesh_dialog(self) -> None:
         """Ask for a mesh that replaces the scene's own objects."""

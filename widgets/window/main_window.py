@@ -61,6 +61,7 @@ from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement
 from widgets.window.comparing import Comparing
 from widgets.window.control_strip import ControlStrip
+from widgets.window.cover_card import CoverCard
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
@@ -130,7 +131,8 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = self._was_painted = self._is_narrow = False
-        self.start_card: StartCard | None = None
+        self.cover: CoverCard | None = None
+        """The card over the window."""
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []
@@ -279,7 +281,7 @@ class MainWindow(QMainWindow):
         self.cost = Cost(self.panes, self.status)
         self.quality = DrawnQuality(
             self.look, image, self.status, self.settings, self.store, lambda: self.shown,
-            self.files.scene, self.messages.show_message,
+            self.files.begun, self.messages.show_message,
         )  # fmt: skip
         dragged = [cursor.let_go for cursor in self.cursors.values()]
         players = controls.animation.pause, controls.card.pause, *dragged
@@ -424,10 +426,8 @@ class MainWindow(QMainWindow):
         self.status.showMessage(text, 5000)
 
     def show_start_card(self) -> None:
-        if self.start_card is not None:
-            return
         settings, waiting = self.settings, self.practice.waiting
-        self.start_card = card = StartCard(
+        card = StartCard(
             self, self.menus.scene_titles, self.files.recent, settings.progress,
             review=review_text(waiting) if waiting.due else "", next_review=next_review(waiting),
             at_every_start=settings.start_card, dark=palette.is_dark(settings.theme),
@@ -437,13 +437,28 @@ class MainWindow(QMainWindow):
         card.open_wanted.connect(self.files.open_dialog)
         card.review_wanted.connect(self.practice.review)
         card.always_set.connect(partial(setattr, settings, "start_card"))
-        card.left.connect(partial(setattr, self, "start_card", None))
+        card.trades_wanted.connect(self.show_trades)
+        self._cover_with(card)
+
+    def show_trades(self) -> None:
+        from widgets.window.trades_card import TradesCard  # no start waits for it
+
+        card = TradesCard(self, dark=palette.is_dark(self.settings.theme))
+        card.trade_chosen.connect(self.measure_panel.show_trade)
+        card.start_wanted.connect(self.show_start_card)
+        self._cover_with(card)
+
+    def _cover_with(self, card: CoverCard) -> None:
+        if self.cover is not None:
+            self.cover.close()
+        self.cover = card
+        card.left.connect(partial(setattr, self, "cover", None))
         card.open()
 
     def _on_top(self) -> Callable[[], object] | None:
-        """Return the action of Esc: leave the start card, Present, a message, a comparison, ..."""
-        if self.start_card is not None:
-            return self.start_card.close
+        """Return the action of Esc: leave a card, Present, a message, a comparison, ..."""
+        if self.cover is not None:
+            return self.cover.close
         if self.present.is_on:
             return self.present.leave
         if self.messages.text and not self.messages.choices:  # otherwise an offer would be lost

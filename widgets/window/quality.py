@@ -23,7 +23,6 @@ from app.drawings.scene_bounds import bounds_px
 from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality
-from app.scenes.scene import Scene
 from widgets.panes.canvas import SMOOTHINGS
 from widgets.panes.pane import Pane
 from widgets.parts.messages import sentence
@@ -33,11 +32,25 @@ from widgets.window.settings import Settings
 from widgets.window.status_line import StatusLine
 
 
+def with_choice(document: Document, choice: Mapping[str, str]) -> Document:
+    """Set a choice from a measurement, but not its scene, in the form of `ChartPoint.use`."""
+    texts = [
+        f"{key if '.' in key else f'quality.{key}'}={value}"
+        for key, value in choice.items()
+        if key not in ("scene", DISTANCE.path)
+    ]
+    document = set_values(document, texts)
+    if DISTANCE.path in choice:
+        away = DISTANCE.put(document.projection, float(choice[DISTANCE.path]))
+        document = replace(document, projection=away)
+    return document
+
+
 class DrawnQuality(QObject):
     """Applies the user's choices between speed and accuracy, and reports them in the status line.
 
-    `shown` returns the current snapshot, `scene` the loaded scene of a name. `refuse` shows a
-    sentence that says what is impossible.
+    `shown` returns the current snapshot, `begun` the document of a scene as it starts. `refuse`
+    shows a sentence that says what is impossible.
     """
 
     concerns = EVERYTHING
@@ -50,13 +63,13 @@ class DrawnQuality(QObject):
         settings: Settings,
         store: Store,
         shown: Callable[[], ShownData],
-        scene: Callable[[str], Scene],
+        begun: Callable[[str], Document],
         refuse: Callable[[str], object],
     ) -> None:
         super().__init__(look)
         self._look, self._image, self._status = look, image, status
         self._settings, self._store = settings, store
-        self._shown, self._scene, self._refuse = shown, scene, refuse
+        self._shown, self._begun, self._refuse = shown, begun, refuse
         status.set_tolerance(settings.tolerance_px)
         status.frame_ms = settings.frame_ms
         status.tolerance_edited.connect(self._set_tolerance)
@@ -118,18 +131,10 @@ class DrawnQuality(QObject):
         """
         document = self._store.seen
         scene = choice.get("scene", document.scene)
-        texts = [
-            f"{key if '.' in key else f'quality.{key}'}={value}"
-            for key, value in choice.items()
-            if key not in ("scene", DISTANCE.path)
-        ]
         try:
             if scene != document.scene:
-                document = Document(scene, self._scene(scene).start, document.extra)
-            document = set_values(document, texts)
-            if DISTANCE.path in choice:
-                away = DISTANCE.put(document.projection, float(choice[DISTANCE.path]))
-                document = replace(document, projection=away)
+                document = self._begun(scene)
+            document = with_choice(document, choice)
         except Refusal as error:
             self._refuse(sentence(error))
         else:

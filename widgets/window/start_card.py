@@ -1,31 +1,16 @@
-"""The start card: the scenes as pictures, the lessons, recent files, and a two-minute tour.
-
-It covers the window until the user chooses something, presses Esc or clicks beside the card.
-"""
+"""The start card: the scenes as pictures, the lessons, recent files, and a two-minute tour."""
 
 from __future__ import annotations
 
-import logging
-import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal, SignalInstance
-from PySide6.QtGui import QCloseEvent, QIcon, QMouseEvent, QPixmap
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QFrame,
-    QGridLayout,
-    QHBoxLayout,
-    QMenu,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtWidgets import QCheckBox, QGridLayout, QMenu, QToolButton, QWidget
 
 from app.document.document import Document
-from app.document.view import View
-from app.drawings.figure import Figure
 from app.lessons.lesson import head_of, is_lesson
 from app.lessons.player import Progress
 from app.model.refusal import Refusal
@@ -34,23 +19,17 @@ from widgets.parts.buttons import tool_button
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import file_title
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.window.cover_card import CoverCard
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
-from widgets.window.pictures import image_of
 
-log = logging.getLogger(__name__)
-
-COLUMNS = 4
+COLUMNS = 5
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
-DRAWN_FINER = 2.0
-"""Factor by which a thumbnail is drawn larger, so that its labels do not hide the picture."""
-BARE = View(layers=frozenset({"labels"}))
-"""The view of a thumbnail, without labels."""
 
 
-class StartCard(QWidget):
-    """The scenes, the lessons and the recent files, over the whole window.
+class StartCard(CoverCard):
+    """The scenes, the lessons, the trades of speed and the recent files, over the whole window.
 
     `titles` are those of the built-in scenes by name, `recent` the paths of files, and `progress`
     belongs to the lessons that were begun. `review` names the exercises that have come back, and
@@ -61,10 +40,9 @@ class StartCard(QWidget):
     file_chosen = Signal(str)
     review_wanted = Signal()
     open_wanted = Signal()
+    trades_wanted = Signal()
     always_set = Signal(bool)
     """Whether the card appears at every start."""
-    left = Signal()
-    """The card has closed; emitted before the signal of what was chosen."""
 
     def __init__(
         self,
@@ -78,25 +56,11 @@ class StartCard(QWidget):
         at_every_start: bool,
         dark: bool,
     ) -> None:
-        super().__init__(window)
-        self.setObjectName("startCard")
-        self.setAccessibleName(self.tr("Start"))
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self._window, self._dark = window, dark
-        card = QFrame()
-        card.setObjectName("card")
-        card.setAutoFillBackground(True)
-        card.setFrameShape(QFrame.Shape.StyledPanel)
-        around = QGridLayout(self)
-        around.setContentsMargins(8, 8, 8, 8)
-        around.addWidget(card, 0, 0, Qt.AlignmentFlag.AlignCenter)
+        super().__init__(window, self.tr("Start"), dark=dark)
         self.tiles = {name: self._tile(name, titles[name]) for name in BUILT_IN}
         grid = QGridLayout()
         grid.setSpacing(2)
-        width = max(tile.sizeHint().width() for tile in self.tiles.values())
         for place, tile in enumerate(self.tiles.values()):
-            tile.setFixedWidth(width)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
         beside = in_column(
             PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),
@@ -107,27 +71,12 @@ class StartCard(QWidget):
         set_tip(always, self.tr("Help > Start card shows it at any time"))
         always.setChecked(at_every_start)
         always.toggled.connect(self.always_set)
+        head = self._head(
+            self.tr("How a camera turns a 3-D scene into a picture"),
+            self.tr("Begin with the letter F (Esc)"),
+        )
         both = in_row(grid, beside, gap=16)
-        in_column(self._head(), both, always, on=card, margins=(16, 10, 16, 12), gap=6)
-        self._undrawn = list(BUILT_IN)
-        self._drawing = QTimer(self)
-        self._drawing.timeout.connect(self._draw_next)
-        window.installEventFilter(self)
-        self._cover()
-
-    def open(self) -> None:
-        """Cover the window, and draw the pictures one by one."""
-        self.show()
-        self.raise_()
-        next(iter(self.tiles.values())).setFocus()
-        self._drawing.start(0)
-
-    def _head(self) -> QHBoxLayout:
-        text = self.tr("How a camera turns a 3-D scene into a picture")
-        title = PlainLabel(text, objectName="cardTitle")
-        tip = self.tr("Begin with the letter F (Esc)")
-        leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
-        return in_row((title, 1), leave)
+        in_column(head, both, always, on=self.card, margins=(16, 10, 16, 12), gap=6)
 
     def _tile(self, name: str, title: str) -> QToolButton:
         act = partial(self._choose, self.scene_chosen.emit, name)
@@ -157,6 +106,10 @@ class StartCard(QWidget):
             button.setMenu(menu)
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
             yield button
+        yield tool_button(
+            self.tr("Speed and accuracy"), self.tr("What a renderer gives up to be fast, measured"),
+            partial(self._leave_for, self.trades_wanted), icon="speed", flat=True,
+        )  # fmt: skip
 
     def _review(self, text: str, following: str) -> Iterator[QWidget]:
         if text:
@@ -182,61 +135,9 @@ class StartCard(QWidget):
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             yield button
 
-    def _choose(self, tell: Callable[[str], object], what: str) -> None:
-        self.close()
-        tell(what)
-
-    def _leave_for(self, wanted: SignalInstance) -> None:
-        self.close()
-        wanted.emit()
-
-    # -- the pictures
-
-    def _draw_next(self) -> None:
-        if not self._undrawn:
-            self._drawing.stop()
-            return
-        name = self._undrawn.pop(0)
-        try:
-            self.tiles[name].setIcon(QIcon(self._thumbnail(name)))
-        except Exception:  # the scene can still be chosen by its name
-            log.warning("the picture of %s cannot be drawn\n%s", name, traceback.format_exc())
-
-    def _thumbnail(self, name: str) -> QPixmap:
-        """Draw a scene as it opens, in its leading pane."""
-        ratio = self.devicePixelRatioF()
+    def _picture(self, name: str) -> QPixmap:
         scene = load(name)
-        width, height = (round(side * DRAWN_FINER) for side in THUMBNAIL_PX)
-        figure = Figure(
-            Document(name, scene.start, view=BARE), scene, (scene.leading,), (width, height),
-            scale=ratio, palette="dark" if self._dark else "screen",
-        )  # fmt: skip
-        pixmap = QPixmap.fromImage(image_of(figure.pixels()).scaled(
-            QSize(*THUMBNAIL_PX) * ratio,
-            Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode.SmoothTransformation,
-        ))  # fmt: skip
-        pixmap.setDevicePixelRatio(ratio)
-        return pixmap
-
-    # -- over the window
-
-    def closeEvent(self, event: QCloseEvent) -> None:
-        super().closeEvent(event)
-        self._drawing.stop()
-        self.left.emit()
-        self.deleteLater()
-
-    def _cover(self) -> None:
-        self.setGeometry(self._window.rect())
-
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Resize:
-            self._cover()
-        return super().eventFilter(watched, event)
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        event.accept()  # a click beside the card; its own widgets take clicks on it
-        self.close()
+        return self._drawn(Document(name, scene.start), scene, THUMBNAIL_PX)
 
 
 def _title_of(path: str) -> str:

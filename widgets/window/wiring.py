@@ -70,6 +70,7 @@ def _wire_components(window: Any) -> None:
         (compare.drawn, window.slide.question.place),
         (menus.pointer.toggled, window.probing.set_pointing),
         (menus.start_card.triggered, window.show_start_card),
+        (menus.trades.triggered, window.show_trades),
         (menus.controls.triggered, window.show_beside),
         (menus.show_cost.triggered, window.cost.measure),
         (menus.remove_probe.triggered, probe.remove),

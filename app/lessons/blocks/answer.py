@@ -19,6 +19,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
 NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "counts something, but its value is {0}")
 A_COUNT = QT_TRANSLATE_NOOP("Refusal", "must be a whole number: the question asks for a count")
+_ANSWERS = "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
 WAYS = ("value", "count", "matrix", "click", "choice")
 """The keys by which an answer may be given."""
 
@@ -36,11 +37,7 @@ class Answer(MarkedQuestion):
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         given = [item for item in items if item.key in WAYS]
         if not given:
-            raise refused(
-                body.line,
-                LACKS,
-                "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices",
-            )
+            raise refused(body.line, LACKS, _ANSWERS)
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
             raise refused(other.line, EITHER, "value, count, matrix, click and choices")
@@ -52,12 +49,13 @@ class Answer(MarkedQuestion):
             return MatrixQuestion.of(body, text, items)
         value = items.single(given[0].key)
         assert value is not None
-        wrong = (item for item in items if item.key == "wrong")
         symbol, _, formula = value.text.rpartition("=")
         return cls(
             **cls.fields(body, text, items),
             symbol=symbol.strip(),
-            replies=tuple(Reply.of(each, formulas=(each.formula(),)) for each in wrong),
+            replies=tuple(
+                Reply.of(each, formulas=(each.formula(),)) for each in items.every("wrong")
+            ),
             right=(value._replace(text=formula.strip()).formula(),),
             right_line=value.line,
             counts=value.key == "count",

@@ -167,6 +167,11 @@ class Block:
     """Whether the student has to answer it; such a block has a name."""
     line: int
 
+    @classmethod
+    def read(cls, body: Body) -> Block:
+        """Read a block; a `Refusal` names the line that is wrong."""
+        raise NotImplementedError
+
     def add_to(self, content: StepContent) -> None:
         """Add the block to what the step shows, asks, or says to a speaker or a check."""
 

@@ -66,7 +66,7 @@ class Choices(Question):
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
-        choices = tuple(Choice.read(item) for item in items if item.key == "choice")
+        choices = tuple(map(Choice.read, items.every("choice")))
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
             raise refused(body.line, ONE_RIGHT)
         return cls(**cls.fields(body, text, items), replies=choices, **more)
@@ -105,10 +105,9 @@ class Choices(Question):
         return reply.verdict(here, self.why) if reply.right else self.reply_to(here, reply)
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
-        count = len(self.replies)
-        number = whole(sample, count)
+        number = whole(sample, len(self.replies))
         if not number:
-            raise refused(line, A_NUMBER_OF, count, value=sample)
+            raise refused(line, A_NUMBER_OF, len(self.replies), value=sample)
         return self.mark(here, str(number)).word
 
     def posed(self) -> str:

@@ -55,14 +55,10 @@ class Click(MarkedQuestion):
             raise refused(click.line, ONE_OF, ", ".join(PANES), value=click.text)
         if at is None:
             raise refused(click.line, LACKS, "“at: FORMULA, FORMULA”")
-        count = 2 if click.text == "image" else 3
+        count, wrong = 2 if click.text == "image" else 3, items.every("wrong")
         return cls(
             **cls.fields(body, text, items),
-            replies=tuple(
-                Reply.of(item, formulas=_place(item, count))
-                for item in items
-                if item.key == "wrong"
-            ),
+            replies=tuple(Reply.of(each, formulas=_place(each, count)) for each in wrong),
             right=_place(at, count),
             right_line=at.line,
             pane=click.text,

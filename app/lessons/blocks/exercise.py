@@ -55,8 +55,6 @@ _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
-
-
 _IN_FULL = re.compile(r"\s*(?:right|state):")
 """Lines of states, whose numbers have all their digits."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -70,12 +71,11 @@ class MatrixQuestion(MarkedQuestion):
         assert right is not None
         rows, columns, formulas = _cells(right)
         replies = []
-        for item in items:
-            if item.key == "wrong":
-                *shape, wrong = _cells(item)
-                if shape != [rows, columns]:
-                    raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
-                replies.append(Reply.of(item, formulas=wrong))
+        for item in items.every("wrong"):
+            *shape, wrong = _cells(item)
+            if shape != [rows, columns]:
+                raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
+            replies.append(Reply.of(item, formulas=wrong))
         return cls(
             **cls.fields(body, text, items), replies=tuple(replies), right=formulas,
             right_line=right.line, rows=rows, columns=columns, first=_first(items),
@@ -101,9 +101,7 @@ class MatrixQuestion(MarkedQuestion):
             return Verdict(True, says=self.why, cells=cells)
         wrong = self.mistaken(here, numbers, marking.equals)
         short = map(marking.is_too_short, numbers, right)
-        too_short = all(
-            is_right or is_short for is_right, is_short in zip(cells, short, strict=True)
-        )
+        too_short = all(map(operator.or_, cells, short))
         if wrong is None and not all(map(_counts_as, numbers, right)):
             wrong = self.mistaken(here, numbers, _counts_as)
         remark = self._remark(numbers, right, cells)
@@ -114,14 +112,9 @@ class MatrixQuestion(MarkedQuestion):
     ) -> Refusal:
         """Say how a wrong matrix differs from the right one."""
         for remark, order in self._rearranged():
-            if all(
-                marking.equals(number, right[at]) for number, at in zip(numbers, order, strict=True)
-            ):
+            if all(map(marking.equals, numbers, [right[at] for at in order])):
                 return remark
-        turned = [
-            marking.equals(each.times(Fraction(-1)), value)
-            for each, value in zip(numbers, right, strict=True)
-        ]
+        turned = [*map(marking.equals, [each.times(Fraction(-1)) for each in numbers], right)]
         if all(turned):
             return Refusal.saying(ALL_SIGNS)
         wrong = [place for place, is_right in enumerate(cells) if not is_right]
@@ -141,10 +134,7 @@ class MatrixQuestion(MarkedQuestion):
 
     def _rearranged(self) -> Iterator[tuple[Refusal, list[int]]]:
         """Yield the ways to mix up a matrix: for each cell, whose value it then has."""
-        places = [
-            [row * self.columns + column for column in range(self.columns)]
-            for row in range(self.rows)
-        ]
+        places = self._in_rows(range(self.rows * self.columns))
         if self.rows == self.columns:
             yield Refusal.saying(TRANSPOSED), _flat(zip(*places, strict=True))
         for one, other in combinations(range(self.rows), 2):
@@ -174,7 +164,7 @@ class MatrixQuestion(MarkedQuestion):
     def shape(self) -> tuple[int, int]:
         return self.rows, self.columns
 
-    def _in_rows(self, cells: Sequence[str]) -> list[Sequence[str]]:
+    def _in_rows(self, cells: Sequence[Part]) -> list[Sequence[Part]]:
         return [cells[at : at + self.columns] for at in range(0, len(cells), self.columns)]
 
     def sample_of(self, numbers: Sequence[str]) -> str:

@@ -36,12 +36,8 @@ class Note(Block):
             else:
                 lines.append(text)
                 first = first or (number if text.strip() else 0)
-        return cls(
-            line=body.line,
-            text="\n".join(lines).strip(),
-            minutes=minutes or 0.0,
-            text_line=first or body.line,
-        )
+        text, line = "\n".join(lines).strip(), body.line
+        return cls(line=line, text=text, minutes=minutes or 0.0, text_line=first or line)
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield self.text_line, self.text

@@ -25,8 +25,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own",
+    "Refusal", "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own"
 )
 NO_REPLY = QT_TRANSLATE_NOOP(
     "Refusal", "is wrong, but has no reply: name a wrong idea, or add “says:” below"
@@ -205,9 +204,8 @@ class Question(Asked):
             known = self.known(here)
             with on_line(line, "number"):
                 held = known.value(parse(self.number))
-            if not (
-                is_set(known.document, self.number) and math.isclose(value[0], held, rel_tol=1e-9)
-            ):
+            is_held = math.isclose(value[0], held, rel_tol=1e-9)
+            if not is_held or not is_set(known.document, self.number):
                 raise refused(line, OTHER_NUMBER, f"{held:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:

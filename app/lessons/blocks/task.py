@@ -26,9 +26,8 @@ DONE = "done"
 _PANES = "view.panes="
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """The names that conditions have for fields of the view with other names."""
-_MOVED_BY = {
-    each.formula: each.handle for each in (NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES)
-}
+_MOVED = NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES
+_MOVED_BY = {each.formula: each.handle for each in _MOVED}
 """The handle of the world that changes the quantity of a name."""
 
 
@@ -57,15 +56,11 @@ class Task(Asked):
         until = items.conditions("until")
         if not until:
             raise refused(body.line, LACKS, "“until: CONDITION”")
-        wrong = []
-        for item in items:
-            if item.key == "wrong":
-                with on_line(item.line, "wrong"):
-                    condition = Condition.read(item.text)
-                wrong.append(Wrong.of(item, condition=condition))
+        wrong = zip(items.every("wrong"), items.conditions("wrong"), strict=True)
+        replies = tuple(Wrong.of(item, condition=each) for item, (_, each) in wrong)
         return cls(
             **cls.fields(body, text, items), until=until, done=items.text("done"),
-            why=items.text("why"), replies=tuple(wrong), right=state_in(items.single("right")),
+            why=items.text("why"), replies=replies, right=state_in(items.single("right")),
         )  # fmt: skip
 
     @property

@@ -5,23 +5,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
-from app.lessons.marking import digits_shown
+from app.lessons.marking import OF_ANGLES, digits_shown, is_angle
 from app.lessons.quantities import FUNCTIONS, Quantities
-from app.model.formula import (
-    Call,
-    Degrees,
-    Formula,
-    Letter,
-    Negative,
-    Number,
-    Pair,
-    Product,
-    Quotient,
-)
+from app.model.formula import Call, Degrees, Formula, Letter, Negative, Number, Product, Quotient
 from app.model.formula_text import latex
 
-_OF_ANGLES = ("sin", "cos", "tan", "cot")
-_TO_ANGLES = ("asin", "acos", "atan")
 _HIDDEN = ("reading", "was", "quality")
 """Names that begin so belong to the program, and no reader knows them."""
 _UNITS = {"°": r"^{\circ}", "%": r"\,\%", "×": r"\times", "x": r"\times"}
@@ -39,7 +27,7 @@ class Working(NamedTuple):
     def sides(self, name: str = "", unit: str = "") -> list[str]:
         """Return what is equal, each with its sign except the first; `name` is TeX of the left."""
         value, is_whole = written_value(self.value)
-        unit = unit or ("°" if _is_angle(self.letters) else "")
+        unit = unit or ("°" if is_angle(self.letters) else "")
         value += _UNITS.get(unit, rf"\ \mathrm{{{unit}}}" if unit else "")
         letters, numbers = latex(self.letters, {}), latex(self.numbers, {})
         about = "=" if self.is_exact else r"\approx"
@@ -130,7 +118,7 @@ def _in_degrees(formula: Formula, terms: Mapping[str, Formula], is_angle: bool) 
     if inner is not formula or not formula.parts:
         return _degrees(inner) if is_angle else inner
     if isinstance(formula, Call):
-        inside = formula.name in _OF_ANGLES
+        inside = formula.name in OF_ANGLES
         return formula.with_parts(_in_degrees(part, terms, inside) for part in formula.parts)
     parts = formula.parts
     angles = [is_angle] * len(parts)
@@ -146,12 +134,3 @@ def _degrees(number: Formula) -> Formula:
     if isinstance(number, Negative):
         return Negative(_degrees(number.operand))
     return Degrees(number.number) if isinstance(number, Number) else number
-
-
-def _is_angle(formula: Formula) -> bool:
-    """Whether a formula's value is an angle, as far as its functions say so."""
-    if isinstance(formula, Call):
-        return formula.name in _TO_ANGLES
-    if isinstance(formula, Pair | Negative):
-        return any(map(_is_angle, formula.parts))
-    return False

@@ -136,9 +136,8 @@ def deviation(projection: Projection, part: Inside) -> Deviation:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     ends = np.array([point(settings, "start"), point(settings, "end")])
-    world = Marks.of(
-        Polyline(ends, "accent", 2.0), named("P", ends[0], size=1.0), named("Q", ends[1], size=1.0)
-    )
+    letters = (named(*each, size=1.0) for each in zip("PQ", ends, strict=True))
+    world = Marks.of(Polyline(ends, "accent", 2.0), *letters)
     grips = Grip("start", ends[0], name="P"), Grip("end", ends[1], name="Q")
     mesh = subject.mesh
     if projection.lens.far == math.inf:
@@ -160,9 +159,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     percent = deviations.percent[~own]
     percent = percent[np.isfinite(percent)]
     worst = float(percent.max()) if len(percent) else None
-    bows: list[Mark] = [
-        Polyline(each, "leader", 0.5) for each in bow(projection, part.of(~own), _EDGE_STEPS)
-    ]
+    curves = bow(projection, part.of(~own), _EDGE_STEPS)
+    bows: list[Mark] = [Polyline(each, "leader", 0.5) for each in curves]
     at = None
     if not own.any():
         note = WORDS.phrase("outside")
@@ -227,21 +225,18 @@ def _readings(
     where = note
     if percent == 0.0:
         w, where = None, WORDS.phrase("straight") if cut or note is None else note
+    why = (no_worst or WORDS.phrase(away)) if worst is None else some
     return (
         Reading(WORDS["deviation"], percent, "%", note),
         Reading(WORDS["where-cut" if cut else "where"], w, note=where),
-        Reading(
-            WORDS[label], worst, "%", (no_worst or WORDS.phrase(away)) if worst is None else some
-        ),
+        Reading(WORDS[label], worst, "%", why),
     )
 
 
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "002"),
-    start=Projection(
-        Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(fov_y_deg=60.0, near=1.0, far=14.0)
-    ),
+    start=Projection(Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(60.0, 1.0, 14.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     adjustable=(Parameter("start", (3.0, 2.9, 4.0)), Parameter("end", (-9.0, 3.5, -2.5))),

@@ -15,13 +15,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
-from app.scenes.phenomena.picture import (
-    grip_of_plane,
-    section,
-    seen,
-    seen_lines,
-    world_from_view,
-)
+from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
@@ -122,9 +116,8 @@ def _diagram(d: float, z: float, y: Array) -> Diagram:
         """An arrow of so many times the object's size."""
         tip, length = size * head, size * (head - foot)
         back, wide = tip - 0.12 * length, 0.05 * abs(length)
-        return np.array(
-            [(at, size * foot), (at, tip), (at - wide, back), (at, tip), (at + wide, back)]
-        )
+        x = at + wide * np.array([0.0, 0.0, -1.0, 0.0, 1.0])
+        return np.column_stack([x, [size * foot, tip, back, tip, back]])
 
     return Diagram(
         WORDS["side"],
@@ -150,16 +143,10 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return central.between(d, central.lens.far)
 
 
-def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {"distance": projection.lens.near if projection.lens.central else None}
-
-
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "002"),
-    start=Projection(
-        Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(fov_y_deg=38.0, near=4.0, far=10.5)
-    ),
+    start=Projection(Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(38.0, 4.0, 10.5)),
     geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
     adjustable=(Parameter("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),
@@ -167,7 +154,7 @@ PHENOMENON = Phenomenon(
     replaces=("near",),
     numbers=4,
     follow=_follow,
-    implied=_implied,
+    implied=lambda at, _: {"distance": at.lens.near if at.lens.central else None},
     own_mesh=True,
     names=("hole", "film", "h", "h'", "d", "z"),
     inks={"d": "v"},

@@ -53,6 +53,9 @@ _RECIPROCALS = {
     "exact": "exact", "table": "table", "newton1": "table, 1 Newton step",
     "newton2": "table, 2 Newton steps",
 }  # fmt: skip
+_TABLES = {
+    "vertices": _FORMATS, "numbers": _FORMATS, "snap": _SNAPS, "reciprocal": _RECIPROCALS,
+}  # fmt: skip
 _COMPARED = ("8 bits", "12 bits", "16 bits", "float16", "float32")  # in the diagram
 _SHOWN_PX = 1e-5, 1e3  # there
 
@@ -106,14 +109,7 @@ def hardware_of(settings: Settings) -> Hardware:
     preset = str(settings["preset"])
     if preset in PRESETS:
         return PRESETS[preset]
-    vertices, numbers, snap, reciprocal = (
-        table[str(settings[name])]
-        for name, table in (
-            ("vertices", _FORMATS), ("numbers", _FORMATS),
-            ("snap", _SNAPS), ("reciprocal", _RECIPROCALS),
-        )
-    )  # fmt: skip
-    return Hardware(vertices, numbers, snap, reciprocal)
+    return Hardware(*(table[str(settings[name])] for name, table in _TABLES.items()))
 
 
 def origin_of(settings: Settings) -> Vector:
@@ -192,10 +188,7 @@ def _readings(
     lost = int(np.isnan(result.px[here]).any(axis=1).sum())
     note = WORDS.phrase("lost", str(lost)) if lost else None
     none = note or WORDS.phrase("outside")
-    if predicted == math.inf:
-        predicted, why = None, WORDS.phrase("no-bound")
-    else:
-        why = none
+    why = WORDS.phrase("no-bound") if predicted == math.inf else none
     return (
         Reading.or_why(WORDS["predicted"], predicted, "px", why),
         Reading(WORDS["measured"], measured, "px", note if measured is not None else none),
@@ -269,9 +262,8 @@ def _kept(hardware: Hardware, origin: Vector, size: float) -> tuple[Array, Marks
         return kept, Marks()
     rows = steps.any(axis=1)
     steps = factor * steps[rows]
-    return kept, _marked(
-        _arrows(points[rows], steps, np.cross(steps, (0.0, 1.0, 0.0))), factor, "stored"
-    )
+    arrows = _arrows(points[rows], steps, np.cross(steps, (0.0, 1.0, 0.0)))
+    return kept, _marked(arrows, factor, "stored")
 
 
 def _diagram(
@@ -310,7 +302,7 @@ PHENOMENON = Phenomenon(
     lectures=("000", "002"),
     start=Projection(
         Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)),
-        Perspective(fov_y_deg=48.0, near=4.0, far=20.0),
+        Perspective(48.0, 4.0, 20.0),
         (320, 240),
     ),
     geometry=_geometry,

@@ -126,9 +126,7 @@ def classified(projection: Projection, faces: Array) -> tuple[list[int], list[in
     the face passes an edge of the volume. Raises a `Refusal` like `clip_polygon`.
     """
     trace = projection.trace(faces)
-    whole: list[int] = []
-    outside: list[int] = []
-    crossing: list[int] = []
+    whole, outside, crossing = list[int](), list[int](), list[int]()
     for i, (clip, beyond) in enumerate(zip(trace.clip, trace.outside, strict=True)):
         if not beyond.any():
             whole.append(i)
@@ -331,9 +329,7 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "004"),
-    start=Projection(
-        Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
-    ),
+    start=Projection(Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),

@@ -35,14 +35,13 @@ _Y = np.linspace(-_HIGH, _HIGH, 25)
 SEAM: Array = np.column_stack([0.3 * np.sin(2.1 * _Y) + 0.11 * _Y, _Y, np.zeros(len(_Y))])
 ROUNDED_UP = 1.0 + 2.0**-30
 _LIGHT_RGB = (255, 214, 60)
-_LIGHT = np.array(
-    [[(-1.0, -_HIGH, -0.02), (1.0, -_HIGH, -0.02), (1.0, _HIGH, -0.02), (-1.0, _HIGH, -0.02)]]
-)
+_LIGHT = np.array([[(-1, -1, -0.02), (1, -1, -0.02), (1, 1, -0.02), (-1, 1, -0.02)]])
+_LIGHT *= 1.0, _HIGH, 1.0
 
 
 def meshes(sizes: tuple[float, float]) -> Array:
     """Return the outer and the seam's vertices of the left and the right mesh, (2, 2, n, 3)."""
-    both = np.array([[SEAM, SEAM], [SEAM, SEAM]])
+    both = np.array(2 * [[SEAM, SEAM]])
     both[0, 0, :, 0] = SEAM[:, 0].max() - sizes[0]
     both[1, 0, :, 0] = SEAM[:, 0].min() + sizes[1]
     return both
@@ -109,12 +108,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
     return Illustration(
         (
-            Reading.or_why(
-                WORDS["predicted"],
-                most if most < math.inf else None,
-                "px",
-                WORDS.phrase("no-bound"),
-            ),
+            Reading.or_why(WORDS["predicted"], most, "px", WORDS.phrase("no-bound")),
             Reading(WORDS["measured"], float(gaps.max()), "px"),
             Reading(WORDS["bytes"], 3.0 * each[0].bits / 8.0),
             Reading(WORDS["steps"], tuple(grid.step for grid in each)),
@@ -140,7 +134,6 @@ PHENOMENON = Phenomenon(
         Parameter("left", SIZES[0], 4.0, 1e6, span=(4.0, 100.0), logarithmic=True),
         Parameter("right", SIZES[1], 3.0, 1e6, span=(3.0, 100.0), logarithmic=True),
     ),
-    controls=("camera.distance",),
     leading="image",
     requires=frozenset({"vertices"}),
     names=("left-mesh", "right-mesh", "seam"),

@@ -50,9 +50,8 @@ _MAPPINGS = {"standard": "opengl", "infinite": "opengl"}
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
-    return (_CORNERS[None], flat(_FRONT_RGB, 1)), ground_grid(
-        (-8.0, -48.0), (8.0, 8.0), (4.0, 4.0), -1.0
-    )
+    grid = ground_grid((-8.0, -48.0), (8.0, 8.0), (4.0, 4.0), -1.0)
+    return (_CORNERS[None], flat(_FRONT_RGB, 1)), grid
 
 
 def buffer_of(projection: Projection, settings: Settings) -> DepthBuffer | Phrase:
@@ -181,13 +180,12 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     known = buffer.near <= w <= buffer.far
     smallest = float(buffer.gap(w)) if known else math.nan
     why = WORDS.phrase("none-is-sure" if smallest == math.inf else "target-outside")
-    sure = smallest if math.isfinite(smallest) else None
     too_few = WORDS.phrase("too-few") if note is None or share is not None else note
     return Illustration(
         (
             Reading(WORDS["wrong"], share, "%", note),
             Reading(WORDS["counted"], None, "%", too_few, counted=True),
-            Reading.or_why(WORDS["smallest"], sure, why=why),
+            Reading.or_why(WORDS["smallest"], smallest, why=why),
             Reading(WORDS["distance"], w),
             Reading(WORDS["codes"], float(FORMATS[buffer.format].largest) + 1.0),
         ),
@@ -219,11 +217,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     near, far = buffer.near, buffer.far
     right = far if far != math.inf else max(1e3 * near, 2.0 * (target or near))
     in_ratios = buffer.lens.even_extent == 0.0
-    if in_ratios:
-        w = np.exp(np.linspace(math.log(near), math.log(right), 160))
-    else:
-        w = np.linspace(near, right, 160)
-    w = np.clip(w, near, right)
+    w = np.clip((np.geomspace if in_ratios else np.linspace)(near, right, 160), near, right)
     curves = [Curve(np.stack([w, buffer.depth(w)], axis=1), "accent", width=2.0)]
     if target is not None and target <= right:
         curves.append(Curve(np.array([(target, float(buffer.depth(target)))]), "target", dots=True))
@@ -246,10 +240,7 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "001"),
-    start=Projection(
-        Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)),
-        Perspective(fov_y_deg=45.0, near=0.01, far=200.0),
-    ),
+    start=Projection(Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)), Perspective(45.0, 0.01, 200.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -38,11 +38,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     outside = None if len(points) else WORDS.phrase("outside")
     px, bounds = errors_px(projection, points, off, bound)
     lengths = np.where(np.isfinite(px).all(axis=1), np.linalg.norm(px, axis=1), math.inf)
-    measured, predicted = (
-        each if each < math.inf else None
-        for each in (float(each.max(initial=0.0)) for each in (lengths, bounds))
-    )  # fmt: skip
-    times = max(1.0, enlargement(measured or 0.0, _ROOM * projection.image_size[1]) or 1.0)
+    measured, predicted = (float(each.max(initial=0.0)) for each in (lengths, bounds))
+    times = max(1.0, enlargement(measured, _ROOM * projection.image_size[1]) or 1.0)
     axes = np.eye(3) + off
     aside = np.linalg.norm(np.cross(axes, np.eye(3)), axis=1)
     lean = np.degrees(np.arctan2(aside, np.diagonal(axes)))
@@ -111,9 +108,7 @@ def _image_marks(
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "003", "004"),
-    start=Projection(
-        Camera((4.5, 4.5, 9.0), (0.8, 2.3, 0.0)), Perspective(fov_y_deg=40.0, near=5.0, far=15.0)
-    ),
+    start=Projection(Camera((4.5, 4.5, 9.0), (0.8, 2.3, 0.0)), Perspective(40.0, 5.0, 15.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     adjustable=(

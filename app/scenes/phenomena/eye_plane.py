@@ -90,9 +90,8 @@ def pictures(projection: Projection, view: Array, clip: Array) -> EyePlanePictur
     matrix = projection.clip_from_view
     flat = np.empty((3, *clip.shape))
     flat[0, ..., :3], flat[0, ..., 3] = naive_ndc(clip), 1.0
-    flat[1] = np.where(
-        (eye_cut.case == 1)[:, None, None], clip, eye_cut.points_view @ matrix[:, :3].T
-    )
+    is_whole = (eye_cut.case == 1)[:, None, None]
+    flat[1] = np.where(is_whole, clip, eye_cut.points_view @ matrix[:, :3].T)
     flat[2] = clip
     flat[..., 2] = 1.0  # the depth does not matter, as long as it is not 0 at the eye
     nothing = ~(np.abs(flat) <= LARGEST_CLIP).all(axis=(2, 3))
@@ -419,10 +418,8 @@ def _image_marks(drawn: EyePlanePictures) -> Marks:
     marks: list[Mark] = []
     right, wrong = drawn.right[0], drawn.naive[0]
     if drawn.wrong_px[0] > 0.0:
-        marks += [
-            Polyline(wrong, "u", 1.0),
-            Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]),
-        ]
+        marks.append(Polyline(wrong, "u", 1.0))
+        marks.append(Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]))
     if np.isfinite(right).all():
         marks.append(_ab(right, "accent", 2.0))
         marks += [Dot(end, "accent", 1.2) for end in right]
@@ -435,9 +432,8 @@ def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
         places = image_from_ndc(projection, naive_ndc(clip))
         inside = (places >= 0.0) & (places <= projection.image_size)
     drawn = inside.all(axis=1) & ((clip[:, 3] > 0.0) | (way in ("faces", "naive")))
-    return Marks.of(
-        *(named(("A'", "B'")[i], places[i], size=1.2) for i in np.flatnonzero(drawn).tolist())
-    )
+    each = zip(("A'", "B'"), places, drawn, strict=True)
+    return Marks.of(*(named(name, place, size=1.2) for name, place, here in each if here))
 
 
 def _ab(ends: Array, colour: str, width: float) -> Marks:
@@ -492,9 +488,7 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001", "004"),
-    start=Projection(
-        Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(fov_y_deg=75.0, near=0.05, far=30.0)
-    ),
+    start=Projection(Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(75.0, 0.05, 30.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
     adjustable=(

@@ -37,7 +37,6 @@ from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, 
 
 WORDS = PhenomenonWords("field-of-view")
 
-
 _WIDE_MM, _TELE_MM = 29.0, 105.0
 _WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
 # Horizontal fields of view in lecture 001: without peripheral vision, at a comfortable distance (25
@@ -45,7 +44,7 @@ _WIDE_DISTANCE, _TELE_DISTANCE = 3.0, 36.0
 _SEEN_DEG = {"eye": 120.0, "monitor": 30.0, "phone": 5.0}
 
 
-def _head() -> Coloured:
+def _geometry() -> tuple[Coloured, Coloured]:
     """A head of boxes that looks along +z, with nose, brow and ears at different depths."""
     skin, dark, light = (225, 180, 140), (120, 84, 60), (245, 242, 230)
     parts = [
@@ -65,14 +64,9 @@ def _head() -> Coloured:
     for lower, upper, colour in parts:
         quads.append(0.8 * box_faces(lower, upper))
         rgb += [flat([round(part * shade) for part in colour], 1) for shade in shades]
-    return np.concatenate(quads), np.concatenate(rgb)
-
-
-def _geometry() -> tuple[Coloured, Coloured]:
-    faces = _head()
-    return faces, joined(
-        ground_grid((-6.0, -12.0), (6.0, 2.0), (1.0, 1.0), 0.0), edges_of(faces[0])
-    )
+    faces = np.concatenate(quads)
+    lines = joined(ground_grid((-6.0, -12.0), (6.0, 2.0), (1.0, 1.0), 0.0), edges_of(faces))
+    return (faces, np.concatenate(rgb)), lines
 
 
 class DollyView(NamedTuple):
@@ -116,10 +110,8 @@ def dollied(projection: Projection, factor: float) -> Projection:
 
 def _at(camera: Camera, distance: float) -> Camera:
     """The camera at another distance from its target, on the same line."""
-    x, y, z = (
-        t + distance * n for t, n in zip(camera.target, camera.frame[2].tolist(), strict=True)
-    )
-    return Camera((x, y, z), camera.target, camera.up)
+    eye = vector(camera.target + distance * camera.frame[2])
+    return Camera(eye, camera.target, camera.up)
 
 
 def _from_preset(projection: Projection, settings: Settings, factor: float) -> Projection:
@@ -185,9 +177,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     # with a tick at either end. The ride keeps its size.
     x, y, tick = -0.55 * width, height / 2.0, 0.06 * width
     bar = _beside_target(camera, [(x, -y, 0.0), (x, y, 0.0)])
-    ticks = _beside_target(
-        camera, [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
-    )
+    ends = [(x + side, end, 0.0) for end in (-y, y) for side in (-tick, tick)]
+    ticks = _beside_target(camera, ends)
     size, why = _size_px(projection, bar, subject)
     lines: list[Polyline] = []
     texts: list[Text] = []
@@ -204,15 +195,15 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             lines.append(Polyline(square, colour, 1.5, (), name))
             at_squares.append(Text(name, square[corner], colour, text=WORDS[name]))
     texts += at_squares
-    ends = np.array([camera.eye, camera.target])
+    d = np.array([camera.eye, camera.target])
     # The grip is in the middle of d: at its end is the eye's.
-    middle, factor = ends.mean(axis=0), number(_implied(projection, settings), "distance")
+    middle, factor = d.mean(axis=0), number(_implied(projection, settings), "distance")
     along = (middle - camera.target) / factor
     segments = np.array([ends for line in lines for ends in pairwise(line.points)])
     colours = [line.colour for line in lines for _ in line.points[1:]]
     places = [text.point for text in texts]
     trace = projection.trace(np.array([*segments.reshape(-1, 3), *places]).reshape(-1, 3))
-    segments_clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
+    clip = trace.clip[: 2 * len(segments)].reshape(-1, 2, 4)
     return Illustration(
         (
             Reading(WORDS["distance"], distance),
@@ -221,15 +212,13 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             *_angles(projection, settings),
         ),
         world=Marks.of(
-            Polyline(ends, "accent", name="d"),
+            Polyline(d, "accent", name="d"),
             *lines,
-            Text("d", ends.mean(axis=0), "accent", text=f"d = {distance:.4g}"),
+            Text("d", middle, "accent", text=f"d = {distance:.4g}"),
             *at_squares,
         ),
-        image=Marks.of(
-            *seen_lines(projection, segments_clip, colours, 1.5), *seen_texts(trace, texts)
-        ),
-        grips=(Grip("distance", middle, camera.target, vector(along), "d", face=ends),),
+        image=Marks.of(*seen_lines(projection, clip, colours, 1.5), *seen_texts(trace, texts)),
+        grips=(Grip("distance", middle, camera.target, vector(along), "d", face=d),),
     )
 
 

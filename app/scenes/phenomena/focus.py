@@ -176,9 +176,8 @@ def _readings(
     """The readout; `note` says why a value is None."""
     near = far = depth = hyperfocal = None
     if sharp is not None:
-        near, hyperfocal = sharp.near, sharp.hyperfocal
-        if sharp.far < math.inf:
-            far, depth = sharp.far, sharp.far - sharp.near
+        near, far, hyperfocal = sharp
+        depth = far - near
     return (
         Reading.or_why(WORDS["sharp-from"], near, "m", note),
         Reading.or_why(WORDS["sharp-to"], far, "m", note),
@@ -270,10 +269,8 @@ def _sharp_in_picture(projection: Projection, lens: _Focused, subject: Subject) 
     sides = np.stack([corners, np.roll(corners, -1, axis=1)], axis=2).reshape(-1, 2, 4)
     lines = seen_lines(projection, sides, ["v"] * len(sides), 2.0)
     tops = projection.trace(_FRONTS[:, 2:].mean(axis=1))  # the middle of each front's upper edge
-    names = [
-        Text("sharp", top, "v", text=WORDS["sharp"]) for top in tops.image[is_sharp & seen(tops)]
-    ][:1]
-    return Marks.of(*lines, *names)
+    first = tops.image[is_sharp & seen(tops)][:1]
+    return Marks.of(*lines, *(Text("sharp", top, "v", text=WORDS["sharp"]) for top in first))
 
 
 def _diagram(lens: _Focused) -> Diagram:
@@ -306,9 +303,7 @@ def _diagram(lens: _Focused) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(fov_y_deg=28.0, near=1.7, far=22.0)
-    ),
+    start=Projection(Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(28.0, 1.7, 22.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

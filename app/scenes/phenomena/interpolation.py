@@ -122,9 +122,8 @@ def planar_texture(subject: Subject) -> Array:
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     parts, affine = int(number(settings, "subdivision")), settings["interpolation"] == "affine"
-    texture = Texture(
-        planar_texture(subject), _CHECKS, affine, parts, settings["pattern"] == "coordinates"
-    )
+    coordinates = settings["pattern"] == "coordinates"
+    texture = Texture(planar_texture(subject), _CHECKS, affine, parts, coordinates)
     rendering = Rendering(texture=texture)
     mesh = subject.mesh
     triangles, ends, said, cut = _BOARD, _CORNERS[[0, 3]], None, WORDS.phrase("cut")
@@ -148,9 +147,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     image: list[Mark] = [*seen_lines(projection, trace.clip[None], ("ink",), 1.5)]
     in_image = (middles.image[0], trace.image.mean(axis=0))
     names = ("half-in-world", "target"), ("half-on-screen", "accent")
-    for (name, colour), place, pixel, shown in zip(
-        names, in_world, in_image, seen(middles), strict=True
-    ):
+    each = zip(names, in_world, in_image, seen(middles), strict=True)
+    for (name, colour), place, pixel, shown in each:
         world.append(named(name, place, colour, 1.4, WORDS[name]))
         if shown:
             image.append(named(name, pixel, colour, 1.4, WORDS[name]))
@@ -214,9 +212,7 @@ def _readings(
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("002", "003"),
-    start=Projection(
-        Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(fov_y_deg=50.0, near=3.0, far=24.0)
-    ),
+    start=Projection(Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(50.0, 3.0, 24.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -13,7 +13,6 @@ of both bounds at most.
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
@@ -105,34 +104,27 @@ def jump_errors(paths: Paths) -> tuple[Array, Array]:
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
-    trace = projection.trace(subject.points)
+    trace, camera = projection.trace(subject.points), projection.camera
     here = np.flatnonzero(seen(trace))
     if not len(here):
         return Illustration((), warning=WORDS.phrase("outside"))
     vertex = subject.points[here[[trace.clip[here, 3].argmin()]]]
     paths = paths_of(projection, vertex, str(settings["way"]), number(settings, "distance"))
-    jumps, smooth = (
-        np.linalg.norm(np.diff(each, axis=1), axis=-1) for each in (paths.drawn, paths.true)
-    )
+    jumps, smooth = np.linalg.norm(np.diff([paths.drawn, paths.true], axis=2), axis=-1)
     wrong, bounds = jump_errors(paths)
     each_px = {"largest": jumps, "smooth": smooth, "wrong": wrong, "predicted": bounds}
-    frame = int(number(settings, "frame"))
-    image, times = _image_marks(projection, paths, frame)
+    image, times = _image_marks(projection, paths, int(number(settings, "frame")))
     none = WORDS.phrase("no-bound")
     return Illustration(
         (
             *(
-                Reading.or_why(
-                    WORDS[name], float(px.max()) if px.max() < math.inf else None, "px", none
-                )
+                Reading.or_why(WORDS[name], float(px.max()), "px", none)
                 for name, px in each_px.items()
             ),
             Reading(WORDS["frozen"], 100.0 * float((jumps == 0.0).mean()), "%"),
             Reading.or_why(WORDS["enlarged"], times, "×", none),
         ),
-        world=Marks.of(
-            segment(projection.camera.eye, vertex[0], "accent", 1.0), named("P", vertex[0])
-        ),
+        world=Marks.of(segment(camera.eye, vertex[0], "accent", 1.0), named("P", vertex[0])),
         image=image,
     )
 
@@ -145,10 +137,8 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
     times = enlargement(high - low, _ROOM * width)
     if times is None:
         return Marks(), None
-    across = 0.95 * width - times * (high - across)
-    drawn, true = (
-        np.column_stack([each, height * np.linspace(0.1, 0.9, FRAMES + 1)]) for each in across
-    )
+    across, down = 0.95 * width - times * (high - across), np.linspace(0.1, 0.9, FRAMES + 1)
+    drawn, true = (np.column_stack([each, height * down]) for each in across)
     enlarged = f"{times:,.0f} ×".replace(",", " ") if times >= 1.0 else f"{times:g} ×"
     return Marks.of(
         Polyline(true, "leader", 2.0),
@@ -165,7 +155,7 @@ PHENOMENON = Phenomenon(
     lectures=("003", "004"),
     start=Projection(
         Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)),
-        Perspective(fov_y_deg=40.0, near=5.0, far=15.0),
+        Perspective(40.0, 5.0, 15.0),
         (1920, 1080),
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),

@@ -142,9 +142,7 @@ def right_angle(
         side * (point - corner) / max(float(np.linalg.norm(point - corner)), 1e-300)
         for point in (one, other)
     )
-    return Polyline(
-        np.array([corner + toward, corner + toward + across, corner + across]), colour, 0.5
-    )
+    return Polyline(corner + np.array([toward, toward + across, across]), colour, 0.5)
 
 
 def outline(corners: Array) -> Array:

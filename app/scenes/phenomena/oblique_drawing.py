@@ -33,7 +33,6 @@ from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_gri
 
 WORDS = PhenomenonWords("oblique-drawing")
 
-
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 _COLOURS = ("u", "v", "n")
@@ -41,9 +40,8 @@ _ARC = 0.1  # of the near distance: radius of the angles' arcs
 _SCALE_NAMES = ("scale_u", "scale_v", "scale_n")  # the names of their texts
 
 # Cells of a cube of two by two by two; the upper left one in front is missing.
-_CELLS = [
-    cell for cell in product((-1.0, 0.0), (0.0, 1.0), (-1.0, 0.0)) if cell != (-1.0, 1.0, 0.0)
-]
+_CELLS = [*product((-1.0, 0.0), (0.0, 1.0), (-1.0, 0.0))]
+_CELLS.remove((-1.0, 1.0, 0.0))
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
@@ -144,9 +142,7 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         segments[1] += ends[3] - corner  # the outer one of these edges has room beside it
     edges = [Polyline(ends, colour, 2.0) for ends, colour in zip(segments, _COLOURS, strict=True)]
     corners = box_corners(subject.lower, subject.upper)
-    named = np.array(
-        [segments[0, 1], *segments[1:].mean(axis=1)]
-    )  # where there is room beside them
+    named = np.array([segments[0, 1], *segments[1:].mean(axis=1)])  # there is room beside them
     trace = projection.trace(np.concatenate([ends, corners, named]))
     warning = WORDS.phrase("not-parallel") if lens.central else None
     drawn = measured(trace.image[:4]) if warning is None else None
@@ -170,13 +166,11 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
     world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
     if warning is None:
         world = [_projectors(projection, corners, trace.view[4:12]), *world]
-    segments_clip = projection.trace(segments).clip
+    lines = seen_lines(projection, projection.trace(segments).clip, _COLOURS, 2.0)
     return Illustration(
         _readings(projection, drawn, by_formula, note),
         world=Marks.of(*world),
-        image=Marks.of(
-            *seen_lines(projection, segments_clip, _COLOURS, 2.0), *seen_texts(trace, texts(named))
-        ),
+        image=Marks.of(*lines, *seen_texts(trace, texts(named))),
         warning=warning,
     )
 

@@ -25,7 +25,6 @@ from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_gr
 
 WORDS = PhenomenonWords("off-axis-window")
 
-
 _NAMES, _COLOURS = ("left", "right"), ("u", "n")
 _INSET = 0.007  # of the shorter side: half of a frame's line
 _SAMPLE = 100  # about so many vertices are compared at every step
@@ -140,8 +139,6 @@ def _join_readings(
         points = subject.points[:: max(1, len(subject.points) // _SAMPLE)]
         difference = largest_difference_px(projection, pair, points)
         unmeasured = WORDS.phrase("not-seen" if difference is None else "unmeasured")
-        if difference == math.inf:
-            difference = None
     return (
         Reading.or_why(WORDS["join-error"], join, "px", why),
         Reading.or_why(WORDS["wall"], difference, "px", unmeasured),
@@ -153,12 +150,10 @@ def _world_marks(projection: Projection, screens: dict[str, Projection]) -> Mark
 
     And, on the near plane, the sides that glFrustum takes the numbers of (lecture 003).
     """
-    left_bottom, right_bottom, right_top, left_top = section(projection, projection.lens.near)
+    near, sides = section(projection, projection.lens.near), (BOTTOM, RIGHT, TOP, LEFT)
     marks: list[Mark] = [
-        segment(left_bottom, left_top, NEAR.name, 1.5, (LEFT.name,)),
-        segment(right_bottom, right_top, NEAR.name, 1.5, (RIGHT.name,)),
-        segment(left_bottom, right_bottom, NEAR.name, 1.5, (BOTTOM.name,)),
-        segment(left_top, right_top, NEAR.name, 1.5, (TOP.name,)),
+        Polyline(np.array([near[i], near[i - 3]]), NEAR.name, 1.5, (side.name,))
+        for i, side in enumerate(sides)
     ]
     for (name, screen), colour in zip(screens.items(), _COLOURS, strict=False):
         corners = section(screen, screen.camera.distance)
@@ -180,9 +175,8 @@ def _ndc_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:
     x = 2.0 * left.image_size[0] / projection.image_size[0] - 1.0
     z_near, z_far = projection.depth_range
     corners = np.array([(x, -1.0, z_near), (x, 1.0, z_near), (x, 1.0, z_far), (x, -1.0, z_far)])
-    return Marks.of(
-        plate(corners, "accent", 1.5, 0.2), Text("join", corners[1], "accent", text=WORDS["join"])
-    )
+    name = Text("join", corners[1], "accent", text=WORDS["join"])
+    return Marks.of(plate(corners, "accent", 1.5, 0.2), name)
 
 
 def _image_marks(projection: Projection, screens: dict[str, Projection]) -> Marks:

@@ -25,17 +25,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import (
-    Copy,
-    Grip,
-    Mark,
-    Marks,
-    Polyline,
-    Text,
-    named,
-    plate,
-    segment,
-)
+from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Settings, number, point
@@ -49,10 +39,8 @@ ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
     "must lie above the plane y = {0}: a light on the plane or under it casts no shadow there",
 )
 FROM_ABOVE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must point upward, to the sun: otherwise its rays never meet the plane",
+    "Refusal", "must point upward, to the sun: otherwise its rays never meet the plane"
 )
-
 
 _PANES = ("world", "ndc", "image")
 _TRUSTED = 1e30  # how far away a mark may be
@@ -141,10 +129,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         met = on_ray(light, height, place)
         if np.isfinite(shadows.places[chosen]).all():
             shadow = shadows.places[chosen]
-    if (
-        light[3] == 1.0
-        and ((np.array(subject.lower) <= light[:3]) & (light[:3] <= np.array(subject.upper))).all()
-    ):
+    inside = (np.array(subject.lower) <= light[:3]) & (light[:3] <= np.array(subject.upper))
+    if light[3] == 1.0 and inside.all():
         warning = WORDS.phrase("in-the-object")
     elif place is None:
         warning = note
@@ -158,11 +144,11 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     world = _world_marks(settings, subject, light, marked)
     return Illustration(
         (
-            Reading(
-                "S", tuple((matrix + 0.0).reshape(-1).tolist()), note=_formula(settings, light)
+            Reading("S", tuple((matrix + 0.0).ravel().tolist()), note=_formula(settings, light)),
+            *(
+                Reading.or_why(WORDS[name], None if at is None else tuple(at.tolist()), why=note)
+                for name, at in (("vertex", place), ("shadow", measured))
             ),
-            Reading.or_why(WORDS["vertex"], _middle_and_distances(place), why=note),
-            Reading.or_why(WORDS["shadow"], _middle_and_distances(measured), why=note),
             Reading.or_why(WORDS["off"], off, why=note),
             Reading(WORDS["too-high"], float(too_high), note=of_all),
         ),
@@ -186,10 +172,6 @@ def _formula(settings: Settings, light: Array) -> Phrase:
     if light[3] == 1.0:
         return WORDS.phrase("of-lamp", *parts)
     return WORDS.phrase("of-sun", *parts, max(map(abs, point(settings, "light"))))
-
-
-def _middle_and_distances(place: Array | None) -> tuple[float, ...] | None:
-    return None if place is None else tuple(place.tolist())
 
 
 _MOST = 2.5  # of the reach below, from the object's middle to the plane's sides
@@ -228,7 +210,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     sun = light[3] == 0.0
     way = light[:3] / np.linalg.norm(light[:3]) if sun else light[:3]
 
-    def ray(place: Array, end: Array, *drawn: Any) -> Polyline:
+    def ray(place: Array, end: Array, *drawn: Any) -> Mark:
         """From the light through a point to its end."""
         return segment(place + reach * way if sun else light[:3], end, *drawn)
 
@@ -276,9 +258,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("002",),
-    start=Projection(
-        Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(fov_y_deg=32.0, near=4.0, far=24.0)
-    ),
+    start=Projection(Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(32.0, 4.0, 24.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)),
     show=_show,
     adjustable=(

@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.limits import ABOVE
+from app.model.limits import ABOVE, vector
 from app.model.parameter import Parameter
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
@@ -164,9 +164,8 @@ def popped_per_second(
         return 0.0, 0.0
     clip, z = projection.trace(places).clip, places[..., 2:]
     x_y, w = clip[..., :2], clip[..., 3:]
-    within = np.concatenate(
-        [w + x_y, w - x_y, z + SPACING * (TREES - 0.5), SPACING / 2.0 - z], axis=-1
-    )
+    along = z + SPACING * (TREES - 0.5), SPACING / 2.0 - z
+    within = np.concatenate([w + x_y, w - x_y, *along], axis=-1)
     rows = sum(any(_is_within(part) for part in row) for row in within.tolist())
     rate = rows * SPEED / SPACING
     return (rate, 0.0) if n[2] > 0.0 else (0.0, rate)
@@ -202,11 +201,9 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     step = number(after, "position") - number(before, "position")
     if step == 0.0:
         return projection
-    camera = projection.camera
-    (x, y, z), (tx, ty, tz) = camera.eye, camera.target
-    return replace(
-        projection, camera=replace(camera, eye=(x, y, z - step), target=(tx, ty, tz - step))
-    )
+    camera, way = projection.camera, np.array([0.0, 0.0, step])
+    eye, target = vector(camera.eye - way), vector(camera.target - way)
+    return replace(projection, camera=replace(camera, eye=eye, target=target))
 
 
 def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
@@ -214,9 +211,7 @@ def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
-    far = projection.lens.far
-    fog = fog_of(settings)
-    until = (math.inf, math.inf)
+    far, fog, until = projection.lens.far, fog_of(settings), (math.inf, math.inf)
     if settings["detail"]:
         until = (number(settings, "detail_1"), number(settings, "detail_2"))
     levels = tuple(
@@ -263,9 +258,7 @@ def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
     text = Text("next-tree", outline_world[2], "accent", text=WORDS["next-tree"])
     world = Marks.of(Polyline(outline_world, "accent", 2.0), text)
     top = trace.image[2]
-    in_frame = (
-        np.isfinite(top).all() and (top >= 0.0).all() and (top <= projection.image_size).all()
-    )
+    in_frame = ((top >= 0.0) & (top <= projection.image_size)).all()
     return world, Marks.of(*lines, *([replace(text, point=top)] if in_frame else []))
 
 
@@ -284,10 +277,7 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)),
-        Perspective(fov_y_deg=45.0, near=5.0, far=60.0),
-    ),
+    start=Projection(Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)), Perspective(45.0, 5.0, 60.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

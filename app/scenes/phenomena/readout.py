@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -52,7 +53,9 @@ class Reading:
         unit: str = "",
         why: Phrase | None = None,
     ) -> Reading:
-        """A line with a note only if it has no value."""
+        """A line with a note only if it has no value, or none that is finite."""
+        if isinstance(value, float) and not math.isfinite(value):
+            value = None
         return cls(label, value, unit, why if value is None else None)
 
 

@@ -128,11 +128,10 @@ class _Corners:
         column += first[0][which]
         row += first[1][which]
         place = row * side + column
-        within_x, within_y = _within_cells(side)
         x, y = (
             low + (number + within[place]) * ((high - low) / side)
             for low, high, number, within in zip(
-                *window, (column, row), (within_x, within_y), strict=True
+                *window, (column, row), _within_cells(side), strict=True
             )
         )
         (xa, xb, xc), (ya, yb, yc), (wa, wb, wc) = self.clip

@@ -146,10 +146,9 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     with np.errstate(over="ignore"):
         product = tuple((matrix @ (x, y, z, 1.0) + 0.0).tolist())
     scale = None if x_p is None else distance / w
+    cells = tuple(matrix.ravel().tolist())
     readings = (
-        Reading(
-            WORDS["matrix"], tuple(matrix.reshape(-1).tolist()), about=_OF_D, cell=_MINUS_ONE_OVER_D
-        ),
+        Reading(WORDS["matrix"], cells, about=_OF_D, cell=_MINUS_ONE_OVER_D),
         Reading(WORDS["product"], product, about=(*_OF_D, *_OF_DEPTH, *_OF_POINT)),
         Reading("x_p = d·x / −z", x_p, note=note, about=_OF_X_P),
         Reading("y_p = d·y / −z", y_p, note=note, about=_OF_Y_P),
@@ -184,9 +183,7 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "001", "002", "004"),
-    start=Projection(
-        Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(fov_y_deg=40.0, near=2.0, far=14.0)
-    ),
+    start=Projection(Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(40.0, 2.0, 14.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
     adjustable=(

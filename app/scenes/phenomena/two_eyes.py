@@ -162,9 +162,7 @@ def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "002", "003"),
-    start=Projection(
-        Camera((0.0, 1.8, 8.0), (0.0, 1.8, 0.0)), Perspective(fov_y_deg=45.0, near=4.0, far=14.0)
-    ),
+    start=Projection(Camera((0.0, 1.8, 8.0), (0.0, 1.8, 0.0)), Perspective(45.0, 4.0, 14.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(

@@ -84,34 +84,25 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         for pair in drawn[1:].reshape(-1, 2, 3):
             if np.isfinite(pair).all():
                 world.append(Polyline(pair, "u", 1.0, (), "back"))
-        by = figure(lengths[0], 2) + (
-            f" ({factor:,.0f} ×)".replace(",", " ") if factor > 1.0 else ""
-        )
+        times = f" ({factor:,.0f} ×)".replace(",", " ") if factor > 1.0 else ""
         world += [
             segment(place, drawn[0], "u", 2.0),
-            Text("error", (place + drawn[0]) / 2.0, "u", text=by),
+            Text("error", (place + drawn[0]) / 2.0, "u", text=figure(lengths[0], 2) + times),
             named("back", drawn[0], "u", 1.3, WORDS["back"]),
         ]
         moved = projection.trace(drawn[0])
         if seen(moved):
-            image += [segment(trace.image[0], moved.image, "u", 1.5)]
+            image.append(segment(trace.image[0], moved.image, "u", 1.5))
             image.append(named("back", moved.image, "u", 1.3, WORDS["back"]))
-    away, one, two = (
-        math.dist(true[0], eye),
-        *(off_there(projection, place, way, form, origin) for way in THERE),
+    away, error, why = math.dist(true[0], eye), float(lengths[0]), WORDS.phrase("no-bound")
+    values = float(np.linalg.norm(back.error[:, 0])), error, 100.0 * error / (away or math.nan)
+    there = (off_there(projection, place, each, form, origin) for each in THERE)
+    units = {"bound": "", "off": "", "share": "%", "one": "px", "two": "px"}
+    readings = tuple(
+        Reading.or_why(WORDS[name], value, unit, why)
+        for (name, unit), value in zip(units.items(), (*values, *there), strict=True)
     )
-    values = {
-        "bound": (float(np.linalg.norm(back.error[:, 0])), ""),
-        "off": (float(lengths[0]), ""),
-        "share": (100.0 * float(lengths[0]) / away if away else math.inf, "%"),
-        "one": (one, "px"),
-        "two": (two, "px"),
-    }
-    readings = (
-        Reading.or_why(WORDS[name], x if math.isfinite(x) else None, unit, WORDS.phrase("no-bound"))
-        for name, (x, unit) in values.items()
-    )
-    return Illustration(tuple(readings), Marks.of(*world), image=Marks.of(*image), grips=grips)
+    return Illustration(readings, Marks.of(*world), image=Marks.of(*image), grips=grips)
 
 
 def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
@@ -128,9 +119,7 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("000", "004"),
-    start=Projection(
-        Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(fov_y_deg=38.0, near=0.1, far=1000.0)
-    ),
+    start=Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 0.1, 1000.0)),
     geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
     show=_show,
     adjustable=(
@@ -139,7 +128,6 @@ PHENOMENON = Phenomenon(
         Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
         Parameter("point", (1.5, 4.5, 0.5)),
     ),
-    controls=("lens.near",),
     numbers=5,
     clicked="point",
     own_mesh=True,

@@ -29,16 +29,7 @@ from app.scenes.phenomena.picture import (
 from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords
-from app.scenes.shapes import (
-    EDGE_RGB,
-    SIDE_RGB,
-    Coloured,
-    box_faces,
-    edges_of,
-    flat,
-    ground_grid,
-    joined,
-)
+from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("vanishing-points")
 
@@ -201,12 +192,9 @@ def _geometry() -> tuple[Coloured, Coloured]:
     block = box_faces((-1.2, 0.0, -1.0), (1.2, 2.4, 1.0))
     shades = (SIDE_RGB * 0.5 + 127.0).astype(np.uint8)
     corners = (1.2, 0.8, 1.0), (1.2, 1.6, 1.0), (-0.4, 2.4, 1.0), (0.4, 2.4, 1.0)
-    floors = np.concatenate([edges_of(box_faces((-1.2, 0.0, -1.0), each))[0] for each in corners])
-    lines = joined(
-        ground_grid((-5.0, -12.0), (5.0, 5.0), (1.0, 1.0), 0.0),
-        edges_of(block),
-        (floors, flat(EDGE_RGB, len(floors))),
-    )
+    floors = (edges_of(box_faces((-1.2, 0.0, -1.0), each)) for each in corners)
+    grid = ground_grid((-5.0, -12.0), (5.0, 5.0), (1.0, 1.0), 0.0)
+    lines = joined(grid, edges_of(block), *floors)
     return (block, shades), lines
 
 
@@ -291,13 +279,10 @@ def _image_marks(
             starts += list(edges_clip[axis, :, point.far_end])
             ends += [point.clip] * 4
             colours += [_COLOURS[axis]] * 4
-    *pieces, run = cut_in_picture(
-        projection, np.array([*starts, start_clip]), np.array([*ends, there.clip]), SIDES
-    )
+    both = np.array([*starts, start_clip]), np.array([*ends, there.clip])
+    *pieces, run = cut_in_picture(projection, *both, SIDES)
     drawn = zip(pieces, colours, strict=True)
-    marks: list[Mark] = [
-        Polyline(piece, colour, 1.0) for piece, colour in drawn if piece is not None
-    ]
+    marks: list[Mark] = [Polyline(each, colour, 1.0) for each, colour in drawn if each is not None]
     # From C to P, as long as their part of the projective line is in front of the eye.
     if run is not None:
         marks.append(Polyline(run, "accent", 2.0))
@@ -403,7 +388,7 @@ PHENOMENON = Phenomenon(
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # No ground is seen before the near plane, so that there is room for the marks on it.
-        Perspective(fov_y_deg=70.0, near=3.2, far=11.0),
+        Perspective(70.0, 3.2, 11.0),
     ),
     geometry=_geometry,
     show=_show,

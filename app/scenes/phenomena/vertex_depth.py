@@ -31,9 +31,7 @@ from app.scenes.shapes import Coloured, box_corners, box_faces, flat, ground_gri
 WORDS = PhenomenonWords("vertex-depth")
 
 MOST_PIECES = 1024
-_START = Projection(
-    Camera((0.0, 1.7, 10.0), (0.0, 0.2, 0.0)), Perspective(fov_y_deg=60.0, near=1.0, far=30.0)
-)
+_START = Projection(Camera((0.0, 1.7, 10.0), (0.0, 0.2, 0.0)), Perspective(60.0, 1.0, 30.0))
 _WIDTH = 12.0
 _WALL = (-2.5, 0.0, -0.4), (2.5, 3.0, 0.0)
 _FOUNDATION = (-2.5, -3.0, -0.4), (2.5, 0.0, 0.0)

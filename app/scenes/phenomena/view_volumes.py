@@ -46,21 +46,15 @@ _CIRCLE = np.stack([np.cos(_TURN), np.sin(_TURN)], axis=1)
 
 
 def _geometry() -> tuple[Coloured, Coloured]:
-    hues = (
-        (230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (0, 114, 178),
-    )  # fmt: skip
-    quads, rgb = [], []
-    for place, hue in zip(_PLACES, hues, strict=True):
-        quads.append(box_faces(place - 0.3, place + 0.3))
-        rgb.append(flat(hue, 6))
-    faces = np.concatenate(quads)
+    hues = ((230, 159, 0), (86, 180, 233), (0, 158, 115), (240, 228, 66), (0, 114, 178))
+    faces = np.concatenate([box_faces(place - 0.3, place + 0.3) for place in _PLACES])
     posts = np.stack([_PLACES * (1.0, 0.0, 1.0), _PLACES - (0.0, 0.3, 0.0)], axis=1)
     lines = joined(
         ground_grid((-8.0, -8.0), (8.0, 8.0), (1.0, 1.0), 0.0),
         edges_of(faces),
         (posts, flat((72, 72, 78), len(posts))),
     )
-    return (faces, np.concatenate(rgb)), lines
+    return (faces, np.concatenate([flat(hue, 6) for hue in hues])), lines
 
 
 def cone_of(projection: Projection) -> tuple[float, float, float]:
@@ -116,10 +110,7 @@ def _cone_marks(projection: Projection) -> tuple[Marks, Marks, Marks]:
     spokes, edges = range(0, _SIDES, _SIDES // 8), range(0, _SIDES, 2)
     marks: list[Mark] = [Polyline(near_circle, NEAR.name, 1.5), Polyline(far_circle, FAR.name, 1.5)]
     marks += [Polyline(world[:, i], "accent", 1.0) for i in spokes]
-    marks += [
-        Face(np.array([world[0, i], world[0, i + 2], world[1, i + 2], world[1, i]]), "accent", 0.18)
-        for i in edges
-    ]
+    marks += [Face(world[[0, 0, 1, 1], [i, i + 2, i + 2, i]], "accent", 0.18) for i in edges]
     # In NDC it is a cylinder: its section fills the shorter side of the cube's.
     left, right, bottom, top = projection.lens.slopes(Fraction(*projection.image_size))
     ellipse = radius / np.array([(right - left) / 2.0, (top - bottom) / 2.0]) * _CIRCLE
@@ -178,9 +169,7 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
 PHENOMENON = Phenomenon(
     WORDS,
     lectures=("001",),
-    start=Projection(
-        Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(fov_y_deg=40.0, near=3.0, far=13.0)
-    ),
+    start=Projection(Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("volume", "pyramid"),),

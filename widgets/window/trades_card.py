@@ -1,0 +1,105 @@
+"""Speed and accuracy: every trade of a renderer as a picture, with what it saves and costs."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QPixmap
+from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
+
+from app.document.document import Document
+from app.measure import chart
+from app.measure.meaning import ANY_SCENE, GIVEN_UP, bargain, boldest, shown_by
+from app.measure.results import SWEPT, Measurements
+from app.measure.single import shipped
+from app.scenes.scene import load
+from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import FREE, in_column
+from widgets.parts.messages import of_measurements
+from widgets.parts.note import NoteLabel
+from widgets.parts.plain import PlainLabel
+from widgets.window.cover_card import CoverCard
+from widgets.window.quality import with_choice
+
+COLUMNS = 5
+ROUND_PX = 8
+"""The room around the content of a tile."""
+BESIDE_PX = 80
+"""The part of the window's width that no tile takes."""
+WIDEST_PX = 330
+PIXELS_SHOWN = 1 / 3
+"""Factor by which a picture is drawn smaller, so that its pixels are seen."""
+
+
+class TradesCard(CoverCard):
+    """The trades over the whole window, with the results that the program brings."""
+
+    trade_chosen = Signal(str)
+    start_wanted = Signal()
+
+    def __init__(self, window: QWidget, *, dark: bool) -> None:
+        super().__init__(window, self.tr("Speed and accuracy"), dark=dark)
+        results = shipped()
+        wide = min((window.width() - BESIDE_PX) // COLUMNS, WIDEST_PX)
+        across = wide - 2 * ROUND_PX
+        self._picture_px = (across, across * 9 // 16)
+        self._pictures: dict[str, PlainLabel] = {}
+        for name in chart.TITLES:
+            if name not in SWEPT:
+                self.tiles[name] = self._tile(name, results.get(name))
+        grid = QGridLayout()
+        grid.setSpacing(0)
+        layouts = [tile.layout() for tile in self.tiles.values()]
+        high = max(layout.heightForWidth(wide) for layout in layouts if layout is not None)
+        for place, tile in enumerate(self.tiles.values()):
+            tile.setFixedSize(wide, high)
+            grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
+        back = tool_button(
+            "", self.tr("Back to the start card"), partial(self._leave_for, self.start_wanted),
+            icon="back", name=self.tr("Start card"), flat=True,
+        )  # fmt: skip
+        head = self._head(
+            self.tr("Speed and accuracy: what a renderer gives up to be fast"),
+            self.tr("Go on with the scene (Esc)"), back,
+        )  # fmt: skip
+        text = self.tr("Measured with the letter F on another machine: {0}. Choose a trade to see"
+                       " it, and to measure it here.")  # fmt: skip
+        note = NoteLabel()
+        note.setText(text.format(chart.machine(next(iter(results.values())))))
+        in_column(head, grid, note, on=self.card, margins=(12, 10, 12, 10), gap=6)
+
+    def _tile(self, name: str, results: Measurements | None) -> QToolButton:
+        title = of_measurements(chart.TITLES[name])
+        paid = self.tr("Not measured yet.")
+        bold = boldest(results.trades[0]) if results is not None else None
+        if results is not None and bold is not None:
+            cost, choice = bold
+            paid = bargain(results.trades[0].by_cost(cost), choice, of_measurements)
+        tile = tool_button(
+            act=partial(self._choose, self.trade_chosen.emit, name), name=title, flat=True
+        )
+        given_up = of_measurements(GIVEN_UP[name])
+        tile.setAccessibleDescription(f"{given_up} {paid}")
+        picture = self._pictures[name] = PlainLabel()
+        picture.setFixedSize(*self._picture_px)
+        words = (
+            PlainLabel(title, objectName="paneTitle", wordWrap=True),
+            PlainLabel(given_up, objectName="paneNote", wordWrap=True),
+            PlainLabel(paid, wordWrap=True),
+        )
+        for label in (picture, *words):
+            label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+        in_column(picture, *words, FREE, on=tile, margins=(ROUND_PX,) * 4, gap=2)
+        return tile
+
+    def _picture(self, name: str) -> QPixmap:
+        shown = shown_by(name)
+        scene = load(shown.get("scene", ANY_SCENE))
+        document = with_choice(Document(scene.name, scene.start), shown)
+        if "smoothing" in shown:
+            return self._drawn(document, scene, self._picture_px, PIXELS_SHOWN, "image")
+        return self._drawn(document, scene, self._picture_px)
+
+    def _show_picture(self, name: str, pixmap: QPixmap) -> None:
+        self._pictures[name].setPixmap(pixmap)
