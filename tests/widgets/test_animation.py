@@ -144,11 +144,10 @@ class Record:
 
     def __init__(self, bar: AnimationBar) -> None:
         self.cameras: list[Camera] = []
-        self.events: list[Any] = []
+        self.events: list[str] = []
         bar.edited.connect(self.cameras.append)
         bar.gesture_started.connect(lambda: self.events.append("start"))
         bar.gesture_finished.connect(lambda: self.events.append("finish"))
-        bar.playing_changed.connect(self.events.append)
 
 
 @pytest.fixture
@@ -188,7 +187,7 @@ def test_play_and_pause_enclose_one_gesture(bar: AnimationBar, record: Record) -
     QTest.mouseClick(bar.button, Qt.MouseButton.LeftButton)
     assert not bar.playing and bar.button.accessibleName() == "Play"
     bar.advance(1.0)
-    assert record.events == ["start", True, "finish", False]
+    assert record.events == ["start", "finish"]
     assert record.cameras == [camera_at(START, t, motion(bar)) for t in (1.0, 2.0)]
 
 
@@ -357,7 +356,7 @@ def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record
     choose(bar.look, "level")
     bar.play()
     bar.advance(1.0)
-    assert not bar.playing and record.events[-2:] == ["finish", False] and not record.cameras
+    assert not bar.playing and record.events[-1] == "finish" and not record.cameras
     said = "The camera stands straight above the target and cannot look level."
     assert refusal(bar) == f"Stopped. {said}"
     bar.show_camera(Camera((0.0, -9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))

@@ -833,7 +833,7 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     come_to_rest(window)
     (view,) = card.page.blocks
     assert is_hidden() and panels.open_panel is None
-    scene.explanation_wanted.emit()
+    scene.explanation.clicked.emit()
     assert panels.open_panel is None, "by no way"
     view.asked.field.setText(f"{view.played.question.answer(view.played.here):.4g}")
     view.asked.check()

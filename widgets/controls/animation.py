@@ -20,7 +20,6 @@ from app.model.refusal import Refusal
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
-from widgets.parts.gestures import Gestures
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.messages import limits_text, sentence
@@ -125,7 +124,7 @@ def _height(start_y: float, elapsed_s: float, motion: Motion) -> float:
     return start_y
 
 
-class AnimationBar(QWidget, Playing, Gestures):
+class AnimationBar(QWidget, Playing):
     """Plays the walk from the current camera, one camera a frame.
 
     If something else moves the camera meanwhile (a slider, undo), the walk continues from there.
@@ -133,7 +132,6 @@ class AnimationBar(QWidget, Playing, Gestures):
 
     edited = Signal(object)
     """The next `Camera`, once per frame."""
-    playing_changed = Signal(bool)
 
     def __init__(self) -> None:
         super().__init__()
@@ -167,15 +165,13 @@ class AnimationBar(QWidget, Playing, Gestures):
                        self.tr("The eye's y jumps to the next of four values every 2 seconds.")),
             ),
         )  # fmt: skip
-        unit, unit_tip = self.tr("units"), self.tr("world units")
-        self.lowest = NumberRow(
-            self.tr("Lowest"), self.tr("The lowest y of the eye while its height changes."),
-            Linear(-10.0, 10.0, 0.1), unit, unit_tip,
-        )  # fmt: skip
-        self.highest = NumberRow(
-            self.tr("Highest"), self.tr("The highest y of the eye while its height changes."),
-            Linear(-10.0, 10.0, 0.1), unit, unit_tip,
-        )  # fmt: skip
+        self.lowest, self.highest = (
+            NumberRow(name, tip, Linear(-10.0, 10.0, 0.1), self.tr("units"), self.tr("world units"))
+            for name, tip in (
+                (self.tr("Lowest"), self.tr("The lowest y of the eye while its height changes.")),
+                (self.tr("Highest"), self.tr("The highest y of the eye while its height changes.")),
+            )
+        )
         self.look = ChoiceRow(
             self.tr("Look"),
             self.tr("Where the camera looks during the walk."),
@@ -242,22 +238,11 @@ class AnimationBar(QWidget, Playing, Gestures):
         """Start walking from the current camera."""
         if self.playing or self._shown is None or not self.isEnabled():
             return
-        self._clock.start()
         self._show_error("")
         if self._start is None:
             self._start, self._elapsed_s = self._shown, 0.0
             self._motion = self._motion.at(self._shown.eye[1])
-        self._show_state()
-        self.gesture_started.emit()
-        self.playing_changed.emit(True)
-
-    def pause(self) -> None:
-        if not self.playing:
-            return
-        self._clock.stop()
-        self._show_state()
-        self.gesture_finished.emit()
-        self.playing_changed.emit(False)
+        self._set_playing(True)
 
     def advance(self, seconds: float) -> None:
         """Advance by some seconds and emit the camera, unless paused."""
@@ -322,19 +307,17 @@ class AnimationBar(QWidget, Playing, Gestures):
         if self._start is not None and self._shown is not None:
             self._go_on_from(self._shown, self._start.target[1])
         height, look = self.height_mode.value(), self.look.value()
-        limits_moved = (
-            self.lowest.value() != self._motion.lowest
-            or self.highest.value() != self._motion.highest
-            or (height != "fixed" and self._motion.height == "fixed")
-        )
+        low, high = self.lowest.value(), self.highest.value()
+        limits_moved = (low, high) != (self._motion.lowest, self._motion.highest)
+        limits_moved |= height != "fixed" and self._motion.height == "fixed"
         rising = self._motion.rising
         self._motion = replace(
             self._motion,
             speed_deg_s=self.speed.value(),
             height=height,
             look=look,
-            lowest=self.lowest.value(),
-            highest=self.highest.value(),
+            lowest=low,
+            highest=high,
         )
         if limits_moved and self._start is not None:
             self._motion = self._motion.at(self._start.eye[1], rising=rising)

@@ -49,7 +49,7 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear, Log
-from widgets.parts.section import Rows, Section, TitledRows, quiet
+from widgets.parts.section import QUIET, Rows, Section, TitledRows
 
 _ALL = tuple(PARTS.values())
 
@@ -84,8 +84,7 @@ class Controls(Dock, RowHolder):
         self.setAccessibleName(self.tr("Controls"))
         self.search.textChanged.connect(self._look_for)
         self.search.taken.connect(self._take_match)
-        self._not_here = PlainLabel(wordWrap=True, objectName="paneNote")
-        self._not_here.hide()
+        self._not_here = PlainLabel(wordWrap=True, objectName="paneNote", visible=False)
         self.card = SceneCard()
         self.card.highlighted.connect(self.highlighted)
         self.pass_on(self.card)
@@ -101,13 +100,11 @@ class Controls(Dock, RowHolder):
             self._layout.addWidget(part)
         self._layout.addStretch(1)
         named = self.sections
-        self._fixed = PlainLabel(
-            self.tr(
-                "The objects of this scene are fixed, because its numbers depend on them. You can"
-                " move those of the letter F, the cube, the posts and any mesh."
-            ),
-            wordWrap=True,
+        text = self.tr(
+            "The objects of this scene are fixed, because its numbers depend on them. You can"
+            " move those of the letter F, the cube, the posts and any mesh."
         )
+        self._fixed = PlainLabel(text, wordWrap=True)
         named["object"].add(self._fixed)
         self._bindings: dict[str, Binding] = {}
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
@@ -142,7 +139,7 @@ class Controls(Dock, RowHolder):
             for binding in bindings_of(parameter, rows, memory):
                 self._bindings[binding.parameter.name] = binding
                 rows.add(binding.row)
-        quiet(self._bindings[KIND.name].row.name_label)
+        self._bindings[KIND.name].row.name_label.setObjectName(QUIET)
         for angle in (FOV_Y, FOV_X):
             self._number(angle.name).field.below = 180.0
 
@@ -198,10 +195,8 @@ class Controls(Dock, RowHolder):
     def _disable_camera(self, disabled: bool) -> None:
         """Disable or enable what moves the camera: a typed view matrix has no camera."""
         why = self.tr("No camera has the typed view matrix: undo, or choose a lens.")
-        for part in (
-            *(each.row for each in self._bindings.values() if each.part == "camera"),
-            self.animation,
-        ):
+        rows = [each.row for each in self._bindings.values() if each.part == "camera"]
+        for part in (*rows, self.animation):
             part.setDisabled(disabled)
             set_tip(part, why if disabled else "")
         if disabled:

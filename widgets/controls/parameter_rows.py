@@ -183,7 +183,7 @@ def scale_of(parameter: Parameter) -> Scale:
     return Linear(float(first * fraction), float(last * fraction), step, parts)
 
 
-class SettingMotion(QObject, Playing):
+class SettingMotion(Playing, QObject):
     """Moves a number back and forth between the ends of its slider.
 
     The setting's `per_second` is in its unit, or in powers of ten if it is logarithmic. If
@@ -192,8 +192,6 @@ class SettingMotion(QObject, Playing):
 
     stepped = Signal(float)
     """The next value, once per frame."""
-    started = Signal()
-    paused = Signal()
 
     def __init__(self, setting: Parameter, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -209,15 +207,7 @@ class SettingMotion(QObject, Playing):
 
     def play(self) -> None:
         if not self.playing:
-            self._clock.start()
-            self._show_state()
-            self.started.emit()
-
-    def pause(self) -> None:
-        if self.playing:
-            self._clock.stop()
-            self._show_state()
-            self.paused.emit()
+            self._set_playing(True)
 
     def show_value(self, value: float) -> None:
         """Store the number; if it differs from the last frame's, continue from it."""

@@ -99,8 +99,7 @@ class Readout(QWidget):
         )  # fmt: skip
         self.more.toggled.connect(self._show)
         self.more.hide()
-        self.note = PlainLabel(wordWrap=True)
-        self.note.hide()
+        self.note = PlainLabel(wordWrap=True, visible=False)
         in_column(self._grid, self.note, self.more, on=self, margins=(0, 0, 0, 0), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
         all_digits.changed.connect(self._show)

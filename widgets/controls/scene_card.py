@@ -15,7 +15,7 @@ from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QHelpEvent, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.parameter import Parameter, Value
@@ -30,7 +30,7 @@ from widgets.controls.readout import Readout, full_sentence
 from widgets.parts.buttons import tool_button
 from widgets.parts.fields import ChoiceRow, Row, RowHolder, report_highlight
 from widgets.parts.icons import RefusalLabel
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, discard, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena, read_text, sentence
 from widgets.parts.note import Balanced
 from widgets.parts.number_rows import NumberRow
@@ -54,16 +54,10 @@ class SceneCard(QWidget, RowHolder):
 
     settings_edited = Signal(object)
     """The user or a motion set these values, by the names of the settings."""
-    mesh_wanted = Signal()
-    """The user wants to replace the scene's objects with a mesh."""
-    mesh_removed = Signal()
-    """The user wants the scene's own objects back."""
     comparison_wanted = Signal(str)
     """The user wants to see this comparison of the scene."""
     highlighted = Signal(str, object)
     """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
-    explanation_wanted = Signal()
-    """The user wants to see the explanation and the diagrams of the scene."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -94,16 +88,16 @@ class SceneCard(QWidget, RowHolder):
         self.use_mesh = tool_button(
             self.tr("My mesh…"),
             self.tr("Replace the scene's own objects with a mesh from a file"),
-            self.mesh_wanted, name=self.tr("My mesh"), by_click=True,
+            name=self.tr("My mesh"), by_click=True,
         )  # fmt: skip
         self.remove_mesh = tool_button(
             self.tr("Own objects"), self.tr("Restore the scene's own objects"),
-            self.mesh_removed, name=self.tr("Own objects"), by_click=True,
+            name=self.tr("Own objects"), by_click=True,
         )  # fmt: skip
         self.explanation = tool_button(
             self.tr("Explanation…"),
             self.tr("Show what the scene is about, its lectures and its diagrams, below the panes"),
-            self.explanation_wanted, name=self.tr("Explanation and diagrams"), by_click=True,
+            name=self.tr("Explanation and diagrams"), by_click=True,
         )  # fmt: skip
         self.comparisons: list[QToolButton] = []
         self._offered: dict[QWidget, bool] = {}
@@ -269,7 +263,7 @@ class SceneCard(QWidget, RowHolder):
         self.take_back()
         for row in self.rows.values():
             row.blockSignals(True)  # a number typed for the previous scene is not one of this one
-        _remove(self._rows, self.rows.values())
+        discard(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
             row = make_row(setting, none=self.tr("none of these"))
@@ -285,7 +279,7 @@ class SceneCard(QWidget, RowHolder):
         self._why_not, self._without_effect = {}, set()
 
     def _offer_comparisons(self, comparisons: Iterable[Comparison]) -> None:
-        _remove(self._compares, self.comparisons)
+        discard(self._compares, self.comparisons)
         self.comparisons = []
         for comparison in comparisons:
             names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
@@ -310,8 +304,8 @@ class SceneCard(QWidget, RowHolder):
         motion = SettingMotion(setting, self)
         self.motions[setting.name] = motion
         motion.stepped.connect(partial(self._played, setting.name))
-        motion.started.connect(partial(self._play_started, motion))
-        motion.paused.connect(self.gesture_finished)
+        motion.gesture_started.connect(partial(self._play_started, motion))
+        motion.gesture_finished.connect(self.gesture_finished)
         row.put_beside(motion.button)
 
     def _play_started(self, motion: SettingMotion) -> None:
@@ -428,10 +422,3 @@ class SceneCard(QWidget, RowHolder):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange and hasattr(self, "title"):
             self._dress()
-
-
-def _remove(layout: QVBoxLayout, widgets: Iterable[QWidget]) -> None:
-    for widget in widgets:
-        layout.removeWidget(widget)
-        widget.hide()
-        widget.deleteLater()

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QSize
 
-from app.drawings.style import LIGHT, Style
+from app.drawings.style import Style
 from app.scenes.phenomena.diagram import Diagram
 from widgets.parts.diagram import DiagramView
 from widgets.parts.readable import ReadablePanel
@@ -20,7 +20,6 @@ class DiagramPanel(ReadablePanel):
     def __init__(self) -> None:
         super().__init__()
         self.diagrams: list[DiagramView] = []
-        self._style = LIGHT
 
     def minimumSizeHint(self) -> QSize:
         return QSize(min(super().minimumSizeHint().width(), LEAST_WINDOW_PX), 80)

@@ -225,7 +225,6 @@ class FramePanel(Panel):
         self._show_playing()
 
     def pause(self) -> None:
-        """Stop playing."""
         self._timer.stop()
         self._show_playing()
 
@@ -268,10 +267,9 @@ class FramePanel(Panel):
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        before, self._projection = self._projection, shown.projection
-        if before.camera != shown.projection.camera or (
-            before.has_camera != shown.projection.has_camera
-        ):
+        before, now = self._projection, shown.projection
+        self._projection = now
+        if (before.camera, before.has_camera) != (now.camera, now.has_camera):
             self._refresh()
 
     def _refresh(self) -> None:
@@ -293,15 +291,13 @@ class FramePanel(Panel):
         self.angle.setValue(tidy(up.angle_deg))
         if not self.angle.in_hand:
             self.angle.clear_error()
-        self.figures.setText(
-            self.tr(
-                "Angle of {3} and view direction: {0}°\n|{3} × {4}| = {1}\n"
-                "An error in {3} is {2} times as large in u and v."
-            ).format(
-                *map(read_text, (up.angle_deg, up.length, up.magnified)),
-                *(frame_letters(lettering.now)[name] for name in ("up", "n")),
-            )
+        text = self.tr(
+            "Angle of {3} and view direction: {0}°\n|{3} × {4}| = {1}\n"
+            "An error in {3} is {2} times as large in u and v."
         )
+        numbers = map(read_text, (up.angle_deg, up.length, up.magnified))
+        letters = frame_letters(lettering.now)
+        self.figures.setText(text.format(*numbers, letters["up"], letters["n"]))
         off_deg = min(up.angle_deg, 180.0 - up.angle_deg)
         text = ""
         if off_deg <= CLOSE_DEG:

@@ -243,7 +243,6 @@ class KindsPanel(ReadablePanel):
         super().__init__()
         self.setAccessibleName(self.tr("Kinds of projection"))
         self._shown: ShownData | None = None
-        self._style = LIGHT
         self._pointed = ""
         self._tree = _Tree()
         self.nodes = self._tree.nodes
@@ -263,10 +262,6 @@ class KindsPanel(ReadablePanel):
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
             self._fit()
-
-    def set_style(self, style: Style) -> None:
-        self._style = style
-        self._readable.changed()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown
@@ -322,12 +317,10 @@ class KindsPanel(ReadablePanel):
         if factors is None:
             text = self.tr("No scale factors: things farther away are drawn smaller.")
         else:
-            drawn = (
-                self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")
-                if is_so
-                else self.tr("A unit would be drawn {0} long along x, {1} along y, {2} along z.")
-            )
-            text = drawn.format(*map(read_text, factors))
+            text = self.tr("A unit would be drawn {0} long along x, {1} along y, {2} along z.")
+            if is_so:
+                text = self.tr("A unit is drawn {0} long along x, {1} along y, {2} along z.")
+            text = text.format(*map(read_text, factors))
         document = replace(self._shown.document, projection=projection)
         illustration = ShownData.of(document, self._shown.scene).illustration
         if illustration is not None and illustration.warning is not None:

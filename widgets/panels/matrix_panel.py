@@ -18,7 +18,6 @@ from PySide6.QtGui import QGuiApplication, QShowEvent
 from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
-from app.drawings.style import LIGHT, Style
 from app.lecture.copying import as_latex, as_numpy, as_text
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import LETTERS, Letters
@@ -94,7 +93,6 @@ class MatrixPanel(ReadablePanel):
         self._highlight = NOTHING
         self._projection: Projection | None = None
         self._before: Projection | None = None
-        self._style = LIGHT
         self._plan: object = None
         self._unfolded: set[str] = set()
         self._speaker: MatrixView | None = None  # the view whose cell is explained
@@ -105,17 +103,17 @@ class MatrixPanel(ReadablePanel):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        self.cells = self._choice(
+        self.cells = Combo(
             self.tr("Cells"), self.tr("What each cell shows"),
             ((self.tr("Numbers"), "numbers"), (self.tr("Formulas"), "formulas")),
         )  # fmt: skip
-        self.vectors = self._choice(
+        self.vectors = Combo(
             self.tr("Vectors"),
             self.tr("Points as columns, right of the matrix, or as rows, left of it; rows "
                     "transpose every matrix and reverse every product"),
             ((self.tr("Column vectors"), "columns"), (self.tr("Row vectors"), "rows")),
         )  # fmt: skip
-        self.letters = self._choice(
+        self.letters = Combo(
             self.tr("Letters"),
             self.tr("The lecture whose letters the formulas use; vectors are bold; lecture "
                     "002 has its own signs too"),
@@ -132,6 +130,8 @@ class MatrixPanel(ReadablePanel):
             if letters != "own":
                 tip = self.tr("Those of lecture {0}").format(letters)
                 self.letters.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
+        for box in (self.cells, self.vectors, self.letters):
+            box.currentIndexChanged.connect(self._readable.changed)
         self.letters.currentIndexChanged.connect(lambda _: self.letters_changed.emit(self._letters))
         self.running = QCheckBox(self.tr("Running products"))
         set_tip(
@@ -156,11 +156,6 @@ class MatrixPanel(ReadablePanel):
         bar = in_row(self.cells, self.vectors, self.letters, self.running, FREE, self.copy)
         parts = (bar, (self._row, 1), self.explanation)
         in_column(*parts, on=self, margins=(2, 0, 2, 2), gap=2)
-
-    def _choice(self, name: str, tip: str, choices: Sequence[tuple[str, str]]) -> Combo:
-        box = Combo(name, tip, choices)
-        box.currentIndexChanged.connect(self._readable.changed)
-        return box
 
     @property
     def _letters(self) -> Letters:
@@ -315,10 +310,6 @@ class MatrixPanel(ReadablePanel):
         self._projection = projection
         if not self.isVisible():
             self._before = None
-        self._readable.changed()
-
-    def set_style(self, style: Style) -> None:
-        self._style = style
         self._readable.changed()
 
     def changeEvent(self, event: QEvent) -> None:

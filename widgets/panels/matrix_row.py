@@ -34,8 +34,7 @@ class MatrixBox(QWidget):
         super().__init__()
         self.name = matrix.name
         self._title = PlainLabel(objectName="paneTitle")
-        self._note = PlainLabel(objectName="paneNote")
-        self._note.hide()
+        self._note = PlainLabel(objectName="paneNote", visible=False)
         fold = self._fold = tool_button(
             "", self.tr("Show the factors of this matrix"),
             name=self.tr("Factors of {0}").format(stage_title(matrix.name)),

@@ -78,13 +78,11 @@ class ProbePanel(ReadablePanel):
             label = PlainLabel(name)
             label.setBuddy(field)
             parts += label, (field, 1)
-        set_tip(
-            self.fields[3],
-            self.tr(
-                "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
-                " x, y, z; with any other w the point is (x/w, y/w, z/w)"
-            ),
+        tip = self.tr(
+            "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
+            " x, y, z; with any other w the point is (x/w, y/w, z/w)"
         )
+        set_tip(self.fields[3], tip)
         tip = self.tr("Keep this probe: the next click makes another one")
         self.pin = push_button(self.tr("Pin"), tip, self._pin_clicked)
         self.pin.setCheckable(True)
@@ -94,13 +92,11 @@ class ProbePanel(ReadablePanel):
         self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
         line = in_row(*parts, self.pin, self._remove, self._clear)
         self.error = RefusalLabel()
-        self._hint = PlainLabel(
-            self.tr(
-                "Click a point in any pane to follow it from the world to its pixel; click "
-                "an empty place in the image for the ray of that pixel."
-            ),
-            wordWrap=True,
+        text = self.tr(
+            "Click a point in any pane to follow it from the world to its pixel; click "
+            "an empty place in the image for the ray of that pixel."
         )
+        self._hint = PlainLabel(text, wordWrap=True)
         column = (line, self.error, self._hint, (self.table, 1))
         in_column(*column, on=self, margins=(4, 0, 4, 2), gap=2)
 

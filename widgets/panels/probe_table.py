@@ -174,7 +174,6 @@ class ProbeTable(QTableView):
             widest = max(typeset(formula, font).width for _, formula in content.lines)
             self.setColumnWidth(0, math.ceil(widest) + 2 * digit)
         spans: list[tuple[int, int]] = []
-        words_px: list[int] = []
         for i, lines in enumerate(content.blocks):
             first = 1 + _PARTS * i
             lengths: list[list[int]] = [[] for _ in range(_PARTS)]
@@ -186,21 +185,19 @@ class ProbeTable(QTableView):
                     continue
                 for part, cell in enumerate(line):
                     lengths[part].append(len(_text(row, cell, read_text)))
-            words_px.append(words + 2 * digit)
             for column, column_lengths in enumerate(lengths, first):
                 width = digit * (max(column_lengths, default=4) + 2)
                 if anew or width > self.columnWidth(column):
                     self.setColumnWidth(column, width)
+            block = range(first, first + _PARTS)
+            missing = words + 2 * digit - sum(map(self.columnWidth, block))
+            for column in block if missing > 0 else ():
+                self.setColumnWidth(column, self.columnWidth(column) + math.ceil(missing / _PARTS))
         if spans != self._spans:
             self.clearSpans()
             for row, column in spans:
                 self.setSpan(row, column, 1, _PARTS)
             self._spans = spans
-        for i, words in enumerate(words_px):
-            block = range(1 + _PARTS * i, 1 + _PARTS * (i + 1))
-            missing = words - sum(map(self.columnWidth, block))
-            for column in block if missing > 0 else ():
-                self.setColumnWidth(column, self.columnWidth(column) + math.ceil(missing / _PARTS))
 
     def _copy(self) -> None:
         """Copy the selected cells, with tabs between the columns."""

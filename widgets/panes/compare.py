@@ -62,13 +62,11 @@ class Divider(QWidget):
         self.setCursor(Qt.CursorShape.SplitHCursor)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName(self.tr("Divider between two pictures"))
-        set_tip(
-            self,
-            self.tr(
-                "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
-                "ends the comparison"
-            ),
+        tip = self.tr(
+            "Drag it, or press ← → (with Shift for finer steps), Home or End; Esc "
+            "ends the comparison"
         )
+        set_tip(self, tip)
         FocusRing(self)
 
     def mouseMoveEvent(self, event: QMouseEvent) -> None:
@@ -107,7 +105,6 @@ class Divider(QWidget):
             painter.drawPolygon(
                 QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
             )
-        painter.end()
 
 
 class _Other(QWidget):
@@ -131,11 +128,10 @@ class _Other(QWidget):
         self.pane.canvas.setMinimumSize(1, 1)
         self.pane.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.pane.setParent(self)
-        self.why = PlainLabel(parent=self)
-        self.why.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self.why.setWordWrap(True)
-        self.why.setAutoFillBackground(True)
-        self.why.hide()
+        self.why = PlainLabel(
+            parent=self, wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter,
+            autoFillBackground=True, visible=False,
+        )  # fmt: skip
         """Says why there is no such picture."""
         self.shown: ShownData | None = None
 

@@ -36,10 +36,9 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.layouts import put_beside
 from widgets.parts.messages import read_text
+from widgets.parts.note import BesideLabel
 from widgets.parts.panel import Changed, ShownData
-from widgets.parts.plain import PlainLabel
 from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
@@ -85,11 +84,7 @@ class Cursor(QObject):
         self._away = QPointF()
         self._why_closed = ""
         self._ring = _Ring(pane.canvas)
-        self._label = PlainLabel(parent=pane.canvas, wordWrap=True, margin=3)
-        self._label.setObjectName("cursorLabel")
-        self._label.setAutoFillBackground(True)
-        self._label.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self._label.hide()
+        self._label = BesideLabel(pane.canvas, "cursorLabel")
         pane.hand.dropped.connect(self.let_go)
         all_digits.changed.connect(self._follow)
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._focus_moved)
@@ -321,7 +316,7 @@ class Cursor(QObject):
             self._label.setText(text)
         self._label.setVisible(bool(text))
         if text:
-            put_beside(self._label, around, self._ring.radius + _GAP_PX if spot is not None else 0)
+            self._label.put_beside(around, self._ring.radius + _GAP_PX if spot is not None else 0)
 
     def _speak(self) -> None:
         self._follow()
@@ -365,4 +360,3 @@ class _Ring(QWidget):
         for brush, width_px in ((palette.base(), rim_px), (palette.text(), line_px)):
             painter.setPen(QPen(brush.color(), width_px))
             painter.drawEllipse(middle, radius, radius)
-        painter.end()

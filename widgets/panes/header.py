@@ -26,13 +26,10 @@ class Header(QWidget):
         self._is_for_class = False
         self._title_bar = in_row(self.title, self.note, on=self, margins=(8, 2, 2, 2))
         self._tool_bar = in_row(*tools, on=self.tools, margins=(8, 2, 2, 2))
-        set_tip(
-            self,
-            self.tr(
-                "Double-click to enlarge this pane, again for the whole window, and again to"
-                " go back"
-            ),
+        tip = self.tr(
+            "Double-click to enlarge this pane, again for the whole window, and again to go back"
         )
+        set_tip(self, tip)
 
     def add(self, widget: QWidget, narrow: QWidget) -> None:
         """Put a widget beside the title, and `narrow` in its place where it does not fit."""

@@ -46,7 +46,6 @@ from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.gestures import Gestures
-from widgets.parts.layouts import put_beside
 from widgets.parts.messages import (
     field_name,
     of_phenomena,
@@ -55,9 +54,10 @@ from widgets.parts.messages import (
     seen_from,
     sentence,
 )
+from widgets.parts.note import BesideLabel
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
-from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.plain import set_tip
 
 HOLD_WITHIN_PX = 12.0
 """Greatest distance from a probe's mark at which a drag takes hold of it."""
@@ -88,12 +88,8 @@ class Manipulation(Gestures, QObject):
         self._in_gesture = False
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._put_back)
-        self.line = PlainLabel(parent=self._pane.canvas, wordWrap=True, margin=3)
+        self.line = BesideLabel(self._pane.canvas, "heldLine")
         """The value of what is dragged, or the present refusal, beside the thing."""
-        self.line.setObjectName("heldLine")
-        self.line.setAutoFillBackground(True)
-        self.line.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
-        self.line.hide()
         self._quiet = QTimer(self, singleShot=True, interval=QUIET_MS)
         self._quiet.timeout.connect(self._finish)
         for name, pane in panes.items():
@@ -209,7 +205,7 @@ class Manipulation(Gestures, QObject):
             around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
         self.line.setParent(canvas)
         self.line.setText(text)
-        put_beside(self.line, around, _APART_PX, above=True)
+        self.line.put_beside(around, _APART_PX, above=True)
         self.line.show()
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:

@@ -171,9 +171,9 @@ class Pane(QFrame):
         sides = Qt.AlignmentFlag
         for bar, side in ((self.header, sides.AlignLeft), (self.header.tools, sides.AlignRight)):
             self._column.addWidget(bar, 0, 0, sides.AlignTop | side)  # on the picture
-        self._cover = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
-        self._cover.setAutoFillBackground(True)
-        self._cover.hide()
+        self._cover = PlainLabel(
+            wordWrap=True, alignment=sides.AlignCenter, autoFillBackground=True, visible=False
+        )
         self._column.addWidget(self._cover, 0, 0)
         self._cover.stackUnder(self.header)
 

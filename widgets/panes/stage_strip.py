@@ -25,7 +25,6 @@ from app.scenes.phenomena.readout import digits_apart
 from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
-from widgets.parts.gestures import Gestures
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
@@ -68,7 +67,7 @@ class _StopsSlider(HeldSlider):
         super().mousePressEvent(event)
 
 
-class StageStrip(QWidget, Playing, Gestures):
+class StageStrip(QWidget, Playing):
     """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
@@ -107,13 +106,10 @@ class StageStrip(QWidget, Playing, Gestures):
         self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
         self.slider.setAccessibleName(self.tr("Stage"))
-        set_tip(
-            self.slider,
-            self.tr(
-                "From the world through all stages to the picture; the arrow keys go from stop to"
-                " stop"
-            ),
+        tip = self.tr(
+            "From the world through all stages to the picture; the arrow keys go from stop to stop"
         )
+        set_tip(self.slider, tip)
         self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
         self.slider.grasped.connect(self._grasped)
@@ -135,7 +131,7 @@ class StageStrip(QWidget, Playing, Gestures):
         in_row(self.button, (self._columns, 1), on=self, margins=(4, 2, 4, 2), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         self._name_stops()
-        self._show_playing()
+        self._show_state()
         self.stops[NDC].setChecked(True)
         lettering.changed.connect(self._emit_title)
 
@@ -193,21 +189,18 @@ class StageStrip(QWidget, Playing, Gestures):
             set_tip(button, tip)
 
     def _title(self) -> str:
-        titles = (
-            self.tr("World"),
-            self.tr("View"),
-            self.tr("Canonical parallel") if self._parallel else self.tr("Canonical perspective"),
-            self.tr("Canonical parallel"),
-            self.tr("NDC cube"),
-            self.tr("Image"),
-        )
+        parallel = self.tr("Canonical parallel")
+        titles = {
+            CANONICAL_PERSPECTIVE: parallel if self._parallel else self.tr("Canonical perspective"),
+            CANONICAL_PARALLEL: parallel, NDC: self.tr("NDC cube"),
+        }  # fmt: skip
         if self._free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
-            return titles[self.stop]
+            return titles.get(self.stop, self._names[self.stop][0])
         before = math.floor(self._at)
         if self._parallel and before == CANONICAL_PERSPECTIVE:  # where nothing moves
-            return titles[CANONICAL_PARALLEL]
+            return parallel
         if self._parallel and before == CANONICAL_PARALLEL:
             return f"{self._names[before][0]} → {self._names[NDC][0]}"
         return f"{self._name(before)[0]} → {self._name(before + 1)[0]}"
@@ -247,19 +240,10 @@ class StageStrip(QWidget, Playing, Gestures):
         """Run from here to the picture with a rest at each stop; from the end, run all stages."""
         if self.playing or self.isHidden():
             return
-        self._clock.start()
-        self.gesture_started.emit()
-        self._show_playing()
+        self._set_playing(True)
         if self._at >= IMAGE:
             self._stand_at(float(WORLD))
         self._rest_s = 0.0
-
-    def pause(self) -> None:
-        """Stop; playing again goes on from here."""
-        if self.playing:
-            self._clock.stop()
-            self._show_playing()
-            self.gesture_finished.emit()
 
     def advance(self, seconds: float) -> None:
         """Run for some seconds; while paused, do nothing."""
@@ -313,7 +297,7 @@ class StageStrip(QWidget, Playing, Gestures):
             button.setChecked(stop == self._at)
         self._emit_title()
 
-    def _show_playing(self) -> None:
+    def _show_state(self) -> None:
         self._name_button(
             self.tr("{0} the stages"),
             self.tr("Run through all stages to the picture, resting at each."),

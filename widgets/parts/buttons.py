@@ -24,9 +24,9 @@ def tool_button(
 ) -> QToolButton:
     """Make a tool button; `act` is a function or a signal.
 
-    `icon` is a name in `widgets.parts.icons`, and `name` is for screen readers, if the text does
-    not say it. A `flat` button has a frame only under the mouse. With `by_click` a click gives it
-    the keyboard's focus, as Tab does.
+    `icon` is a name in `widgets.parts.icons`, and `name` is for screen readers, if neither the text
+    nor the tip of an icon alone says it. A `flat` button has a frame only under the mouse. With
+    `by_click` a click gives it the keyboard's focus, as Tab does.
     """
     made = QToolButton(autoRaise=flat)
     if icon:
@@ -36,7 +36,7 @@ def tool_button(
     if by_click:
         made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
     made.setCheckable(checkable)
-    return _filled(made, text, tip, act, name)
+    return _filled(made, text, tip, act, name or (tip if icon and not text else ""))
 
 
 def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:

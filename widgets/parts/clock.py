@@ -5,6 +5,7 @@ from abc import abstractmethod
 from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QToolButton
 
+from widgets.parts.gestures import Gestures
 from widgets.parts.icons import show_icon
 from widgets.parts.plain import set_tip
 
@@ -49,8 +50,8 @@ class Clock(QObject):
             self._timer.start()
 
 
-class Playing:
-    """Something that plays while its clock runs."""
+class Playing(Gestures):
+    """Something that plays while its clock runs, which is one gesture."""
 
     _clock: Clock
     button: QToolButton
@@ -79,6 +80,16 @@ class Playing:
     def play(self) -> None:
         """Continue from here."""
 
-    @abstractmethod
     def pause(self) -> None:
-        """Stop here."""
+        """Stop; playing again goes on from here."""
+        if self.playing:
+            self._set_playing(False)
+
+    def _set_playing(self, on: bool) -> None:
+        (self._clock.start if on else self._clock.stop)()
+        self._show_state()
+        (self.gesture_started if on else self.gesture_finished).emit()
+
+    @abstractmethod
+    def _show_state(self) -> None:
+        """Show whether it plays."""

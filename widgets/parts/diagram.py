@@ -5,10 +5,9 @@
 """
 
 import math
-from functools import partial
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, QSizeF, Qt, Signal, SignalInstance
+from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, QSizeF, Qt, Signal
 from PySide6.QtGui import QAction, QHelpEvent, QImage, QMouseEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -52,7 +51,7 @@ class DiagramView(QWidget):
         ):
             action = QAction(text, self)
             action.setEnabled(False)  # without a diagram
-            action.triggered.connect(partial(self._want, wanted))
+            action.triggered.connect(lambda _on=False, to=wanted: to.emit(self.picture()))
             self.addAction(action)
 
     def sizeHint(self) -> QSize:
@@ -78,9 +77,6 @@ class DiagramView(QWidget):
         """Use other colours and widths; sizes are in device pixels, as for the panes."""
         self._style = style
         self.update()
-
-    def _want(self, wanted: SignalInstance, _checked: bool = False) -> None:
-        wanted.emit(self.picture())
 
     def picture(self) -> QImage:
         """Return the diagram for print: dark on white, and finer than the screen."""
@@ -175,4 +171,3 @@ class DiagramView(QWidget):
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight(), 2.0))
             painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
-        painter.end()

@@ -99,9 +99,6 @@ class DiagramPainter:
             np.column_stack([self._across.unit(points[:, 0]), self._up.unit(points[:, 1])])
         )
 
-    def spots_px(self) -> Floats:
-        return self.to_px(np.array([(s.x, s.y) for s in self._diagram.spots]).reshape(-1, 2))
-
     def _places(self, points: Floats) -> Floats:
         """Convert points of the unit square, (..., 2), to pixels."""
         frame = self.frame
@@ -280,7 +277,8 @@ class DiagramPainter:
         spots = self._diagram.spots
         if not spots:
             return
-        metrics, radius, points = QFontMetricsF(self._small), self._radius, self.spots_px()
+        metrics, radius = QFontMetricsF(self._small), self._radius
+        points = self.to_px(np.array([(spot.x, spot.y) for spot in spots]))
         painter.setFont(self._small)
         shown = np.isfinite(points).all(axis=1)
         widths = [metrics.horizontalAdvance(spot.name) for spot in spots]

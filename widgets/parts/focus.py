@@ -114,4 +114,3 @@ class FocusRing(QWidget):
         painter, half = QPainter(self), RING_PX // 2
         painter.setPen(QPen(self.palette().highlight().color(), RING_PX))
         painter.drawRect(self.rect().adjusted(half, half, -half, -half))
-        painter.end()

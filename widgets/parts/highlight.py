@@ -68,7 +68,6 @@ class TintedWidget(OfWidget):
     is_marked = False
 
     def set_marked(self, marked: bool) -> None:
-        """Tint the widget, or remove the tint."""
         if marked != self.is_marked:
             self.is_marked = marked
             self.update()
@@ -78,7 +77,6 @@ class TintedWidget(OfWidget):
         if self.is_marked:
             painter = QPainter(self)
             paint_highlight(self, painter, QRectF(self.rect()))
-            painter.end()
 
 
 class MarkedLabel(TintedWidget, PlainLabel):

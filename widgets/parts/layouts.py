@@ -1,8 +1,9 @@
 """Functions that make rows and columns of widgets, and paint them at once."""
 
+from collections.abc import Iterable
 from typing import TypeAlias, TypeVar
 
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt
+from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import (
     QBoxLayout,
     QFrame,
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import (
 )
 
 from widgets.parts.focus import FocusRing
-from widgets.parts.plain import PlainLabel
 
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
 """A part of a line: a widget or a layout, alone or with its stretch or alignment; a gap in pixels;
@@ -82,6 +82,14 @@ def _filled(
     return line
 
 
+def discard(line: QLayout, widgets: Iterable[QWidget]) -> None:
+    """Take widgets out of a line; they are hidden at once, and deleted later."""
+    for widget in widgets:
+        line.removeWidget(widget)
+        widget.hide()
+        widget.deleteLater()
+
+
 def scrolled(inside: QWidget, name: str) -> QScrollArea:
     """Put a widget into a scroll area, named for screen readers."""
     area = QScrollArea(widgetResizable=True)
@@ -97,20 +105,3 @@ def paint_now(widget: QWidget) -> None:
     for _ in range(2):  # the stage strip has other rows in another width
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     widget.repaint()
-
-
-def put_beside(label: PlainLabel, around: QPoint, apart: int, *, above: bool = False) -> None:
-    """Place a label beside a place in its parent, below or above it, and inside the parent."""
-    room = label.parentWidget() or label.window()
-    frame = 2 * label.margin() + 2
-    wanted = label.fontMetrics().horizontalAdvance(label.text()) + frame
-    width = min(wanted, room.width())
-    height = label.heightForWidth(width)
-    x, y = around.x() + apart, around.y() + apart
-    if x + width > room.width():
-        x = max(0, min(around.x() - apart, room.width()) - width)
-    higher = around.y() - apart - height
-    if y + height > room.height() or (above and higher >= 0):
-        y = min(higher, room.height() - height)
-    label.setGeometry(max(0, x), max(0, y), width, height)
-    label.raise_()

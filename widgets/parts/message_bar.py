@@ -37,7 +37,7 @@ class MessageBar(QFrame):
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
         tip = self.tr("Dismiss this message")
-        self._close = tool_button("", tip, self._dismiss, icon="close", name=tip, flat=True)
+        self._close = tool_button("", tip, self._dismiss, icon="close", flat=True)
         self._line = in_row((self._text, 1), self._close, on=self, margins=(10, 4, 4, 4))
         self.hide()
 

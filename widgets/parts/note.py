@@ -1,10 +1,10 @@
-"""Labels: an elided line, and lines of about equal length."""
+"""Labels: an elided line, lines of about equal length, and a line beside a place."""
 
 from bisect import bisect_left
 
-from PySide6.QtCore import QEvent, QPointF, QRect, QSize, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
-from PySide6.QtWidgets import QSizePolicy
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
 
@@ -109,7 +109,6 @@ class Balanced(PlainLabel):
             else:
                 painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
             top += needed
-        painter.end()
 
     def _paint_subscripts(
         self, painter: QPainter, left: int, top: int, width: int, text: str
@@ -122,3 +121,29 @@ class Balanced(PlainLabel):
         palette = QPalette(self.palette())
         palette.setColor(QPalette.ColorRole.Text, painter.pen().color())
         document.paint(painter, QPointF(left, top), palette)
+
+
+class BesideLabel(PlainLabel):
+    """A text beside a place in its parent, which lets the mouse through."""
+
+    def __init__(self, parent: QWidget, name: str) -> None:
+        super().__init__(
+            parent=parent, objectName=name, wordWrap=True, margin=3, autoFillBackground=True,
+            visible=False,
+        )  # fmt: skip
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def put_beside(self, around: QPoint, apart: int, *, above: bool = False) -> None:
+        """Lie beside a place, below or above it, and inside the parent."""
+        room = self.parentWidget() or self.window()
+        frame = 2 * self.margin() + 2
+        width = min(self.fontMetrics().horizontalAdvance(self.text()) + frame, room.width())
+        height = self.heightForWidth(width)
+        x, y = around.x() + apart, around.y() + apart
+        if x + width > room.width():
+            x = max(0, min(around.x() - apart, room.width()) - width)
+        higher = around.y() - apart - height
+        if y + height > room.height() or (above and higher >= 0):
+            y = min(higher, room.height() - height)
+        self.setGeometry(max(0, x), max(0, y), width, height)
+        self.raise_()

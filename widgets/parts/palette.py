@@ -79,7 +79,6 @@ QToolBar QToolButton#presentButton {{ color: {HighlightedText}; background: {Hig
     border: 0px; border-radius: 4px; padding: 4px 8px; }}
 """
 
-
 _GROWING = """
 QSlider:horizontal {{ min-height: {slider:.0f}px; }}
 QSlider::groove:horizontal {{ height: {groove:.0f}px; border-radius: {half_groove:.0f}px;

@@ -19,6 +19,7 @@ from PySide6.QtCore import QObject, QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
+from app.drawings.style import LIGHT, Style
 from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits
 
@@ -36,10 +37,7 @@ class Readable(QObject):
     """
 
     def __init__(
-        self,
-        widget: QWidget,
-        show: Callable[[], None],
-        is_seen: Callable[[], bool] | None = None,
+        self, widget: QWidget, show: Callable[[], None], is_seen: Callable[[], bool] | None = None
     ) -> None:
         super().__init__(widget)
         self._show, self._is_seen = show, is_seen or widget.isVisible
@@ -103,11 +101,16 @@ class ReadablePanel(Panel):
     def __init__(self) -> None:
         super().__init__()
         self._readable = Readable(self, self._fill)
+        self._style = LIGHT
         all_digits.changed.connect(self._readable.changed)
 
     @abstractmethod
     def _fill(self) -> None:
         """Show all current values."""
+
+    def set_style(self, style: Style) -> None:
+        self._style = style
+        self._readable.changed()
 
     def begin_gesture(self) -> None:
         self._readable.begin_gesture()

@@ -31,7 +31,6 @@ def ask_where(parent: QWidget, title: str, proposed: str, kinds: str, ending: st
 
 
 def png_of(picture: QImage | QPixmap) -> bytes:
-    """Return the content of a PNG file."""
     buffer = QBuffer()
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
     picture.save(buffer, "PNG")  # type: ignore[call-overload]

@@ -13,6 +13,8 @@ from widgets.parts.plain import PlainLabel, set_tip
 
 GAP_PX = 6
 """Between the rows."""
+QUIET = "quietTitle"
+"""The name of quiet titles in the application's style sheet."""
 
 
 class Rows(QWidget):
@@ -43,8 +45,7 @@ class Rows(QWidget):
 
     def add_title(self, text: str) -> None:
         """Add a quiet title of the rows that follow."""
-        title = PlainLabel(text)
-        quiet(title)
+        title = PlainLabel(text, objectName=QUIET)
         self._titles.append(title)
         self.add(title)
 
@@ -67,13 +68,8 @@ class TitledRows(Rows):
 
     def __init__(self, title: str) -> None:
         super().__init__()
-        self.title = PlainLabel(title)
-        quiet(self.title)
+        self.title = PlainLabel(title, objectName=QUIET)
         self._column.insertWidget(0, self.title)
-
-
-def quiet(label: PlainLabel) -> None:
-    label.setObjectName("quietTitle")  # for the application's style sheet
 
 
 class Section(Rows):
@@ -124,7 +120,6 @@ class Section(Rows):
         self.set_open(not self.is_open)
 
     def set_open(self, is_open: bool) -> None:
-        """Fold or unfold."""
         self._is_open = is_open
         self._show()
 

@@ -180,7 +180,6 @@ def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset
 
 
 def below(lines: Sequence[Typeset], font: QFont) -> Typeset:
-    """Lay out lines below each other."""
     placed, y, room = [], 0.0, BETWEEN_ROWS * QFontMetricsF(font).height()
     for number, line in enumerate(lines):
         y += line.ascent + lines[number - 1].descent + room if number else 0.0
@@ -426,4 +425,3 @@ class TypesetLabel(MarkedLabel):
         painter.restore()
         if self.cell is None and self.is_marked:
             paint_highlight(self, painter, QRectF(self.rect()))
-        painter.end()

@@ -89,11 +89,9 @@ class _HandoutSheet:
             is_kept = bool(after) and (
                 not self._answers or isinstance(after, StepFigure | EquationTables | PanelNumbers)
             )
-            for block in blocks[:-1]:
-                block.kept = (
-                    block.kept or is_kept or isinstance(each, EquationTables | PanelNumbers)
-                )
-            blocks[-1].kept = blocks[-1].kept or is_kept
+            is_table = isinstance(each, EquationTables | PanelNumbers)
+            for block in blocks:
+                block.kept |= is_kept or (is_table and block is not blocks[-1])
             yield from blocks
 
     def _blocks(self, content: Content) -> Iterator[PageBlock]:
@@ -107,7 +105,7 @@ class _HandoutSheet:
         elif isinstance(content, Heading):
             yield paper.text(content.text, self._width, TITLE_PT, title=True)
         elif isinstance(content, ToWrite):
-            yield self._lines(LINES_BELOW * RULE_PT)
+            yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
         else:
             yield paper.text(content, self._width, TEXT_PT)
 
@@ -124,7 +122,7 @@ class _HandoutSheet:
             yield figure
             yield from self._below(texts, note)
             if not self._answers:
-                yield self._lines(LINES_BELOW * RULE_PT)
+                yield paper.ruled(self._width, LINES_BELOW * RULE_PT)
             return
         beside, most = list[PageBlock](), COLUMN_OVER * figure.height
         if not self._answers:
@@ -150,9 +148,6 @@ class _HandoutSheet:
         yield from (paper.text(text, self._width, TEXT_PT) for text in texts)
         if note:
             yield paper.text(note, self._width, NOTE_PT, left=NOTE_INDENT_PT)
-
-    def _lines(self, height: float) -> PageBlock:
-        return paper.ruled(self._width, height)
 
 
 def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:

@@ -142,7 +142,6 @@ def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageB
 
 
 def below(figure: PageBlock, caption: PageBlock) -> PageBlock:
-    """A figure, and a line of text below it."""
 
     def paint(painter: QPainter, part: QRectF) -> None:
         figure.paint(painter, part)

@@ -31,8 +31,7 @@ class ErrorReport(QDialog):
         """The errors since the report was closed."""
         self._sentence, self._place = (
             PlainLabel(
-                wordWrap=True,
-                textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse,
+                wordWrap=True, textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse
             )
             for _ in range(2)
         )

@@ -69,13 +69,9 @@ class Actions(QObject):
         super().__init__(window)
         self._window, self._files = window, files
         self._slots, self._panes = slots, panes
-        self.scene_titles = {
-            name: of_phenomena(title)
-            for name, title in (
-                *((name, words.title) for name, words in WORDS.items()),
-                *((each.name, each.words.title) for each in PHENOMENA.values()),
-            )
-        }
+        own_words = {each.name: each.words for each in PHENOMENA.values()}
+        titles = {name: words.title for name, words in (WORDS | own_words).items()}
+        self.scene_titles = {name: of_phenomena(title) for name, title in titles.items()}
         keys = QKeySequence.StandardKey
         self.open = self._action(
             self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
@@ -93,7 +89,12 @@ class Actions(QObject):
             self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
             self.tr("Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document"),
         )  # fmt: skip
-        self._make_file_menu()
+        self.recent = QMenu(self.tr("Open &recent"), window)
+        self._menu(
+            self.tr("&File"), self.open, self.recent.menuAction(), None, self.save, self._save_as,
+            None, self.export, self.copy, None,
+            self._action(self.tr("&Quit"), window.close, keys.Quit),
+        )  # fmt: skip
         self.undo = self._action(self.tr("&Undo"), None, keys.Undo)
         self.redo = self._action(self.tr("&Redo"), None, keys.Redo)
         self.reset = self._action(
@@ -241,14 +242,6 @@ class Actions(QObject):
             act()
 
         return acted
-
-    def _make_file_menu(self) -> None:
-        self.recent = QMenu(self.tr("Open &recent"), self._window)
-        leave = self._action(self.tr("&Quit"), self._window.close, QKeySequence.StandardKey.Quit)
-        self._menu(
-            self.tr("&File"), self.open, self.recent.menuAction(), None, self.save, self._save_as,
-            None, self.export, self.copy, None, leave,
-        )  # fmt: skip
 
     def _make_scenes_menu(self) -> None:
         entries: list[QAction | None] = []
@@ -400,7 +393,6 @@ class Actions(QObject):
             action.setChecked(action.data() == name)
 
     def show_recent(self) -> None:
-        """List the recent files."""
         self.recent.clear()
         for path in self._files.recent:
             action = self.recent.addAction(path.replace("&", "&&"))  # & does not mark a key here

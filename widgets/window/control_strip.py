@@ -57,7 +57,6 @@ class ControlStrip(QFrame):
         self._fill()
 
     def show_controls(self, paths: tuple[str, ...]) -> None:
-        """Show the controls that a step names."""
         if paths != self._named:
             self._named, self._wanted = paths, None
             self._fill()

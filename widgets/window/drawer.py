@@ -3,7 +3,6 @@ high as its content, and at most a third of the window.
 """
 
 from functools import partial
-from typing import cast
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QPaintEvent
@@ -72,8 +71,8 @@ class Panels(QWidget):
         super().__init__()
         self._shown: ShownData | None = None
         self._last_shown: dict[Panel, ShownData] = {}  # the snapshot that each panel shows
-        self._buttons: list[QToolButton] = []
-        self._tips: list[str] = []
+        self._heads: dict[Panel, tuple[QToolButton, str]] = {}
+        """The button of each panel, and its tooltip."""
         self._why_closed = ""
         self._empty: set[Panel] = set()  # the panels that have nothing to show
         self._wanted: Panel | None = None  # the panel that was to be opened while all were closed
@@ -95,8 +94,7 @@ class Panels(QWidget):
         button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         button.clicked.connect(partial(self._clicked, panel))
         self._row.addWidget(button)
-        self._buttons.append(button)
-        self._tips.append(tip)
+        self._heads[panel] = button, tip
         area = QScrollArea(widgetResizable=True)
         area.setFrameShape(QFrame.Shape.NoFrame)
         self._stack.addWidget(area)
@@ -107,14 +105,11 @@ class Panels(QWidget):
     @property
     def all(self) -> tuple[Panel, ...]:
         """All panels in the order of their names."""
-        return tuple(self._panel(place) for place in range(self._stack.count()))
-
-    def _panel(self, place: int) -> Panel:
-        return cast(Panel, cast(QScrollArea, self._stack.widget(place)).widget())
+        return tuple(self._heads)
 
     @property
     def open_panel(self) -> Panel | None:
-        return None if self.isHidden() else self._panel(self._stack.currentIndex())
+        return None if self.isHidden() else self.all[self._stack.currentIndex()]
 
     def keep(self, shown: ShownData) -> None:
         """Keep the snapshot that `notify` passes to the open panel."""
@@ -142,14 +137,14 @@ class Panels(QWidget):
             self.notify(panel)
             self._stack.setCurrentIndex(self.all.index(panel))
         self.setVisible(panel is not None)
-        for each, button in zip(self.all, self._buttons, strict=True):
+        for each, (button, _) in self._heads.items():
             button.setChecked(panel is each)
         self.opened.emit()
 
     def offer(self, panel: Panel, on: bool) -> None:
         """Show the name of a panel, or hide it because the panel has nothing to show."""
         (self._empty.discard if on else self._empty.add)(panel)
-        self._buttons[self.all.index(panel)].setVisible(on)
+        self._heads[panel][0].setVisible(on)
         if not on and panel is self.open_panel:
             self.open(None)
 
@@ -159,7 +154,7 @@ class Panels(QWidget):
             return
         wanted = self._wanted if self._why_closed else self.open_panel
         self._why_closed = why
-        for button, tip in zip(self._buttons, self._tips, strict=True):
+        for button, tip in self._heads.values():
             button.setEnabled(not why)
             set_tip(button, why or tip)
         self.open(wanted)
@@ -215,9 +210,8 @@ class Drawer(QSplitter):
         self._handle_px = self.handleWidth()
         self.addWidget(above)
         self.addWidget(panels)
-        for place, stretch in ((0, 1), (1, 0)):
-            self.setStretchFactor(place, stretch)
-            self.setCollapsible(place, False)
+        self.setStretchFactor(0, 1)
+        self.setChildrenCollapsible(False)
         panels.opened.connect(self.fit)
         panels.rest.timeout.connect(self._fit_content)
         self.splitterMoved.connect(self._dragged)

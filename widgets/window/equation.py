@@ -113,9 +113,6 @@ class EquationSlide(QWidget):
     # -- the model
 
     def take(self, shown: ShownData, changed: Changed) -> None:
-        self.show_equation(shown)
-
-    def show_equation(self, shown: ShownData) -> None:
         """Show the equation of a view, and frame what its controls change."""
         self._shown, view = shown, shown.document.view
         self._text = view.equation
@@ -212,13 +209,11 @@ class EquationSlide(QWidget):
             painter.drawText(self.rect().adjusted(40, 40, -40, -40), flags, self._problem)
         elif self._laid:
             self._paint(painter)
-        painter.end()
 
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
         room = self.width() - 2.0 * EDGE * self._screen_px
-        usual = least_px
-        stretch = 0.0
+        usual, stretch = least_px, 0.0
         if not self._is_product:
             usual = min(USUAL_CELL * self._screen_px, 0.86 * self.height() / 4.0)
             free = room / em - self._least_width
@@ -330,7 +325,8 @@ class EquationSlide(QWidget):
             if name in names:  # of a whole column, also where it is 0
                 painter.fillRect(cell.adjusted(edge, 0.0, -edge, 0.0), faded(shade, 0.2))
                 return QColor(tone(shade, style.background))
-        if matrix.values[row][column] == 0.0 and (text == "0" or self._is_in_numbers):
+        is_in_numbers = self._equation is not None and self._equation.is_in_numbers
+        if matrix.values[row][column] == 0.0 and (text == "0" or is_in_numbers):
             return QColor(style.muted)
         axes = [name for name in ("u", "v", "n") if name in names]
         planes = [name for name in ENDS if name in names]
@@ -345,12 +341,7 @@ class EquationSlide(QWidget):
         return QColor(style.ink)
 
     @property
-    def _is_in_numbers(self) -> bool:
-        return self._equation is not None and self._equation.is_in_numbers
-
-    @property
     def _inks(self) -> dict[str, QColor]:
-        """The colours of letters."""
         ground = self._style.background
         return {name: QColor(tone(hue, ground)) for name, hue in self._hues.items() if hue}
 

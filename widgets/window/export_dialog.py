@@ -49,60 +49,48 @@ class ExportDialog(QDialog):
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
+        tip = self.tr(
+            "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
+        )
         self._fields = {
             "width": self._field("1800", self.tr("Width of the picture")),
             "height": self._field("600", self.tr("Height of the picture")),
-            "text": self._field(
-                "",
-                self.tr("Height of the letters in points"),
-                self.tr(
-                    "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0}"
-                    " pixels"
-                ).format(DPI),
-            ),
+            "text": self._field("", self.tr("Height of the letters in points"), tip.format(DPI)),
         }
-        self._combos = {
-            "ending": self._combo(
-                self.tr(
-                    "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
-                    " Moving pictures and many at once: the command “export”"
-                ),
-                {ending[1:].upper(): ending[1:] for ending in ENDINGS},
-            ),
-            "column": self._combo(
-                self.tr("Whether the panes stand beside or below each other"),
-                {self.tr("in a row"): False, self.tr("in a column"): True},
-            ),
-            "unit": self._combo(
-                self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI),
-                {unit: unit for unit in ("px", "mm", "cm", "in")},
-            ),
-            "palette": self._combo(
-                self.tr("In print, faces and lines that differ in colour differ in grey, too"),
-                {
-                    self.tr("as on the screen"): "screen",
-                    self.tr("for print"): "print",
-                    self.tr("dark"): "dark",
-                    self.tr("most contrast"): "contrast",
-                },
-            ),
-            "hidden": self._combo(
-                self.tr("What becomes of lines behind faces, in SVG, PDF and TEX"),
-                {
-                    self.tr("left out"): "none",
-                    self.tr("dashed"): "dashed",
-                    self.tr("grey"): "grey",
-                },
-            ),
-            "scale": self._combo(
-                self.tr("Draws the same PNG with more pixels; text and lines scale with it"),
-                {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)},
-            ),
-            "transparent": self._combo(
-                self.tr("What is behind the picture"),
-                {self.tr("filled"): False, self.tr("transparent"): True},
-            ),
+        self._form, self._combos = QFormLayout(), dict[str, Combo]()
+        tip = self.tr(
+            "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
+            " Moving pictures and many at once: the command “export”"
+        )
+        formats = {ending[1:].upper(): ending[1:] for ending in ENDINGS}
+        self._choose("ending", self.tr("&Format"), tip, formats)
+        self._form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
+        tip = self.tr("Whether the panes stand beside or below each other")
+        is_column = {self.tr("in a row"): False, self.tr("in a column"): True}
+        self._choose("column", self.tr("&Arranged"), tip, is_column)
+        tip = self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI)
+        self._choose("unit", "", tip, {unit: unit for unit in ("px", "mm", "cm", "in")})
+        width, height = self._sides
+        size = in_row(width, PlainLabel("×"), height, self._combos["unit"])
+        self._form.addRow(self.tr("Size"), size)
+        self._form.addRow(self.tr("&Letters (pt)"), self._fields["text"])
+        tip = self.tr("In print, faces and lines that differ in colour differ in grey, too")
+        palettes = {
+            self.tr("as on the screen"): "screen",
+            self.tr("for print"): "print",
+            self.tr("dark"): "dark",
+            self.tr("most contrast"): "contrast",
         }
+        self._choose("palette", self.tr("C&olours"), tip, palettes)
+        tip = self.tr("What becomes of lines behind faces, in SVG, PDF and TEX")
+        lines = {self.tr("left out"): "none", self.tr("dashed"): "dashed", self.tr("grey"): "grey"}
+        self._choose("hidden", self.tr("&Hidden lines"), tip, lines)
+        tip = self.tr("Draws the same PNG with more pixels; text and lines scale with it")
+        factors = {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)}
+        self._choose("scale", self.tr("Scal&e"), tip, factors)
+        tip = self.tr("What is behind the picture")
+        is_transparent = {self.tr("filled"): False, self.tr("transparent"): True}
+        self._choose("transparent", self.tr("&Background"), tip, is_transparent)
         self._combos["column"].currentIndexChanged.connect(self._panes_changed)
         self._combos["unit"].currentIndexChanged.connect(self._unit_changed)
         self._crop = QCheckBox(self.tr("C&rop to the content"))
@@ -116,20 +104,8 @@ class ExportDialog(QDialog):
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
         self._timer.timeout.connect(self.show_preview)
         self._buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Save)
-        form = QFormLayout()
-        form.addRow(self.tr("&Format"), self._combos["ending"])
-        form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
-        form.addRow(self.tr("&Arranged"), self._combos["column"])
-        width, height = self._sides
-        size = in_row(width, PlainLabel("×"), height, self._combos["unit"])
-        form.addRow(self.tr("Size"), size)
-        form.addRow(self.tr("&Letters (pt)"), self._fields["text"])
-        form.addRow(self.tr("C&olours"), self._combos["palette"])
-        form.addRow(self.tr("&Hidden lines"), self._combos["hidden"])
-        form.addRow(self.tr("Scal&e"), self._combos["scale"])
-        form.addRow(self.tr("&Background"), self._combos["transparent"])
-        form.addRow("", self._crop)
-        in_column(in_row(form, (self._preview, 1)), self._problem, self._buttons, on=self)
+        self._form.addRow("", self._crop)
+        in_column(in_row(self._form, (self._preview, 1)), self._problem, self._buttons, on=self)
         self._take(kept or {})
         self._check()
         hint, room = self.sizeHint(), self.screen().availableSize()
@@ -142,10 +118,12 @@ class ExportDialog(QDialog):
         field.textChanged.connect(self._check)
         return field
 
-    def _combo(self, tip: str, values: Mapping[str, object]) -> Combo:
-        combo = Combo("", tip, values.items())
+    def _choose(self, name: str, label: str, tip: str, values: Mapping[str, object]) -> None:
+        """Add a choice, in a row of its own if it has a label."""
+        combo = self._combos[name] = Combo("", tip, values.items())
         combo.currentIndexChanged.connect(self._check)
-        return combo
+        if label:
+            self._form.addRow(label, combo)
 
     @property
     def _panes(self) -> tuple[str, ...]:

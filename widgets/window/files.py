@@ -102,7 +102,6 @@ class Files(QObject):
     # -- opening
 
     def open_dialog(self) -> None:
-        """Ask for a file and open it."""
         title = self.tr("Open a document, a lesson, a mesh, a camera or an exported picture")
         kinds = self.tr("All supported files ({0});;All files (*)")
         folder = str(self.path.parent) if self.path else ""
@@ -277,7 +276,6 @@ class Files(QObject):
         return box.clickedButton() is beside and self.save_as()
 
     def save_as(self) -> bool:
-        """Ask for a file and save to it."""
         title, kinds = self.tr("Save the document"), self.tr("Frustum Lab documents (*.json)")
         start = str(self.path or "frustum-lab.json")
         path = ask_where(self._window, title, start, kinds, ".json")

@@ -18,7 +18,6 @@ PLAY_KEY, FULL_SCREEN_KEY = (
     else ("Ctrl+Space", "F11")
 )
 
-
 KEYS = Path(__file__).with_name("keys.md")
 """The content of the table of keys; `tests/texts.py` makes a source for lupdate from it."""
 
@@ -77,29 +76,25 @@ class Help(QObject):
         dialog.show()
 
     def show_conventions(self) -> None:
-        self._show_box(
-            self.tr("Conventions"),
-            self.tr(
-                "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
-                " the camera looks along −z of view space.</p>"
-                "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
-                " <i>v</i> = n × u.</p>"
-                "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
-                " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
-                " towards you.</p>"
-                "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
-                " is at 0.5.</p>"
-            ),
+        text = self.tr(
+            "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
+            " the camera looks along −z of view space.</p>"
+            "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
+            " <i>v</i> = n × u.</p>"
+            "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
+            " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
+            " towards you.</p>"
+            "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
+            " is at 0.5.</p>"
         )
+        self._show_box(self.tr("Conventions"), text)
 
     def show_about(self) -> None:
-        self._show_box(
-            self.tr("About Frustum Lab"),
-            self.tr(
-                "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
-                " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
-            ).format(__version__),
+        text = self.tr(
+            "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
+            " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
         )
+        self._show_box(self.tr("About Frustum Lab"), text.format(__version__))
 
     def _show_box(self, title: str, text: str) -> None:
         box = message_box(self._window, Markup(text), icon=QMessageBox.Icon.NoIcon)

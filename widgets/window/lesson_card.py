@@ -14,15 +14,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import (
-    QApplication,
-    QFrame,
-    QHBoxLayout,
-    QLineEdit,
-    QPushButton,
-    QToolButton,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QFrame, QHBoxLayout, QLineEdit, QPushButton, QWidget
 
 from app.document.document import Document
 from app.document.store import Store
@@ -92,20 +84,18 @@ class LessonCard(QFrame):
         self._over: Course | None = None  # the talk whose last page is shown
         self.is_on = False
         """Whether the card shows a lesson, or that one is finished."""
-        self._title = PlainLabel(wordWrap=True)
-        self._title.setObjectName("paneTitle")
+        self._title = PlainLabel(wordWrap=True, objectName="paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
-        self.anew = _tool("reset", forget, self.begin_again)
-        close = _tool("close", self.tr("Close the lesson"), self.leave)
+        self.anew = tool_button("", forget, self.begin_again, icon="reset", flat=True)
+        tip = self.tr("Close the lesson")
+        close = tool_button("", tip, self.leave, icon="close", flat=True)
         self._marks = StepMarks()
         self._marks.chosen.connect(self.go_to)
         self.page = StepPage()
         self.page.settled.connect(self._settled)
         self.page.show_wanted.connect(self._show_aside)
         self.page.posed.connect(lessons.pose)
-        self._notice = PlainLabel(wordWrap=True)
-        self._notice.setObjectName("notice")
-        self._notice.hide()
+        self._notice = PlainLabel(wordWrap=True, objectName="notice", visible=False)
         head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
         parts = head, self._marks, (self.page, 1), self._notice, self._foot()
         in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
@@ -224,15 +214,12 @@ class LessonCard(QFrame):
                 self._fill()
         player.show_aside(None)
         self._notice.hide()
-        self._call_handles()
-        self.page.share_keys()
-        self.look_again()
-
-    def _call_handles(self) -> None:
-        """Show for a moment the handles that solve an open task of the step."""
+        # For a moment, the handles that solve an open task of the step are shown.
         tasks = [view.played.block for view in self.page.blocks if view.played.is_open]
         self.handles_called.emit(frozenset().union(*(task.handles for task in tasks)))
         self._calling.start()
+        self.page.share_keys()
+        self.look_again()
 
     def _fill(self) -> None:
         """Make the page of the step; it takes the focus unless the user types elsewhere."""
@@ -466,10 +453,6 @@ def _after(path: Path) -> Head | None:
     lessons = heads(talks=False)
     following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
     return following.get(path)
-
-
-def _tool(icon: str, name: str, act: object) -> QToolButton:
-    return tool_button(tip=name, act=act, icon=icon, name=name, flat=True)
 
 
 def _push(text: str, tip: str, act: object) -> QPushButton:

@@ -85,12 +85,12 @@ class Lessons(QObject):
         stand_still: Callable[[], None],
         to_stage: Callable[[float], None],
         look_from: Callable[[Mapping[str, Camera]], None],
-        transition: WayOfPanes,
+        panes: WayOfPanes,
     ) -> None:
         super().__init__(store)
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
-        self._look_from, self._panes = look_from, transition
+        self._look_from, self._panes = look_from, panes
         self.player: Player | None = None
         """The open lesson, as it is played."""
         self._clock = Clock(self)
@@ -162,7 +162,9 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.player = left
             return False
-        self._watch()
+        self._unwatch()
+        if course.file is not None:
+            self._watcher.addPaths([str(course.file), str(course.file.parent)])
         self.opened.emit()
         self.stepped.emit()
         return True
@@ -339,13 +341,6 @@ class Lessons(QObject):
             self.arrived.emit()
 
     # -- the file
-
-    def _watch(self) -> None:
-        assert self.player is not None
-        path = self.player.course.file
-        self._unwatch()
-        if path is not None:
-            self._watcher.addPaths([str(path), str(path.parent)])
 
     def _unwatch(self) -> None:
         watched = [*self._watcher.files(), *self._watcher.directories()]

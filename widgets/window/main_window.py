@@ -65,7 +65,6 @@ from widgets.window.cover_card import CoverCard
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
 from widgets.window.help import Help
-from widgets.window.hiding import Hiding
 from widgets.window.history import History
 from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
@@ -136,7 +135,7 @@ class MainWindow(QMainWindow):
         """The card over the window."""
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
-        self._before_presenting: tuple[bool, str, list[int]] | None = None
+        self._before_presenting: tuple[bool, str, list[int]] = True, "", []
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
         settings.cannot_save = self._show_unsaved
@@ -260,7 +259,6 @@ class MainWindow(QMainWindow):
         parts = (self.messages, self.band, (split, 1), self.control_strip, self.bottom)
         self._body = in_column(*parts, on=body, margins=BODY_MARGINS, gap=BODY_GAP_PX)
         split.setStretchFactor(0, 1)
-        split.setStretchFactor(1, 0)
         split.setSizes(PICTURES_AND_DOCK)
         in_row(self.panels.names, (self.status, 1), on=self.bottom, margins=(0, 0, 0, 2))
 
@@ -285,11 +283,8 @@ class MainWindow(QMainWindow):
             self.look, image, self.status, self.settings, self.store, lambda: self.shown,
             self.files.begun, self.messages.show_message,
         )  # fmt: skip
-        players = (
-            controls.animation.pause,
-            controls.card.pause,
-            *(cursor.let_go for cursor in self.cursors.values()),
-        )
+        dragged = [cursor.let_go for cursor in self.cursors.values()]
+        players = controls.animation.pause, controls.card.pause, *dragged
         self.history = History(
             self, self.store, self.menus, lambda: self.shown.scene.start, players
         )
@@ -306,9 +301,6 @@ class MainWindow(QMainWindow):
         self.lesson_card = LessonCard(self.lessons, self.store, self.settings, self.record)
         self.side.take_card(self.lesson_card)
         self.practice = Practice(self, self.lesson_card, self.record, self.settings, self.messages)
-        self.hiding = Hiding(
-            self.panels, controls.card, controls.sections["more_lens"], self.cursors, self.panes
-        )
         self.pane_words = PaneWords(self.panes, self.store, lambda: self.shown.scene, self)
         self.pointing = Pointing(self.panes, self)
         self.files.lesson_wanted.connect(self.lesson_card.open)
@@ -391,7 +383,7 @@ class MainWindow(QMainWindow):
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
-        self.slide.equation.show_equation(self.shown)
+        self.slide.equation.take(self.shown, frozenset())
         self.band.take(self.shown, frozenset())
         self.arrangement.show(document.view)
         self.comparing.pictures.refresh()
@@ -495,15 +487,14 @@ class MainWindow(QMainWindow):
         self._body.setSpacing(0 if on else BODY_GAP_PX)
         self.body.setAutoFillBackground(on)
         self.menus.fit_icons()
-        if not on and self._before_presenting is not None:
-            whole = self._before_presenting[1]
+        dock, whole, shared = self._before_presenting
+        if not on:
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
         if on:
             self.menus.controls.setChecked(False)
             self.setFocus()  # no pane of the slide has a ring
-        if not on and self._before_presenting is not None:
-            dock, _, shared = self._before_presenting
+        else:
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()

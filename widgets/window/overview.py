@@ -21,7 +21,7 @@ from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row
 from widgets.parts.plain import PlainLabel
-from widgets.window.lesson_blocks.view import Sign
+from widgets.window.lesson_blocks.view import Sign, on_holder
 
 ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
 """The icon of how an exercise was solved; none for one that is not solved yet."""
@@ -117,9 +117,8 @@ class Overview(QDialog):
             self._exercise(name, number, each)
             for number, each in enumerate(exercises_of(course), 1)
         ]
-        holder = QWidget()
-        in_row(*parts, FREE, on=holder, margins=(0, 0, 0, 0), gap=2)
-        return topic, holder, PlainLabel(self._met(course), wordWrap=True)
+        row = on_holder(*parts, FREE, gap=2)
+        return topic, row, PlainLabel(self._met(course), wordWrap=True)
 
     def _exercise(self, topic: str, number: int, placed: PlacedExercise) -> QToolButton:
         standing = self._known.get(placed.key, Standing())

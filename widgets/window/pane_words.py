@@ -37,11 +37,7 @@ class PaneWords(QObject):
             self._describe_panes()
 
     def _describe_panes(self) -> None:
-        about = describe(
-            self._store.seen,
-            self._scene(),
-            translate=translated,
-        )
+        about = describe(self._store.seen, self._scene(), translate=translated)
         for name, pane in self._panes.items():
             said = about.panes[name] if self._hidden else about.of_pane(name)
             pane.hand.describe("" if name in self._hidden else said)

@@ -17,7 +17,6 @@ from PySide6.QtGui import (
     QKeySequence,
     QMouseEvent,
     QPainter,
-    QPainterPath,
     QPaintEvent,
     QPen,
     QResizeEvent,
@@ -53,11 +52,8 @@ def paint_strokes(
         ]
         if len(places) == 1:
             painter.drawPoint(places[0])
-            continue
-        path = QPainterPath(places[0])
-        for place in places[1:]:
-            path.lineTo(place)
-        painter.drawPath(path)
+        else:
+            painter.drawPolyline(places)
     painter.restore()
 
 
@@ -332,4 +328,3 @@ class Pen(QWidget):
         if strokes:
             painter = QPainter(self)
             paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
-            painter.end()

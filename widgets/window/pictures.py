@@ -37,7 +37,6 @@ NO_PREVIEW = QT_TRANSLATE_NOOP("Refusal", "There is no preview of {0} triangles 
 
 
 def image_of(pixels: Pixels) -> QImage:
-    """Convert a drawn picture to Qt's image."""
     height, width, _ = pixels.shape
     form = QImage.Format.Format_RGB888
     return QImage(pixels.tobytes(), width, height, 3 * width, form).copy()
@@ -76,7 +75,6 @@ class Pictures(QObject):
         return Figure(document, scene, words=self._words, translate=translated, **choices)
 
     def export_dialog(self) -> None:
-        """Ask what to export and where, and export it."""
         from widgets.window.export_dialog import ExportDialog
 
         kept = self._settings.export
@@ -115,7 +113,6 @@ class Pictures(QObject):
             self._try(lambda: write_bytes_atomically(path, self._png(_pixels(image))), done)
 
     def copy_diagram(self, image: QImage) -> None:
-        """Copy the picture of a diagram to the clipboard."""
         self._try(lambda: self._copy(_pixels(image)), self.tr("Copied the diagram"))
 
     def copy(self) -> bool:

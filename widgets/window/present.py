@@ -8,38 +8,13 @@ on every projector.
 """
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QEnterEvent, QGuiApplication, QMouseEvent, QScreen
+from PySide6.QtGui import QGuiApplication, QScreen
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
 from widgets.window.settings import Settings
 
 TOP_EDGE_PX = 3
 """The tool bar appears when the mouse is this close to the top of the screen."""
-
-
-class _TopEdge(QWidget):
-    """The top edge of the window."""
-
-    entered = Signal()
-
-    def enterEvent(self, event: QEnterEvent) -> None:
-        super().enterEvent(event)
-        self.entered.emit()
-
-
-class _Blank(QWidget):
-    """Covers the window in black until it is clicked."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent)
-        self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
-        self.setStyleSheet("background: black")
-        self.setCursor(Qt.CursorShape.BlankCursor)
-        self.hide()
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        event.accept()
-        self.hide()
 
 
 class Screens:
@@ -64,9 +39,8 @@ class Screens:
         if self.both is None:
             return False
         kept, pair = self._settings.swapped_screens, self._pair
-        self._settings.swapped_screens = (
-            [each for each in kept if each != pair] if pair in kept else [*kept, pair]
-        )
+        others = [each for each in kept if each != pair]
+        self._settings.swapped_screens = others if pair in kept else [*kept, pair]
         return True
 
     @property
@@ -99,9 +73,14 @@ class Present(QObject):
         self.is_on = False
         self.geometry_before = QByteArray()
         """Geometry of the ordinary window, while presenting."""
-        self._blank, self._edge = _Blank(window), _TopEdge(window)
-        self._edge.hide()
-        self._edge.entered.connect(lambda: self.show_tools(True))
+        self._blank, self._edge = QWidget(window), QWidget(window)
+        """What covers the window in black until it is clicked, and the top edge of the window."""
+        self._blank.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
+        self._blank.setStyleSheet("background: black")
+        self._blank.setCursor(Qt.CursorShape.BlankCursor)
+        for cover in (self._blank, self._edge):
+            cover.hide()
+            cover.installEventFilter(self)
         application = QApplication.instance()
         assert isinstance(application, QGuiApplication)
         application.screenAdded.connect(self._move, Qt.ConnectionType.QueuedConnection)
@@ -116,7 +95,6 @@ class Present(QObject):
         self._window.setWindowState(self._state | Qt.WindowState.WindowFullScreen)
 
     def swap(self) -> None:
-        """Swap the screens of class and speaker, and remember that for these screens."""
         if self.screens.swap():
             self._move()
         else:
@@ -184,7 +162,6 @@ class Present(QObject):
             self.end()
 
     def show_tools(self, seen: bool) -> None:
-        """Show the tool bar while presenting, or hide it."""
         if self.is_on:
             self._tools.setVisible(seen)
             self._tools.raise_()
@@ -204,7 +181,14 @@ class Present(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if watched is self._tools:
+        if watched is self._blank:
+            if kind == QEvent.Type.MouseButtonPress:
+                self._blank.hide()
+                return True
+        elif watched is self._edge:
+            if kind == QEvent.Type.Enter:
+                self.show_tools(True)
+        elif watched is self._tools:
             if kind == QEvent.Type.Leave and QApplication.activePopupWidget() is None:
                 self.show_tools(False)
         elif kind == QEvent.Type.Resize:

@@ -74,7 +74,7 @@ class DrawnQuality(QObject):
         status.frame_ms = settings.frame_ms
         status.tolerance_edited.connect(self._set_tolerance)
         status.frame_edited.connect(self._set_frame)
-        status.automatic_wanted.connect(self._automatic)
+        status.quality.clicked.connect(self._automatic)
         look.adaptive.changed.connect(self._show_quality)
 
     def take(self, shown: ShownData, changed: Changed) -> None:

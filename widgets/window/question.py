@@ -79,9 +79,7 @@ class QuestionOverlay(QFrame):
                 inked = sum(ink(QRectF(place)) for _, ink in pictures)
                 inked /= INK_SHARE * room.width() * room.height()
                 area = size.width() * size.height()
-                cost = (
-                    level == len(SHARES), hidden, round(inked), level, letters, area, order,
-                )  # fmt: skip
+                cost = (level == len(SHARES), hidden, round(inked), level, letters, area, order)
                 tried.append((cost, place, widest))
         (_, _, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
         self._lay_out(letters, widest)
@@ -123,4 +121,3 @@ class QuestionOverlay(QFrame):
         painter.setClipRect(room)
         place = room.topLeft() - QPointF(0.0, self._moved_px)
         self._document.paint(painter, place, self.palette())
-        painter.end()

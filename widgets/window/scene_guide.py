@@ -48,7 +48,7 @@ class SceneGuide(QObject):
         menus.scene_chosen.connect(self.choose)
         self._card = controls.card
         self._card.settings_edited.connect(partial(self._set, self._card.refuse))
-        self._card.explanation_wanted.connect(lambda: panels.open(panel))
+        self._card.explanation.clicked.connect(lambda: panels.open(panel))
         by_hand = partial(self._set, lambda error: manipulation.refuse(self._card.named(error)))
         manipulation.setting_edited.connect(by_hand)
 

@@ -24,7 +24,6 @@ COLUMNS = 2
 
 
 def exercises_text(count: int) -> str:
-    """Return a number of exercises in words."""
     if count == 1:
         return QCoreApplication.translate("SelfTestDialog", "1 exercise")
     return QCoreApplication.translate("SelfTestDialog", "%n exercises", "", count)
@@ -62,13 +61,11 @@ class SelfTestDialog(QDialog):
         self._count = PlainLabel()
         every = push_button(self.tr("&All topics"), act=lambda: self._choose(True))
         none = push_button(self.tr("&None"), act=lambda: self._choose(False))
-        how = PlainLabel(
-            self.tr(
-                "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
-                " digits. At the end you see all solutions."
-            ).format(MOST),
-            wordWrap=True,
+        text = self.tr(
+            "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
+            " digits. At the end you see all solutions."
         )
+        how = PlainLabel(text.format(MOST), wordWrap=True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.begin = buttons.addButton(self.tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         buttons.accepted.connect(self.accept)
@@ -83,7 +80,6 @@ class SelfTestDialog(QDialog):
 
     @property
     def topics(self) -> list[str]:
-        """Return the names of the chosen topics."""
         return [name for name, box in self._boxes.items() if box.isChecked()]
 
     def _choose(self, on: bool) -> None:

@@ -70,7 +70,6 @@ MOST_LESSONS, MOST_ANSWERS, LONGEST_ANSWER = 200, 200, 1200
 """Limits of saved progress: lessons, the newest answers of each, and characters of an answer,
 which may be a matrix."""
 
-
 TRIAL_BYTES = 2**18
 """Size of a file that finds out why the settings cannot be written; they are seldom as large."""
 LOCKED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: another program may be writing it")

@@ -78,14 +78,14 @@ class Slide(QWidget):
             yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels)
         if self.equation.isVisible():
             at = self.equation.mapTo(self, QPointF())
-            yield [cell.translated(at) for cell in self.equation.cells], _none
+            yield [cell.translated(at) for cell in self.equation.cells], lambda _box: 0.0
         titles = [
             QRectF(each.rect()).translated(each.mapTo(self, QPointF()))
             for each in self.findChildren(Title)
             if each.isVisible() and each.text()
         ]
         if titles:
-            yield titles, _none
+            yield titles, lambda _box: 0.0
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -104,7 +104,3 @@ def _hidden_ink(ground: Ground, to_pixels: QTransform, box: QRectF) -> float:
     px = to_pixels.mapRect(box)
     area = px.width() * px.height() / (box.width() * box.height())
     return ground.inked_px(px.left(), px.top(), px.right(), px.bottom()) / area
-
-
-def _none(_box: QRectF) -> float:
-    return 0.0

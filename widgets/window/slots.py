@@ -218,7 +218,6 @@ class Slots(QSplitter):
             self.insertWidget(self.count() - 1, self._small)
 
     def _reveal(self) -> None:
-        """Show or hide the docked panes."""
         docked = [name for name in self._panes if name not in self.floating]
         seen = self.slide or ((self.whole,) if self.whole else docked)
         for name in docked:

@@ -7,15 +7,7 @@ from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
-from PySide6.QtWidgets import (
-    QFrame,
-    QGridLayout,
-    QListWidget,
-    QPushButton,
-    QSizePolicy,
-    QTextEdit,
-    QWidget,
-)
+from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QTextEdit, QWidget
 
 from app.document.document import Document
 from app.drawings.figure import Figure
@@ -114,10 +106,6 @@ class SpeakerWindow(QWidget):
     """The window that only the speaker sees; it closes with its parent, the main window."""
 
     left = Signal()
-    next_wanted = Signal()
-    previous_wanted = Signal()
-    blank_wanted = Signal()
-    swap_wanted = Signal()
     jump_wanted = Signal(int)
     """The number of a step, from 1."""
 
@@ -136,29 +124,27 @@ class SpeakerWindow(QWidget):
         self._tick.start()
 
     def _make(self) -> None:
-        self._number = PlainLabel()
-        self._title, self._next_title = (PlainLabel(wordWrap=True) for _ in range(2))
-        self._message = PlainLabel(wordWrap=True)
-        self._clock = PlainLabel()
-        self._elapsed = PlainLabel()
-        self._plan = PlainLabel()
-        self.notes = QTextEdit()
+        self._number, self._clock, self._elapsed, self._plan = (PlainLabel() for _ in range(4))
+        wrapped = (PlainLabel(wordWrap=True) for _ in range(3))
+        self._title, self._next_title, self._message = wrapped
+        self.notes = QTextEdit(readOnly=True)
         self.notes.setDocument(TextDocument(self.notes))
-        self.notes.setReadOnly(True)
-        self.notes.setFrameShape(QFrame.Shape.StyledPanel)
         self.notes.setAccessibleName(self.tr("Notes"))
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
         self.steps = QListWidget()
         self.steps.setAccessibleName(self.tr("Steps"))
         for chosen in (self.steps.itemActivated, self.steps.itemClicked):
             chosen.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
-        self.pause = self._button("", self.clock.toggle)
-        self.reset = self._button(self.tr("&Reset"), self.clock.reset)
-        back = self._button(self.tr("◀ &Back"), self.previous_wanted.emit)
-        forward = self._button(self.tr("&Next ▶"), self.next_wanted.emit)
-        blank = self._button(self.tr("B&lank"), self.blank_wanted.emit)
-        swap = self._button(self.tr("S&wap screens"), self.swap_wanted.emit)
-        set_tip(swap, self.tr("Swap the screens of class and notes (W); the choice is remembered"))
+        self.pause = push_button("", act=self.clock.toggle)
+        self.reset = push_button(self.tr("&Reset"), act=self.clock.reset)
+        texts = self.tr("◀ &Back"), self.tr("&Next ▶"), self.tr("B&lank"), self.tr("S&wap screens")
+        buttons = [push_button(text) for text in texts]
+        self.back, self.next, self.blank, self.swap = buttons
+        for button in (self.pause, self.reset, *buttons):
+            button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+            button.clicked.connect(self._show_time)
+        tip = self.tr("Swap the screens of class and notes (W); the choice is remembered")
+        set_tip(self.swap, tip)
         times = (
             PlainLabel(self.tr("Time")), 6, self._clock, 16,
             PlainLabel(self.tr("Elapsed")), 6, self._elapsed, 16,
@@ -171,7 +157,7 @@ class SpeakerWindow(QWidget):
         layout.addWidget(self.notes, 3, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 3, 1)
-        layout.addLayout(in_row(back, forward, blank, swap, 8, (self._message, 1)), 4, 0, 1, 2)
+        layout.addLayout(in_row(*buttons, 8, (self._message, 1)), 4, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 4)
@@ -185,12 +171,6 @@ class SpeakerWindow(QWidget):
             font.setBold(child is self._title)
             child.setFont(font)
         self._show_time()
-
-    def _button(self, text: str, act: Callable[[], object]) -> QPushButton:
-        button = push_button(text, act=lambda: act())
-        button.setFocusPolicy(Qt.FocusPolicy.TabFocus)
-        button.clicked.connect(self._show_time)
-        return button
 
     # -- the step
 

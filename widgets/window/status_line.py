@@ -8,7 +8,7 @@ line nor the panel is visible.
 import math
 from collections.abc import Mapping
 
-from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, QObject, QSize, Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
@@ -45,8 +45,6 @@ class StatusLine(QStatusBar):
     """The error in pixels up to which a GPU's own arithmetic may draw."""
     frame_edited = Signal(float)
     """The longest frame while a control is dragged, in ms; 0 for no limit."""
-    automatic_wanted = Signal()
-    """The user wants automatic quality again."""
 
     def __init__(self) -> None:
         super().__init__()
@@ -65,21 +63,19 @@ class StatusLine(QStatusBar):
         self._show_precisions(self._drawn, 0.0, None)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
-        set_tip(
-            self.precision,
-            self.tr(
-                "The precision of the picture (drawn) and of its numbers (read), each with a "
-                "bound on its error. The bound of the picture holds for what is visible. The "
-                "bounds of the numbers and of the alternatives in the menu hold for every point "
-                "in front of the eye"
-            ),
+        tip = self.tr(
+            "The precision of the picture (drawn) and of its numbers (read), each with a "
+            "bound on its error. The bound of the picture holds for what is visible. The "
+            "bounds of the numbers and of the alternatives in the menu hold for every point "
+            "in front of the eye"
         )
+        set_tip(self.precision, tip)
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
         tip = self.tr(
             "The panes are drawn with the quality that you chose; click for the automatic one"
         )
-        self.quality = tool_button("", tip, self.automatic_wanted, flat=True)
+        self.quality = tool_button("", tip, flat=True)
         # Without a text it would be as high as an icon, and take height from the panes.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.quality.hide()
@@ -210,31 +206,26 @@ class StatusLine(QStatusBar):
         text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self.frame_ms:g}")
         if not self.frame_ms:
             text = self.tr("No limit on the frame time while dragging…")
-        menu.addAction(text).triggered.connect(self._ask_frame)
+        asked = self.tr(
+            "While you drag a control, antialiasing and triangles may be left out to keep each"
+            " frame within this many milliseconds; 0 for no limit:"
+        )
+        frame = self.tr("Frame time"), asked, self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms"
+        menu.addAction(text).triggered.connect(lambda: self._ask(self.frame_edited, frame))
         text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
-        menu.addAction(text).triggered.connect(self._ask_tolerance)
-
-    def _ask_frame(self) -> None:
-        dialog = NumberDialog(
-            self.tr("Frame time"),
-            self.tr(
-                "While you drag a control, antialiasing and triangles may be left out to keep each"
-                " frame within this many milliseconds; 0 for no limit:"
-            ),
-            self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms", self,
-        )  # fmt: skip
-        if dialog.exec():
-            self.frame_edited.emit(dialog.number)
-
-    def _ask_tolerance(self) -> None:
-        dialog = NumberDialog(
+        tolerance = (
             self.tr("Drawing tolerance"),
             self.tr("A GPU's own arithmetic (float32) may draw with an error of up to this many"
                     " pixels:"),
-            self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px", self,
+            self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px",
         )  # fmt: skip
+        menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
+
+    def _ask(self, edited: SignalInstance, of: tuple[str, str, float, float, float, str]) -> None:
+        """Ask for a number in a `NumberDialog`."""
+        dialog = NumberDialog(*of, self)
         if dialog.exec():
-            self.tolerance_edited.emit(dialog.number)
+            edited.emit(dialog.number)
 
 
 def _error_text(px: float) -> str:

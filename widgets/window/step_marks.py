@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 from app.lessons.player import Player
 from app.lessons.text import in_line
 from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_row
+from widgets.parts.layouts import FREE, discard, in_row
 from widgets.parts.plain import PlainLabel
 from widgets.parts.roles import give_role
 
@@ -32,25 +32,19 @@ class StepMarks(QWidget):
         give_role(self, QAccessible.Role.PageTabList)
         self._numbers: list[QToolButton] = []
         self._heads: list[QWidget] = []  # the words before the marks of steps with an exercise
-        self._counted = PlainLabel()
-        self._counted.setObjectName("paneNote")
+        self._counted = PlainLabel(objectName="paneNote")
         self._row = in_row(FREE, self._counted, on=self, margins=(0, 0, 0, 0), gap=2)
 
     def make(self, player: Player) -> None:
-        """Make the marks of a lesson."""
         row, lesson = self._row, player.lesson
-        for old in (*self._numbers, *self._heads):
-            row.removeWidget(old)
-            old.hide()
-            old.deleteLater()
+        discard(row, (*self._numbers, *self._heads))
         self._numbers.clear()
         self._heads.clear()
         before = False
         for place, step in enumerate(lesson.steps if len(lesson.steps) <= MOST_MARKS else ()):
             practises = lesson.practises(step)
             if practises and not before:
-                head = PlainLabel(self.tr("Practice"))
-                head.setObjectName("paneNote")
+                head = PlainLabel(self.tr("Practice"), objectName="paneNote")
                 head.setContentsMargins(5, 0, 2, 0)
                 self._heads.append(head)
                 row.insertWidget(place + len(self._heads) - 1, head)

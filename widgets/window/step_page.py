@@ -68,7 +68,6 @@ class StepPage(QScrollArea):
         self.hide_answers()
 
     def clear(self) -> None:
-        """Remove the page."""
         self.blocks, self._current = [], None
         self.room_wanted.emit(0)
         self.hide_answers()

@@ -21,7 +21,7 @@ from PySide6.QtWidgets import (
 
 from widgets.window.lessons import Lessons
 from widgets.window.present import Present
-from widgets.window.speaker import SpeakerWindow
+from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 
 TYPED_MS = 3000
 """Time that digits wait for another one, or for Enter."""
@@ -46,8 +46,6 @@ class TalkKeys(QObject):
     """The number of a step, from 1."""
     typing = Signal(str)
     """The digits typed so far; empty once they are discarded."""
-    larger = Signal(int)
-    """Steps by which the notes are enlarged."""
 
     def __init__(
         self, window: QMainWindow, lessons: Lessons, present: Present, parent: QObject
@@ -100,8 +98,9 @@ class TalkKeys(QObject):
         if not is_ours or QApplication.activeModalWidget() or QApplication.activePopupWidget():
             return None
         key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
-        if is_of_speaker and held & Qt.KeyboardModifier.ControlModifier and key in _LARGER:
-            return partial(self.larger.emit, _LARGER[key])
+        larger = _LARGER.get(key, 0) if held & Qt.KeyboardModifier.ControlModifier else 0
+        if larger and is_of_speaker and self.speaker is not None:
+            return partial(self.speaker.enlarge, larger * NOTES_STEP_PX)
         if held or (is_typed_in() and key not in _IN_FIELDS):
             return None
         if key in _DIGITS:

@@ -29,7 +29,7 @@ from widgets.window.pen import Pen
 from widgets.window.present import Present
 from widgets.window.question import QuestionOverlay
 from widgets.window.settings import Settings
-from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
+from widgets.window.speaker import SpeakerWindow
 from widgets.window.talk_ahead import StepPreparation
 from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
@@ -76,7 +76,6 @@ class Talks(QObject):
             (self._keys.reveal, self.reveal),
             (self._keys.jump, self.jump),
             (self._keys.typing, self._show_typed),
-            (self._keys.larger, self._enlarge),
             (present.one_screen, lambda: self._show_message(self.tr("There is only one screen."))),
             (present.switched, self._show),
             (present.switched, self._open_with_talk),
@@ -321,11 +320,11 @@ class Talks(QObject):
             self.speaker = speaker = SpeakerWindow(self._settings, self._window)
             for signal, act in (
                 (speaker.left, self._forget_speaker),
-                (speaker.next_wanted, self.next),
-                (speaker.previous_wanted, self.previous),
-                (speaker.blank_wanted, self._present.blank),
+                (speaker.next.clicked, self.next),
+                (speaker.back.clicked, self.previous),
+                (speaker.blank.clicked, self._present.blank),
                 (speaker.jump_wanted, self.jump),
-                (speaker.swap_wanted, self._present.swap),
+                (speaker.swap.clicked, self._present.swap),
             ):
                 signal.connect(act)
             self._place_speaker()
@@ -355,10 +354,6 @@ class Talks(QObject):
     def _draw_next(self) -> None:
         if self.speaker is not None:
             self.speaker.draw_next()
-
-    def _enlarge(self, steps: int) -> None:
-        if self.speaker is not None:
-            self.speaker.enlarge(steps * NOTES_STEP_PX)
 
     def _place_speaker(self) -> None:
         """Put the window on the speaker's screen, if there are two screens."""
@@ -419,9 +414,8 @@ class TalkActions(QObject):
         self._talks = talks
         self.speaker = QAction(self.tr("Speaker's &window"), window)
         self.speaker.triggered.connect(talks.open_speaker)
-        self.with_talk = QAction(self.tr("Open it when a talk is presente&d"), window)
-        self.with_talk.setCheckable(True)
-        self.with_talk.setChecked(settings.speaker_window)
+        text, on = self.tr("Open it when a talk is presente&d"), settings.speaker_window
+        self.with_talk = QAction(text, window, checkable=True, checked=on)
         self.with_talk.toggled.connect(partial(setattr, settings, "speaker_window"))
         self.add = QAction(self.tr("Add th&is state as a step…"), window)
         self.add.triggered.connect(talks.writer.add_state)

@@ -45,7 +45,6 @@ class _Old(QWidget):
         painter = QPainter(self)
         painter.setOpacity(self._light)
         painter.drawPixmap(0, 0, self._picture)
-        painter.end()
 
 
 class Transition(QObject):
@@ -55,11 +54,7 @@ class Transition(QObject):
     """
 
     def __init__(
-        self,
-        look: Look,
-        slide: QWidget,
-        settings: Settings,
-        is_for_class: Callable[[], bool],
+        self, look: Look, slide: QWidget, settings: Settings, is_for_class: Callable[[], bool]
     ) -> None:
         super().__init__(slide)
         self._look, self._slide, self._settings = look, slide, settings

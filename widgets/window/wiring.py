@@ -8,13 +8,11 @@ from __future__ import annotations
 from functools import partial
 from typing import Any
 
-from app.document.store import Store
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.panel import Panel
-from widgets.parts.readable import Readable
 from widgets.parts.writing import all_digits, lettering
-from widgets.window.equation import EquationSlide
+from widgets.window.hiding import hide
 
 
 def wire(window: Any) -> None:
@@ -39,9 +37,10 @@ def _wire_components(window: Any) -> None:
         (store.view_changed, window.show_view),
         (controls.edited, store.set_projection),
         (controls.object_unfolded, partial(world.request, "object_axes")),
-        (controls.animation.playing_changed, menus.show_playing),
-        (card.mesh_wanted, window.files.mesh_dialog),
-        (card.mesh_removed, partial(window.files.use_mesh, "")),
+        (controls.animation.gesture_started, partial(menus.show_playing, True)),
+        (controls.animation.gesture_finished, partial(menus.show_playing, False)),
+        (card.use_mesh.clicked, window.files.mesh_dialog),
+        (card.remove_mesh.clicked, lambda: window.files.use_mesh("")),
         (window.counting.counted, card.show_count),
         (window.manipulation.edited, store.set_projection),
         (window.frame_panel.step_changed, partial(world.request, "step")),
@@ -109,7 +108,8 @@ def _wire_lesson(window: Any) -> None:
     card, menus = window.lesson_card, window.menus
     menus.lesson_menu.wire(card, window.settings, window.practice)
     card.begun_again.connect(window.offer_answers)
-    card.page.hidden.connect(window.hiding.hide)
+    cursors = window.cursors.values()
+    card.page.hidden.connect(partial(hide, window.panels, window.controls, cursors, window.panes))
     card.page.hidden.connect(window.pane_words.hide)
     card.page.aimed.connect(window.pointing.aim)
     card.toggled.connect(window.show_beside)
@@ -141,13 +141,7 @@ def _wire_gestures(window: Any) -> None:
     """Connect every gesture, such as a drag, to the store, which makes it one undo step."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
-    equation = window.slide.equation
-    listeners: tuple[Store | Readable | Panel | EquationSlide, ...] = (
-        store,
-        controls.card.readable,
-        equation,
-        *panels,
-    )
+    listeners = (store, controls.card.readable, window.slide.equation, *panels)
     for each in sources:
         for told in listeners:
             each.gesture_started.connect(told.begin_gesture)

@@ -50,7 +50,6 @@ class FixedViews(QWidget):
         self.mark("")
 
     def mark(self, name: str) -> None:
-        """Mark a viewpoint as the current one."""
         self.buttons[name].setChecked(True)
         self.menu.setText(self.buttons[name].text())
         self.menu.setAccessibleName(f"{self.menu.toolTip()}: {self.menu.text()}")
@@ -80,7 +79,7 @@ class WorldLook(QObject):
         menus.name_everything.triggered.connect(
             lambda on: self.name(EVERYTHING if on else self._chosen)
         )
-        self._world.fixed_left.connect(self._leave)
+        self._world.fixed_left.connect(partial(self.show, ""))
 
     def show(self, fixed: str, hidden: frozenset[str] | None = None) -> None:
         """Set the viewpoint, and the hidden layers unless they are None."""
@@ -106,11 +105,6 @@ class WorldLook(QObject):
     def _switch(self) -> None:
         layers = self._menus.layers
         self.show(self.fixed, frozenset(n for n in LAYERS if not layers[n].isChecked()))
-
-    def _leave(self) -> None:
-        """Return to a free view, because the user has turned the world."""
-        if self.fixed:
-            self.show("")
 
     def _mark(self) -> None:
         self._views.mark(self.fixed)

@@ -4,11 +4,12 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QButtonGroup, QRadioButton, QWidget
 
-from app.lessons.blocks.block import REVEALED, Verdict
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
+from widgets.panes.canvas import ARROWS
 from widgets.parts.layouts import TOP, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.window.lesson_blocks.view import BlockView, Sign
@@ -53,15 +54,6 @@ class _ChoiceButton(QWidget):
             painter = QPainter(self)
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
-            painter.end()
-
-
-_ARROWS: dict[int, int] = {
-    Qt.Key.Key_Down: 1,
-    Qt.Key.Key_Right: 1,
-    Qt.Key.Key_Up: -1,
-    Qt.Key.Key_Left: -1,
-}
 
 
 class ChoiceView(BlockView):
@@ -93,11 +85,7 @@ class ChoiceView(BlockView):
             if answer == str(number):
                 choice.button.setChecked(True)
 
-    def restore(self) -> None:
-        answer = self.played.answer
-        if answer == REVEALED:
-            self._show_right_answer()
-            return
+    def _restore(self, answer: str) -> None:
         self._show(answer)
         try:
             verdict = self.question.mark(self.played.here, answer)
@@ -106,15 +94,16 @@ class ChoiceView(BlockView):
             self._refuse(error)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            step = _ARROWS.get(event.key(), 0)
-            if step:  # Qt would only move the focus if nothing is chosen
-                buttons = self._group.buttons()
-                at = next(at for at, button in enumerate(buttons) if button is watched)
-                there = buttons[(at + step) % len(buttons)]
-                there.setChecked(True)
-                there.setFocus(Qt.FocusReason.OtherFocusReason)
-                return True
+        is_pressed = event.type() == QEvent.Type.KeyPress
+        if is_pressed and isinstance(event, QKeyEvent) and event.key() in ARROWS:
+            # Qt would only move the focus if nothing is chosen.
+            step = int(sum(ARROWS[Qt.Key(event.key())]))
+            buttons = self._group.buttons()
+            at = next(at for at, button in enumerate(buttons) if button is watched)
+            there = buttons[(at + step) % len(buttons)]
+            there.setChecked(True)
+            there.setFocus(Qt.FocusReason.OtherFocusReason)
+            return True
         return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -146,12 +135,7 @@ class ChoiceView(BlockView):
     def _show_right_answer(self) -> list[str]:
         text = self.question.replies[self.question.right].text
         self._close()
-        said = self.tr("The answer is {0}.").format(_quoted(text))
-        said = f"{said} {self.question.why}".strip()
-        solution = self.question.solution(self.played.here)
-        self._add_text("help", "", said)
-        self._add_text("", "", solution)
-        return [said, solution]
+        return self._tell(self.tr("The answer is {0}.").format(_quoted(text)))
 
     def _close(self) -> None:
         for choice in self._choices:

@@ -10,7 +10,7 @@ from app.lessons.blocks.block import Asked
 from app.lessons.blocks.exercise import LARGEST_SEED, Exercise
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
-from widgets.parts.layouts import FREE
+from widgets.parts.layouts import FREE, discard
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
@@ -39,8 +39,7 @@ class ExerciseView(BlockView):
             self.tr("Another &one"), self.tr("The same exercise with new numbers"), self.go_on
         )
         self._another.hide()
-        title = PlainLabel(self.tr("Exercise"))
-        title.setObjectName("paneTitle")
+        title = PlainLabel(self.tr("Exercise"), objectName="paneTitle")
         row = on_holder(
             PlainLabel(self.tr("Variant")), self.seed, self._begin, self._another, gap=5
         )
@@ -112,9 +111,7 @@ class ExerciseView(BlockView):
         asked.responded.connect(self.responded)
         asked.set_within()
         if self.asked is not None:
-            self._column.removeWidget(self.asked)
-            self.asked.hide()
-            self.asked.deleteLater()
+            discard(self._column, [self.asked])
         self.asked = asked
         self._insert(asked)
         self._begin.hide()

@@ -7,7 +7,7 @@ from abc import abstractmethod
 
 from PySide6.QtWidgets import QPushButton
 
-from app.lessons.blocks.block import REVEALED, Verdict
+from app.lessons.blocks.block import Verdict
 from app.lessons.blocks.question import MarkedQuestion
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
@@ -36,13 +36,9 @@ class MarkedAnswerView(BlockView):
     def _show_verdict(self, verdict: Verdict) -> None:
         """Show the verdict where the answer is, besides the sentences below."""
 
-    def restore(self) -> None:
-        answer = self.played.answer
-        if answer == REVEALED:
-            self._show_right_answer()
-        else:
-            self._show(answer)
-            self._praise_and_close(self.question.mark(self.played.here, answer))
+    def _restore(self, answer: str) -> None:
+        self._show(answer)
+        self._praise_and_close(self.question.mark(self.played.here, answer))
 
     def _submit(self, typed: str, given: str = "") -> None:
         """Mark an answer, and say whether it is right; `given` is recorded in place of `typed`."""
@@ -95,8 +91,4 @@ class MarkedAnswerView(BlockView):
         if "\n" in answer:  # a table stands by itself
             text = self.tr("The answer is:") + f"\n\n{answer}\n\n"
         self._close()
-        text = f"{text} {self.question.why}".strip()
-        solution = self.question.solution(self.played.here)
-        self._add_text("help", "", text)
-        self._add_text("", "", solution)
-        return [text, solution]
+        return self._tell(text)

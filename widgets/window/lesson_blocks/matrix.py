@@ -2,7 +2,7 @@
 
 import itertools
 
-from PySide6.QtCore import QEvent, QObject, Qt
+from PySide6.QtCore import QEvent, QObject, QRectF, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QSizePolicy, QWidget
 
@@ -15,6 +15,7 @@ from app.model.refusal import Refusal, format_value
 from widgets.parts.layouts import FREE
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.typeset import paint_brackets
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import Sign, on_holder
 
@@ -58,13 +59,9 @@ class _Brackets(QWidget):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        painter, box = QPainter(self), self.rect().adjusted(1, 1, -2, -2)
+        painter = QPainter(self)
         painter.setPen(QPen(self.palette().text().color(), 1.6))
-        for side, inwards in ((box.left(), _BRACKET_PX), (box.right(), -_BRACKET_PX)):
-            painter.drawLine(side, box.top(), side, box.bottom())
-            for end in (box.top(), box.bottom()):
-                painter.drawLine(side, end, side + inwards, end)
-        painter.end()
+        paint_brackets(painter, QRectF(self.rect()).adjusted(1, 1, -3, -3), _BRACKET_PX)
 
 
 class MatrixAnswerView(MarkedAnswerView):
@@ -101,11 +98,8 @@ class MatrixAnswerView(MarkedAnswerView):
         return self.cells[0]
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if (
-            isinstance(watched, _MatrixCellEdit)
-            and isinstance(event, QKeyEvent)
-            and event.type() == QEvent.Type.KeyPress
-        ):
+        is_pressed = event.type() == QEvent.Type.KeyPress
+        if is_pressed and isinstance(event, QKeyEvent) and isinstance(watched, _MatrixCellEdit):
             if event.matches(QKeySequence.StandardKey.Paste):
                 return self.played.is_open and self._paste()
             if not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:

@@ -3,7 +3,6 @@
 from PySide6.QtCore import QTimer
 
 from app.document.document import Document
-from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.task import Task
 from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
@@ -37,11 +36,8 @@ class TaskView(BlockView):
             self._show_problem(self.tr("Nothing is changed yet."))
             self._speak(self.tr("Nothing is changed yet."))
 
-    def restore(self) -> None:
-        if self.played.answer == REVEALED:
-            self._show_right_answer()
-        else:
-            self._tick()
+    def _restore(self, answer: str) -> None:
+        self._tick()
 
     def _show_right_answer(self) -> list[str]:
         why = self.task.why or self.tr("You can see a state that fulfils the task.")

@@ -19,13 +19,13 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPainter, Q
 from PySide6.QtWidgets import QAbstractButton, QFrame, QLineEdit, QPushButton, QSizePolicy, QWidget
 
 from app.document.document import Document
-from app.lessons.blocks.block import Asked, Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
-from widgets.parts.layouts import FREE, TOP, Part, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
@@ -58,7 +58,6 @@ class Sign(QWidget):
         else:
             painter.setPen(QPen(self.palette().color(self.foregroundRole()), 1.4))
             painter.drawRect(QRect(2, 3, side - 5, side - 5))
-        painter.end()
 
 
 class BlockView(QFrame):
@@ -96,10 +95,8 @@ class BlockView(QFrame):
     ) -> QPushButton:
         """Make the button that submits an answer; in a test there is one try."""
         if self.played.is_test:
-            name, tip = (
-                self.tr("Hand it &in"),
-                self.tr("This is my answer; there is one try (Enter)"),
-            )
+            name = self.tr("Hand it &in")
+            tip = self.tr("This is my answer; there is one try (Enter)")
         return button(name or self.tr("Chec&k"), tip or self.tr("Enter"), act)
 
     def _insert(self, widget: QWidget) -> None:
@@ -152,6 +149,13 @@ class BlockView(QFrame):
 
     def restore(self) -> None:
         """Show an answered block as the student left it."""
+        if self.played.answer == REVEALED:
+            self._show_right_answer()
+        else:
+            self._restore(self.played.answer)
+
+    def _restore(self, answer: str) -> None:
+        """Show an answer of the student, and the response to it."""
 
     def look(self, now: Document) -> None:
         """Check how far the window's current state fulfils the block."""
@@ -188,16 +192,21 @@ class BlockView(QFrame):
 
     # -- the response
 
+    def _tell(self, answer: str) -> list[str]:
+        """Show a sentence with the right answer, the reason and the solution; return the texts."""
+        question = self.played.question
+        texts = [f"{answer} {question.why}".strip(), question.solution(self.played.here)]
+        for icon, text in zip(("help", ""), texts, strict=True):
+            self._add_text(icon, "", text)
+        return texts
+
     def _settled(self) -> None:
         if self._offered is not None:
             self._offered.hide()
         self.settled.emit()
 
     def _remove_response(self) -> None:
-        for widget in self._responses:
-            self._feedback.removeWidget(widget)
-            widget.hide()
-            widget.deleteLater()
+        discard(self._feedback, self._responses)
         self._responses.clear()
         self._hint = None
 
