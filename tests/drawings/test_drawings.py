@@ -37,6 +37,7 @@ from app.model.projection import (
     Trace,
 )
 from app.precision.levels import DRAWING_TOLERANCE_PX
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import BUILT_IN, Scene, load
 from tests.support.cameras import random_projections
 from tests.support.drawings import (
@@ -545,7 +546,7 @@ def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Sce
     meshes = []
     for mesh in (scene.surface, scene.lines):
         assert mesh is not None
-        copy = mesh.copy()
+        copy = PolyMesh.sharing(mesh)
         copy.points = copy.points * scale
         meshes.append(copy)
     camera, lens = scene.start.camera, scene.start.lens
