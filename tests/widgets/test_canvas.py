@@ -55,7 +55,7 @@ CANVAS = sorted(CANVASES)
 FIGURES: dict[str, Any] = {
     "world": partial(WorldDrawing, live=True),
     "ndc": StageDrawing,
-    "image": ImageDrawing,
+    "image": partial(ImageDrawing, live=True),
 }
 Opened = Callable[[], MainWindow]
 PLAIN = Quality(smoothing="none")
