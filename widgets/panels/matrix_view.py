@@ -323,6 +323,7 @@ class MatrixView(QWidget):
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight().color(), 2.0))
             painter.drawRect(self.cell_rect(*self.place).adjusted(1, 1, -1, -1))
+        painter.end()
 
     def _paint_axes(self, painter: QPainter, matrix: WrittenMatrix) -> None:
         left, top = self._margin

@@ -105,6 +105,7 @@ class Divider(QWidget):
             painter.drawPolygon(
                 QPolygonF([tip, tip + back + QPointF(0, 3), tip + back - QPointF(0, 3)])
             )
+        painter.end()
 
 
 class _Other(QWidget):

@@ -360,3 +360,4 @@ class _Ring(QWidget):
         for brush, width_px in ((palette.base(), rim_px), (palette.text(), line_px)):
             painter.setPen(QPen(brush.color(), width_px))
             painter.drawEllipse(middle, radius, radius)
+        painter.end()

@@ -60,3 +60,4 @@ class Combo(QComboBox):
         place.moveCenter(room.center())
         painter = QPainter(self)
         paint_icon(painter, place, "choose", enabled=self.isEnabled())
+        painter.end()

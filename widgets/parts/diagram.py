@@ -171,3 +171,4 @@ class DiagramView(QWidget):
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight(), 2.0))
             painter.drawRect(self.rect().adjusted(1, 1, -1, -1))
+        painter.end()

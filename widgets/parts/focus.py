@@ -114,3 +114,4 @@ class FocusRing(QWidget):
         painter, half = QPainter(self), RING_PX // 2
         painter.setPen(QPen(self.palette().highlight().color(), RING_PX))
         painter.drawRect(self.rect().adjusted(half, half, -half, -half))
+        painter.end()

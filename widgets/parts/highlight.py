@@ -77,6 +77,7 @@ class TintedWidget(OfWidget):
         if self.is_marked:
             painter = QPainter(self)
             paint_highlight(self, painter, QRectF(self.rect()))
+            painter.end()
 
 
 class MarkedLabel(TintedWidget, PlainLabel):

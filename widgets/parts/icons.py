@@ -113,6 +113,7 @@ class WarningLabel(PlainLabel):
             side, room = self.fontMetrics().height(), self.contentsRect()
             painter = QPainter(self)
             paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
+            painter.end()
 
 
 class RefusalLabel(WarningLabel):

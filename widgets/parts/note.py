@@ -109,6 +109,7 @@ class Balanced(PlainLabel):
             else:
                 painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
             top += needed
+        painter.end()
 
     def _paint_subscripts(
         self, painter: QPainter, left: int, top: int, width: int, text: str

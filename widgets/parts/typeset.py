@@ -425,3 +425,4 @@ class TypesetLabel(MarkedLabel):
         painter.restore()
         if self.cell is None and self.is_marked:
             paint_highlight(self, painter, QRectF(self.rect()))
+        painter.end()

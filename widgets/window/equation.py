@@ -209,6 +209,7 @@ class EquationSlide(QWidget):
             painter.drawText(self.rect().adjusted(40, 40, -40, -40), flags, self._problem)
         elif self._laid:
             self._paint(painter)
+        painter.end()
 
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px

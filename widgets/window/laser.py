@@ -60,3 +60,4 @@ class Laser(QWidget):
         painter.setPen(QPen(RIM, rim))
         painter.setBrush(DOT)
         painter.drawEllipse(self.rect().toRectF().adjusted(rim, rim, -rim, -rim))
+        painter.end()

@@ -328,3 +328,4 @@ class Pen(QWidget):
         if strokes:
             painter = QPainter(self)
             paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
+            painter.end()

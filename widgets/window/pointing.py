@@ -52,6 +52,7 @@ class Cross(QWidget):
             else:
                 for x, y in ((ARM_PX, 0), (0, ARM_PX)):
                     painter.drawLine(middle - QPointF(x, y), middle + QPointF(x, y))
+        painter.end()
 
 
 class Pointing(QObject):

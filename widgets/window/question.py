@@ -121,3 +121,4 @@ class QuestionOverlay(QFrame):
         painter.setClipRect(room)
         place = room.topLeft() - QPointF(0.0, self._moved_px)
         self._document.paint(painter, place, self.palette())
+        painter.end()

@@ -187,6 +187,7 @@ class TalkBand(QFrame):
             place = painter.boundingRect(room, at_foot, self.message)
             painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
             painter.drawText(room, at_foot, self.message)
+        painter.end()
 
 
 def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bool, bool]]:

@@ -45,6 +45,7 @@ class _Old(QWidget):
         painter = QPainter(self)
         painter.setOpacity(self._light)
         painter.drawPixmap(0, 0, self._picture)
+        painter.end()
 
 
 class Transition(QObject):

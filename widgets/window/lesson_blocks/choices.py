@@ -54,6 +54,7 @@ class _ChoiceButton(QWidget):
             painter = QPainter(self)
             painter.setPen(QPen(self.palette().highlight().color(), 1))
             painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 3, 3)
+            painter.end()
 
 
 class ChoiceView(BlockView):

@@ -62,6 +62,7 @@ class _Brackets(QWidget):
         painter = QPainter(self)
         painter.setPen(QPen(self.palette().text().color(), 1.6))
         paint_brackets(painter, QRectF(self.rect()).adjusted(1, 1, -3, -3), _BRACKET_PX)
+        painter.end()
 
 
 class MatrixAnswerView(MarkedAnswerView):

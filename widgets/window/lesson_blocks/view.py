@@ -58,6 +58,7 @@ class Sign(QWidget):
         else:
             painter.setPen(QPen(self.palette().color(self.foregroundRole()), 1.4))
             painter.drawRect(QRect(2, 3, side - 5, side - 5))
+        painter.end()
 
 
 class BlockView(QFrame):
