@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 
 from app.measure.reference import Truth, sample, truth
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade
+from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
@@ -240,8 +240,7 @@ def measure(
     """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`."""
     world = looked_at(projection, points_world)
     if not len(world):
-        nothing = ChartPoint("", None, None, None, note=NO_POINTS)
-        return Trade("arithmetic", "ns", "px", (nothing,), 0)
+        return without_numbers("arithmetic", "ns", "px", NO_POINTS)
     judged, where = sample(world)
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}

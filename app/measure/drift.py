@@ -11,7 +11,7 @@ import numpy as np
 
 from app.measure.arithmetic import NO_POINTS, looked_at
 from app.measure.reference import sample
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade
+from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection
 from app.precision.drift import (
@@ -55,7 +55,7 @@ def measure(
     """Measure the drift of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return Trade("drift", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0)
+        return without_numbers("drift", "ns", "px", NO_POINTS)
     choices, runs = [], {}
     for numbers in ("float16", "float32", "float64"):
         for way, said in _WAYS.items():

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.arithmetic.formats import FORMATS, RECIPROCALS, reciprocal
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade
+from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
@@ -165,8 +165,7 @@ def measure(
     """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3)."""
     edge = steepest_edge(projection, corners_world)
     if edge is None:
-        nothing = ChartPoint("perspective-correct", None, None, None, note=NOTHING)
-        return Trade("interpolation", "ns", "texels", (nothing,), 0)
+        return without_numbers("interpolation", "ns", "texels", NOTHING, "perspective-correct")
     s = aligned(max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
     s[:] = np.linspace(0.0, 1.0, len(s))
     right = truth(edge, s)

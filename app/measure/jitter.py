@@ -8,7 +8,7 @@ import numpy as np
 
 from app.measure.arithmetic import MOST_POINTS, NO_POINTS, looked_at
 from app.measure.reference import sample
-from app.measure.results import ChartPoint, Trade
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection
 from app.scenes.phenomena.jitter import jump_errors, paths_of
@@ -26,7 +26,7 @@ def measure(
     """Measure the jumps of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return Trade("jitter", "ns", "px", (ChartPoint("", None, None, None, note=NO_POINTS),), 0)
+        return without_numbers("jitter", "ns", "px", NO_POINTS)
     choices = []
     for way, (name, size) in _WAYS.items():
         wrong, bounds = jump_errors(paths_of(projection, sample(points)[0], way, _DISTANCE))

@@ -278,6 +278,13 @@ class Trade:
         return [c for c in others if c.cost is not None and ends[0] <= c.cost <= ends[1]]
 
 
+def without_numbers(
+    name: str, cost_unit: str, error_unit: str, why: str, choice: str = ""
+) -> Trade:
+    """Return a trade of which nothing can be measured, with the reason."""
+    return Trade(name, cost_unit, error_unit, (ChartPoint(choice, None, None, None, note=why),), 0)
+
+
 @dataclass(frozen=True)
 class ErrorCurve:
     """The errors of one choice in px and in depth, one for each value of the sweep.

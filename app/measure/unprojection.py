@@ -14,7 +14,7 @@ import numpy as np
 
 from app.measure.arithmetic import NO_POINTS, looked_at
 from app.measure.reference import sample
-from app.measure.results import ChartPoint, Trade
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
 from app.precision.unprojecting import WAYS, exact_points, float32_pixels, followed, kept_matrices
@@ -63,8 +63,7 @@ def measure(
     pixels = float32_pixels(trace.image, trace.depth)
     pixels = pixels[(pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0)]
     if not len(pixels):
-        nothing = ChartPoint("", None, None, None, note=NO_POINTS)
-        return Trade("unprojection", "ns", "of the distance", (nothing,), 0)
+        return without_numbers("unprojection", "ns", "of the distance", NO_POINTS)
     away = np.linalg.norm(projection.world_from_image(pixels) - projection.camera.eye, axis=1)
     distances = {"error": AWAY, **NEARER}
     origins = {name: origin_away(projection, each) for name, each in distances.items()}

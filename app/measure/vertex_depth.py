@@ -11,7 +11,7 @@ from collections.abc import Callable
 import numpy as np
 
 from app.measure.interpolation import AFFINE_BYTES, SAMPLES_A_PIXEL, aligned, pieced
-from app.measure.results import ChartPoint, Trade
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Projection
@@ -66,8 +66,7 @@ def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatc
     try:
         DepthBuffer("float32", "logarithmic", lens)
     except Refusal as error:
-        nothing = ChartPoint(names[0], None, None, None, note=str(error))
-        return Trade("vertex-depth", "ns", "w", (nothing,), 0)
+        return without_numbers("vertex-depth", "ns", "w", str(error), names[0])
     near, far = lens.near, lens.far
     s = aligned(SAMPLES_A_PIXEL * projection.image_size[1])
     s[:] = np.linspace(0.0, 1.0, len(s))

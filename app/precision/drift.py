@@ -17,6 +17,7 @@ from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
 from functools import cache, reduce
 from itertools import islice
+from threading import Lock
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -39,6 +40,7 @@ _SINES = 17.0
 """Error of axes from an angle, in units: its sine and cosine are off by 4 at most, each of their
 terms is rounded twice, and so is each sum."""
 _ROUNDED_UP = 1.0 + 1e-9
+_turning = Lock()
 
 
 def exact_turn(degrees: int, axis: Sequence[Fraction] = AXIS) -> dd.DoubleDouble:
@@ -153,7 +155,8 @@ def drifted(numbers: str, way: str, rounds: int) -> tuple[Array, float]:
     """
     if way != "sines":
         done, more = _begun(numbers, way)
-        done += islice(more, max(0, rounds - len(done)))
+        with _turning:  # a lesson is checked beside the window
+            done += islice(more, max(0, rounds - len(done)))
         return done[rounds - 1][0], float(done[rounds - 1][1])
     number, unit = np.dtype(numbers).type, float(np.finfo(numbers).eps) / 2.0
     with np.errstate(all="ignore"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
 from itertools import islice
 from typing import Any
@@ -124,6 +125,15 @@ def test_rounds_that_are_asked_for_one_by_one_are_those_asked_for_at_once() -> N
     for rounds in (2, 1, 3, 7):
         off, bound = drifted("float32", "fast", rounds)
         assert (off == at_once[rounds - 1][0]).all() and bound == at_once[rounds - 1][1]
+
+
+def test_a_lesson_may_be_checked_beside_the_window() -> None:
+    """Both ask for rounds that none has asked for before."""
+    with ThreadPoolExecutor(4) as threads:
+        asked = [threads.submit(drifted, "float32", "fast", rounds) for rounds in (44, 43, 42, 41)]
+        offs = [each.result()[0] for each in asked]
+    for rounds, off in zip((44, 43, 42, 41), offs, strict=True):
+        assert (off == drifted("float32", "fast", rounds)[0]).all()
 
 
 @pytest.mark.parametrize("way", WAYS)

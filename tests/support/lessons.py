@@ -1,4 +1,4 @@
-"""A lesson with each kind of answer, for the player and for the window."""
+"""Lessons for the player and for the window: with each kind of answer, and with one prediction."""
 
 LESSON = """---
 title: How wide?
@@ -71,4 +71,24 @@ Which is it?
 ---
 # The end {#end}
 Read.
+"""
+
+PREDICTED = """---
+title: T
+---
+# One {#one}
+```state
+scene=letter-f
+```
+```predict nearer
+Where is near?
+- [x] At 2 := near
+- [ ] At 3
+  says: It is nearer.
+  state: lens.near=2
+- [ ] At 4
+  says: It is nearer.
+  state: lens.near=4
+show: lens.near=2
+```
 """

@@ -43,7 +43,7 @@ from app.lessons.text import spoken_text
 from app.model.projection import Perspective
 from tests.support.exercises import WIDE
 from tests.support.keys import clashes
-from tests.support.lessons import LESSON
+from tests.support.lessons import LESSON, PREDICTED
 from tests.support.window import (
     NO_KEY,
     MakeWindow,
@@ -425,31 +425,10 @@ def test_a_wrong_idea_is_seen_beside_the_model_until_the_step_goes_on(
         assert "Your idea beside the model" not in buttons_of(block)
 
 
-SEEN = """---
-title: T
----
-# One {#one}
-```state
-scene=letter-f
-```
-```predict nearer
-Where is near?
-- [x] At 2 := near
-- [ ] At 3
-  says: It is nearer.
-  state: lens.near=2
-- [ ] At 4
-  says: It is nearer.
-  state: lens.near=4
-show: lens.near=2
-```
-"""
-
-
 @pytest.mark.undrawn
 def test_a_state_that_is_seen_already_is_not_offered(window: MainWindow, tmp_path: Path) -> None:
     path = tmp_path / "seen.md"
-    path.write_text(SEEN, encoding="utf-8")
+    path.write_text(PREDICTED, encoding="utf-8")
     card = window.lesson_card
     card.open(path)
     for number, is_offered in ((1, False), (2, True)):

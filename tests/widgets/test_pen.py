@@ -23,6 +23,7 @@ from app.lessons.strokes import (
     write_strokes,
 )
 from app.model.refusal import Refusal
+from tests.support.lessons import PREDICTED
 from tests.support.window import activate, arrive, move_mouse, pixels, present, rgb_of, settle
 from widgets.program.handout import handout
 from widgets.program.handout_content import StepFigure, contents
@@ -172,28 +173,11 @@ def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk:
     assert not path.exists() and abs(len(handout(course)) - len(plain)) < 100
 
 
-ANSWERED = """---
-title: A talk
----
-# One {#one}
-```state
-scene=letter-f
-```
-```predict nearer
-Where is near?
-- [x] At 2 := near
-- [ ] At 3
-  says: It is nearer.
-show: lens.near=2
-```
-"""
-
-
 @pytest.mark.undrawn
 def test_strokes_belong_to_the_picture_that_they_were_drawn_on(
     window: MainWindow, talk: Path
 ) -> None:
-    talk.write_text(ANSWERED)
+    talk.write_text(PREDICTED)
     window.lessons.close()
     assert window.lessons.open(talk)
     pen = window.slide.pen

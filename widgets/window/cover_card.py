@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 import traceback
+from abc import abstractmethod
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -82,9 +83,9 @@ class CoverCard(QWidget):
 
     # -- the pictures
 
+    @abstractmethod
     def _picture(self, name: str) -> QPixmap:
         """Draw the picture of a tile."""
-        raise NotImplementedError
 
     def _show_picture(self, name: str, pixmap: QPixmap) -> None:
         self.tiles[name].setIcon(QIcon(pixmap))

@@ -170,7 +170,7 @@ class Block:
     @classmethod
     def read(cls, body: Body) -> Block:
         """Read a block; a `Refusal` names the line that is wrong."""
-        raise NotImplementedError
+        raise NotImplementedError  # not abstract, or `type[Asked]` could be no key of the views
 
     def add_to(self, content: StepContent) -> None:
         """Add the block to what the step shows, asks, or says to a speaker or a check."""

@@ -205,6 +205,12 @@ def enlargement(longest: float, room: float) -> float | None:
     return max(step * power for step in (1.0, 2.0, 5.0) if step * power * longest <= room)
 
 
+def times_text(factor: float) -> str:
+    """Write how many times larger something is drawn: ``20 000 ×``."""
+    text = f"{factor:,.0f} ×" if factor >= 1.0 else f"{factor:g} ×"
+    return text.replace(",", " ")
+
+
 def _arrows(starts: Array, steps: Array, across: Array) -> Array:
     """Shafts with heads (k, 5, 2 or 3), from points, steps and the directions across them."""
     tips, sides = starts + steps, _HEAD / 2.0 * across
@@ -217,10 +223,9 @@ def _marked(arrows: Array, factor: float, name: str) -> Marks:
     if not len(arrows):
         return Marks()
     longest = arrows[np.linalg.norm(arrows[:, 1] - arrows[:, 0], axis=1).argmax(), 1]
-    by = f"{factor:,.0f} ×" if factor >= 1.0 else f"{factor:g} ×"
     return Marks.of(
         *(Polyline(arrow, "accent", 1.5, (), name) for arrow in arrows),
-        Text(name, longest, "accent", text=by.replace(",", " ")),
+        Text(name, longest, "accent", text=times_text(factor)),
     )
 
 

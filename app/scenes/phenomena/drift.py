@@ -13,7 +13,7 @@ import numpy as np
 from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.drift import AXIS, drifted, errors_px
-from app.scenes.phenomena.cheap_arithmetic import enlargement
+from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
@@ -100,7 +100,7 @@ def _image_marks(
     end = start + errors_px(projection, worst, off, 0.0)[0][0]
     if not ((end >= 0.0) & (end <= projection.image_size)).all():
         return Marks()
-    enlarged = f" × {times:,.0f}".replace(",", " ") if times > 1.0 else ""
+    enlarged = f" ({times_text(times)})" if times > 1.0 else ""
     text = f"{figure(float(lengths.max()), 2)} px{enlarged}"
     return Marks.of(segment(start, end, "accent", 1.5), Text("drift", end, "accent", text=text))
 

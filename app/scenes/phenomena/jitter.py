@@ -24,7 +24,7 @@ from app.model.parameter import Parameter
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.cheap import Hardware, cheap
 from app.precision.drift import errors_px
-from app.scenes.phenomena.cheap_arithmetic import enlargement
+from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
@@ -139,13 +139,12 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
         return Marks(), None
     across, down = 0.95 * width - times * (high - across), np.linspace(0.1, 0.9, FRAMES + 1)
     drawn, true = (np.column_stack([each, height * down]) for each in across)
-    enlarged = f"{times:,.0f} ×".replace(",", " ") if times >= 1.0 else f"{times:g} ×"
     return Marks.of(
         Polyline(true, "leader", 2.0),
         Polyline(drawn[: frame + 1], "accent", 1.0),
         *(Dot(place, "accent", 0.6) for place in drawn[: frame + 1]),
         Text("smooth", true[0], "muted", text=WORDS["smooth-path"]),
-        Text("drawn", drawn[frame], "accent", text=enlarged),
+        Text("drawn", drawn[frame], "accent", text=times_text(times)),
         named("P", paths.true[0, 0]),
     ), times
 

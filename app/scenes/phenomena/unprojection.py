@@ -30,7 +30,7 @@ from app.precision.unprojecting import (
     followed,
     off_there,
 )
-from app.scenes.phenomena.cheap_arithmetic import enlargement
+from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
@@ -84,7 +84,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         for pair in drawn[1:].reshape(-1, 2, 3):
             if np.isfinite(pair).all():
                 world.append(Polyline(pair, "u", 1.0, (), "back"))
-        times = f" ({factor:,.0f} ×)".replace(",", " ") if factor > 1.0 else ""
+        times = f" ({times_text(factor)})" if factor > 1.0 else ""
         world += [
             segment(place, drawn[0], "u", 2.0),
             Text("error", (place + drawn[0]) / 2.0, "u", text=figure(lengths[0], 2) + times),
