@@ -31,7 +31,7 @@ FRAMES = 21
 
 def check(options: Namespace) -> None:
     """Refuse options that are of other figures."""
-    for option in ("crop", "transparent", "loop", "fps"):
+    for option in ("crop", "width", "transparent", "loop", "fps"):
         if getattr(options, option) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 

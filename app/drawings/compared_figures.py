@@ -7,13 +7,13 @@ from itertools import pairwise, starmap
 import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
-from app.document.compare import DifferenceWriter, in_words, names_in
+from app.document.compare import DifferenceWriter, names_in
 from app.document.settings import name_of, pictured
 from app.drawings.drawing import Drawing
 from app.drawings.label import SceneLabel
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import Ends, PanePicture
-from app.drawings.side_by_side import BARE_EM, places_of
+from app.drawings.side_by_side import BARE_EM, places_of, room_for
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
 from app.lecture.typesetting import font_file
@@ -23,7 +23,7 @@ from app.scenes.phenomena.readout import figure
 from app.scenes.scene import Scene
 
 LINE_EM = 1.5
-_MOST_WORDS = 0.25  # of a figure's height, for the differences in words
+_MOST_WORDS = 0.25  # of a figure's height, for a caption
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,8 +37,10 @@ class Compared:
     dividers: tuple[float, ...]
     live: int
     size: tuple[int, int]
-    """Without the lines of words below."""
+    low: int
+    """Where the pictures end, and the caption begins."""
     lines: list[str]
+    """Of the caption."""
 
     @property
     def _style(self) -> Style:
@@ -56,28 +58,39 @@ class Compared:
         return [0, *inner, self.size[0]]
 
     def pixels(self, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
-        (width, height), style = self.size, self._style
-        ink = _in_words(self.lines, width, style)
+        style = self._style
         drawn = [picture.pixels_and_ends(seen) for picture in self.pictures]
         if not self.dividers:
             parts = [pixels for pixels, _ in drawn]
             if self._is_titled:
                 named = zip(parts, self.pictures, strict=True)
                 parts = [_titled(part, picture.caption, style) for part, picture in named]
-            whole = np.empty((height, width, parts[0].shape[2]), np.uint8)
-            whole[:] = parts[0][0, 0]  # beside the pictures
+            whole = self._empty(parts[0])
             for part, (left, top, wide, high) in zip(parts, self.places, strict=True):
                 whole[top : top + high, left : left + wide] = part
-            return _with_words(whole, ink, style)
+            return self._with_caption(whole)
         edges = self._edges(drawn[self.live][1])
-        whole = drawn[0][0].copy()
+        whole = self._empty(drawn[0][0])
         for (pixels, _), strip in zip(drawn, starmap(slice, pairwise(edges)), strict=True):
-            whole[:, strip] = pixels[:, strip]
+            whole[: self.low, strip] = pixels[:, strip]
         half = max(1, round(style.line_width / 2.0))
         for x in edges[1:-1]:
-            whole[:, max(0, x - half) : x + half, :3] = np.array(rgb(style.ink)) * 255.0
-            whole[:, max(0, x - half) : x + half, 3:] = 255
-        return _with_words(whole, ink, style)
+            divider = whole[: self.low, max(0, x - half) : x + half]
+            divider[..., :3] = np.array(rgb(style.ink)) * 255.0
+            divider[..., 3:] = 255
+        return self._with_caption(whole)
+
+    def _empty(self, part: Pixels) -> Pixels:
+        """As much of a picture's background as all is large."""
+        whole = np.empty((self.size[1], self.size[0], part.shape[2]), np.uint8)
+        whole[:] = part[0, 0]
+        return whole
+
+    def _with_caption(self, whole: Pixels) -> Pixels:
+        ink = _in_words(self.lines, self.size[0], self._style)
+        band = whole[self.low : self.low + len(ink)]
+        band[:] = _inked(band, ink, self._style)
+        return whole
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
         (width, height), style, shapes = self.size, self._style, list[Shape]()
@@ -88,7 +101,7 @@ class Compared:
             for (part, _), (left, right) in zip(drawn, pairwise(edges), strict=True):
                 shapes += within(part, left, right)
             for x in edges[1:-1]:
-                ends = [(float(x), 0.0), (float(x), float(height))]
+                ends = [(float(x), 0.0), (float(x), float(self.low))]
                 shapes.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
         for (part, _), picture, (left, top, wide, _) in zip(
             drawn, self.pictures, self.places, strict=False
@@ -98,16 +111,15 @@ class Compared:
             shapes += (moved(shape, left, top) for shape in part)
         ground = next((each for each in shapes if isinstance(each, Area)), None)
         if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
-            low = height + line_px * len(self.lines)
-            corners = [(0.0, 0.0), (float(width), 0.0), (float(width), low), (0.0, low)]
+            corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
             shapes.insert(0, ground._replace(rings=[corners]))
         for number, text in enumerate(self.lines):
-            y = height + (number + 0.5) * line_px
+            y = self.low + (number + 0.5) * line_px
             shapes.append(_line_of_text(text, width / 2.0, y, style))
         return shapes
 
 
-def compared_in(whole: PanePicture, scene: Scene) -> Compared:
+def compared_in(whole: PanePicture, scene: Scene, caption: str = "") -> Compared:
     """Return the pictures that are compared in a pane, which is as large as `whole`.
 
     The scene is the document's own one.
@@ -125,11 +137,7 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
     names = names_in([words.get(name, name) for name in given], states, settings, written)
     aspects = [state.projection.aspect for state in states]
     is_divided = bool(dividers) and len(set(aspects)) == 1 and whole.pane == "image"
-    # A divided picture without a frame has no names.
-    lines = list[str]()
-    if whole.framed or not is_divided:
-        differing = in_words(pictures, states, settings, written)
-        lines = _lines_of(", ".join(differing), whole.size, style)
+    lines = _lines_of(caption, whole.size, style)
     width, height = whole.size[0], whole.size[1] - _line_px(style) * len(lines)
     shown = [
         replace(
@@ -150,11 +158,13 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
         ]
     else:
         places = places_of(whole.pane, width, height, aspects, style.font_size)
+        if whole.pane == "image":
+            places, height = room_for(places, aspects, style.font_size)
         shown = [
             replace(picture, size=(wide, high), framed=True, bare=True)
             for picture, (_, _, wide, high) in zip(shown, places, strict=True)
         ]
-    return Compared(shown, places, dividers if is_divided else (), live, (width, height), lines)
+    return Compared(shown, places, dividers if is_divided else (), live, whole.size, height, lines)
 
 
 def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
@@ -169,11 +179,6 @@ def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
     height, width, _ = pixels.shape
     ink = _in_words(_lines_of(text, (width, height), style), width, style)
     return np.concatenate([_inked(pixels[: len(ink)], ink, style), pixels[len(ink) :]])
-
-
-def _with_words(pixels: Pixels, ink: Array, style: Style) -> Pixels:
-    """A picture with a band of text below it, on the same background."""
-    return np.concatenate([pixels, _inked(pixels[0, 0], ink, style)])
 
 
 def _inked(pixels: Pixels, ink: Array, style: Style) -> Pixels:

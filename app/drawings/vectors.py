@@ -208,9 +208,9 @@ def shapes_of(
     ]
     # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.
     shapes: list[Shape] = [area for pane in panes for area in pane.background()]
-    for pane in panes:
-        shapes += pane.shapes(window)
-    return shapes
+    drawn = [shape for pane in panes for shape in pane.shapes(window)]
+    # Pixels next: the frame of an image lies over their edges.
+    return shapes + sorted(drawn, key=lambda shape: not isinstance(shape, PixelShape))
 
 
 def refuse_too_many(window: Any) -> None:
