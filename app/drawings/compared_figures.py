@@ -5,20 +5,19 @@ from dataclasses import dataclass, replace
 from itertools import pairwise, starmap
 
 import numpy as np
-from PIL import Image, ImageDraw, ImageFont
 
 from app.document.compare import DifferenceWriter, names_in
 from app.document.settings import name_of, pictured
 from app.drawings.drawing import Drawing
 from app.drawings.label import SceneLabel
+from app.drawings.label import drawn as drawn_label
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import Ends, PanePicture
 from app.drawings.side_by_side import BARE_EM, places_of, room_for
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
-from app.lecture.typesetting import font_file
+from app.lecture.typesetting import line_of
 from app.model.parameters import TITLES
-from app.model.projection import Array
 from app.scenes.phenomena.readout import figure
 from app.scenes.scene import Scene
 
@@ -87,9 +86,7 @@ class Compared:
         return whole
 
     def _with_caption(self, whole: Pixels) -> Pixels:
-        ink = _in_words(self.lines, self.size[0], self._style)
-        band = whole[self.low : self.low + len(ink)]
-        band[:] = _inked(band, ink, self._style)
+        _write(whole[self.low :], self.lines, self._style)
         return whole
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
@@ -176,46 +173,37 @@ def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
 
 def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
     """A picture with its name at the top, where a pane has its title."""
-    height, width, _ = pixels.shape
-    ink = _in_words(_lines_of(text, (width, height), style), width, style)
-    return np.concatenate([_inked(pixels[: len(ink)], ink, style), pixels[len(ink) :]])
-
-
-def _inked(pixels: Pixels, ink: Array, style: Style) -> Pixels:
-    colour = np.array([*(255.0 * part for part in rgb(style.ink)), 255.0])[: pixels.shape[-1]]
-    return np.round(pixels + ink[..., None] * (colour - pixels)).astype(np.uint8)
+    lines = _lines_of(text, (pixels.shape[1], pixels.shape[0]), style)
+    titled = pixels.copy()
+    _write(titled[: _line_px(style) * len(lines)], lines, style)
+    return titled
 
 
 def _line_px(style: Style) -> int:
     return round(LINE_EM * style.font_size)
 
 
-def _font(style: Style) -> ImageFont.FreeTypeFont:
-    # Pillow's other layout needs a system library, so that figures would differ between machines.
-    basic = ImageFont.Layout.BASIC
-    return ImageFont.truetype(font_file("DejaVuSans"), style.font_size, layout_engine=basic)
-
-
 def _lines_of(text: str, size: tuple[int, int], style: Style) -> list[str]:
     """Break a text into lines, at most a quarter of a height; the rest is dropped."""
-    width, height = size
-    font = _font(style)
-    room = width - 2.0 * BARE_EM * style.font_size
+    room = size[0] / style.font_size - 2.0 * BARE_EM
     lines: list[str] = []
     for word in text.split():
-        if lines and font.getlength(f"{lines[-1]} {word}") <= room:
+        if lines and line_of(f"{lines[-1]} {word}", True).width <= room:
             lines[-1] += f" {word}"
         else:
             lines.append(word)
-    return lines[: int(_MOST_WORDS * height / _line_px(style))]
+    return lines[: int(_MOST_WORDS * size[1] / _line_px(style))]
 
 
-def _in_words(lines: Sequence[str], width: int, style: Style) -> Array:
-    """Lines of text as ink from 0 to 1, (n, width)."""
-    font = _font(style)
-    line_px = _line_px(style)
-    band = Image.new("L", (width, line_px * len(lines)))
-    for place, line in enumerate(lines):
-        middle = width / 2.0, (place + 0.5) * line_px
-        ImageDraw.Draw(band).text(middle, line, fill=255, font=font, anchor="mm")
-    return np.asarray(np.asarray(band, dtype=np.float64).reshape(-1, width) / 255.0)
+def _write(band: Pixels, lines: Sequence[str], style: Style) -> None:
+    """Write lines of words into the middle of a picture's rows."""
+    for place, text in enumerate(lines):
+        ink = drawn_label(text, style.font_size, style.tone(""), style.background, plain=True)
+        ink = ink[:, : band.shape[1]]
+        top = round((place + 0.5) * _line_px(style) - ink.shape[0] / 2.0)
+        left = (band.shape[1] - ink.shape[1]) // 2
+        ink = ink[max(0, -top) : len(band) - top]
+        part = band[max(0, top) :][: len(ink), left : left + ink.shape[1]]
+        opacity = ink[..., 3:] / 255.0
+        part[:] = np.round(part + opacity * (ink[..., : part.shape[2]] - part.astype(float)))
+        part[..., 3:] = np.maximum(part[..., 3:], ink[..., 3:])

@@ -138,7 +138,7 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
 def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, float, float] | None:
     """Return left, top, right and bottom of the shapes that are seen; None if there are none."""
     corners = list[tuple[float, float]]()
-    empty = rgb(background)
+    empty = rgb(background) if background else None
     for shape in shapes:
         if isinstance(shape, Area):
             if shape.colour != empty:

@@ -8,7 +8,6 @@ from itertools import pairwise
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from PIL import ImageFont
 
 from app.document.compare import DifferenceWriter, in_words
 from app.document.document import Document
@@ -95,22 +94,6 @@ def test_only_the_authors_caption_is_written_below_pictures_side_by_side() -> No
     last, low = (int(np.flatnonzero(each)[-1]) for each in (alone, captioned))
     # Letters of 12 pixels in a line right below the pictures, however high the figure is.
     assert last + 8 < low <= last + 2 * 18 and (higher[:330] == captioned).all()
-
-
-def test_words_below_pictures_do_not_depend_on_libraries_of_the_machine(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    """With FriBiDi, Pillow would set them closer together."""
-    monkeypatch.setattr(ImageFont.core, "HAVE_RAQM", True)
-    truetype, fonts = ImageFont.truetype, list[ImageFont.FreeTypeFont]()
-    monkeypatch.setattr(
-        ImageFont,
-        "truetype",
-        lambda *given, **more: fonts.append(truetype(*given, **more)) or fonts[-1],
-    )
-    document = compared(Document("field-of-view", load("field-of-view").start), "photographs")
-    Figure(document, load("field-of-view"), ("image",), SIZE, caption="a b").pixels()
-    assert {font.layout_engine for font in fonts} == {ImageFont.Layout.BASIC}
 
 
 def test_in_what_pictures_differ_in_words() -> None:
