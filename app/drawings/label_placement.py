@@ -22,10 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
-SQUARE_EM = 1.0 / 3.0
-"""Side of the squares in which ink is counted."""
-LEADER_FROM_EM = 1.2
-"""Beyond this distance a leader joins a label to its mark."""
+SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
+LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
 _PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a border even back
     [

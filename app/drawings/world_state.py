@@ -21,8 +21,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-WIDEST = 1e35
-"""Larger than any scene, and a float32."""
+WIDEST = 1e35  # larger than any scene, and a float32
 
 
 class CameraPose(NamedTuple):

@@ -13,11 +13,9 @@ from collections.abc import Sequence
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_name
 
-SIZES = (9, 12, 16)
-"""How many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4."""
+SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4
 
-LONGEST = 20_000
-"""Most characters of a text that may be a matrix."""
+LONGEST = 20_000  # most characters of a text that may be a matrix
 
 LONG = QT_TRANSLATE_NOOP("Refusal", "must be the text of one matrix, up to {0} characters long")
 COUNT_OF = QT_TRANSLATE_NOOP("Refusal", "must be {0} numbers, but has {1}")

@@ -40,11 +40,9 @@ from widgets.parts.scales import Linear
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
 from widgets.parts.writing import all_digits, lettering
 
-STEP_MS = 2500
-"""Time for reading each step while playing."""
+STEP_MS = 2500  # time for reading each step while playing
 NUDGE_DEG = 0.1
-CLOSE_DEG = 1.0
-"""Up counts as close to the view direction up to this angle."""
+CLOSE_DEG = 1.0  # up counts as close to the view direction up to this angle
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
@@ -67,8 +65,7 @@ class FramePanel(Panel):
     """Builds u, v and n step by step."""
 
     concerns = PROJECTION
-    step_changed = Signal(object)
-    """The step to draw; None while the panel is folded."""
+    step_changed = Signal(object)  # the step to draw; None while the panel is folded
 
     def __init__(self) -> None:
         super().__init__()

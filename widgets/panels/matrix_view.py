@@ -55,8 +55,7 @@ class MatrixNotation(NamedTuple):
     """The notation of all matrices."""
 
     letters: Letters = "own"
-    rows: bool = False
-    """Whether vectors are rows, so that the axes are rows too."""
+    rows: bool = False  # whether vectors are rows, so that the axes are rows too
     formulas: bool = False
     style: Style = LIGHT
 
@@ -115,8 +114,7 @@ class _CellField(QLineEdit):
 
     left = Signal()
     moved_on = Signal(int)
-    pasted = Signal(str)
-    """The text of a whole matrix."""
+    pasted = Signal(str)  # the text of a whole matrix
 
     def __init__(self, text: str, view: QWidget) -> None:
         super().__init__(text, view)
@@ -166,18 +164,14 @@ class MatrixView(QWidget):
     `title` is for screen readers; `explain` returns the sentence about a cell.
     """
 
-    pointed = Signal(str)
-    """The sentence about the cell under the mouse or the cursor."""
+    pointed = Signal(str)  # the sentence about the cell under the mouse or the cursor
     copied = Signal(str, object)
     """A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to copy in it."""
     highlighted = Signal(object)
     """The `Highlight` of the cell under the mouse or the cursor; only when it changes."""
-    typed = Signal(int, int, str)
-    """Row, column and text of a cell; the receiver may call `refuse`."""
-    pasted = Signal(str)
-    """The text of a whole matrix."""
-    moved_on = Signal(int, int)
-    """Row and column of the next cell to type in."""
+    typed = Signal(int, int, str)  # row, column and text of a cell; the receiver may call `refuse`
+    pasted = Signal(str)  # the text of a whole matrix
+    moved_on = Signal(int, int)  # row and column of the next cell to type in
 
     def __init__(
         self,

@@ -40,8 +40,7 @@ class ProbePanel(ReadablePanel):
     """The probes, the buttons that change them, and the table of their numbers."""
 
     concerns = PROJECTION
-    changed = Signal()
-    """The probes have changed."""
+    changed = Signal()  # the probes have changed
 
     def __init__(self) -> None:
         super().__init__()

@@ -26,8 +26,7 @@ from widgets.parts.progress import progress_dialog
 AT_FIRST = 200_000
 """Triangles of a software renderer's first frame, before its speed is known: a million would hold
 the first step of a drag for half a second."""
-MANY_TRIANGLES = 10_000
-"""Making coarser versions of a scene with more triangles shows progress."""
+MANY_TRIANGLES = 10_000  # making coarser versions of a scene with more triangles shows progress
 AT_REST = "FXAA"
 """The automatic smoothing. With OpenGL in software it takes five times as long as the rest."""
 
@@ -39,8 +38,7 @@ class Adaptive(QObject):
     frame while a control is dragged; 0 for any.
     """
 
-    changed = Signal()
-    """`late_ms` has become zero or not zero, or `samples` has changed."""
+    changed = Signal()  # `late_ms` has become zero or not zero, or `samples` has changed
 
     def __init__(
         self,

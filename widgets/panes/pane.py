@@ -30,8 +30,7 @@ from widgets.parts.clock import Clock
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import PlainLabel
 
-REST_MS = 80
-"""A coarse picture is refined when nothing has changed for so long."""
+REST_MS = 80  # a coarse picture is refined when nothing has changed for so long
 AS_BUILT: dict[str, Any] = {
     "smoothing": "none",
     "detail": None,
@@ -72,25 +71,17 @@ class Pane(QFrame):
     """
 
     concerns = PROJECTION | {"illustration"}
-    fixed_left = Signal()
-    """The user turned the fixed view, which became the free view."""
+    fixed_left = Signal()  # the user turned the fixed view, which became the free view
     enlarge_requested = Signal()
-    clicked = Signal(QPointF)
-    """A place in the canvas, in device pixels from its top left."""
-    aimed = Signal(QPointF)
-    """Likewise, while `is_aimed_at`, instead of `clicked`."""
-    double_clicked = Signal()
-    """The canvas was double-clicked: the click before does not count."""
-    float_requested = Signal()
-    """The pane shall get, or leave, a window of its own."""
-    highlighted = Signal(object)
-    """The `Highlight` of what is under the mouse; only when it changes."""
+    clicked = Signal(QPointF)  # a place in the canvas, in device pixels from its top left
+    aimed = Signal(QPointF)  # likewise, while `is_aimed_at`, instead of `clicked`
+    double_clicked = Signal()  # the canvas was double-clicked: the click before does not count
+    float_requested = Signal()  # the pane shall get, or leave, a window of its own
+    highlighted = Signal(object)  # the `Highlight` of what is under the mouse; only when it changes
     timed = Signal(float, float)
     """The ms of the last step's matrices and of a repaint; only after `set_timed`."""
-    turned = Signal()
-    """The pane's own view was moved by hand, or put back."""
-    marked = Signal()
-    """The pane shows other layers or probes."""
+    turned = Signal()  # the pane's own view was moved by hand, or put back
+    marked = Signal()  # the pane shows other layers or probes
 
     def __init__(
         self,

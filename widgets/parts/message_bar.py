@@ -13,8 +13,7 @@ from widgets.parts.icons import WarningLabel
 from widgets.parts.layouts import in_row
 from widgets.parts.messages import breakable
 
-Choice: TypeAlias = tuple[str, Callable[[], object]]
-"""Text of a button and its action."""
+Choice: TypeAlias = tuple[str, Callable[[], object]]  # text of a button and its action
 
 
 class MessageBar(QFrame):

@@ -25,8 +25,7 @@ log = logging.getLogger(__name__)
 
 DRAWN_FINER = 2.0
 """Factor by which a picture is drawn larger, so that its lines do not hide the scene."""
-BARE = View(layers=frozenset({"labels"}))
-"""The view of a picture, without labels."""
+BARE = View(layers=frozenset({"labels"}))  # the view of a picture, without labels
 
 
 class CoverCard(QWidget):
@@ -35,8 +34,7 @@ class CoverCard(QWidget):
     `card` is the visible part.
     """
 
-    left = Signal()
-    """The card has closed; emitted before the signal of what was chosen."""
+    left = Signal()  # the card has closed; emitted before the signal of what was chosen
 
     def __init__(self, window: QWidget, name: str, *, dark: bool) -> None:
         super().__init__(window)

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
 from widgets.window.settings import Settings
 
-TOP_EDGE_PX = 3
-"""The tool bar appears when the mouse is this close to the top of the screen."""
+TOP_EDGE_PX = 3  # the tool bar appears when the mouse is this close to the top of the screen
 
 
 class Screens:
@@ -56,12 +55,9 @@ class Present(QObject):
     bottom row, is hidden.
     """
 
-    switched = Signal(bool)
-    """Presenting began or ended: text and lines change their size."""
-    moved = Signal()
-    """The class sees another screen."""
-    one_screen = Signal()
-    """There is no other screen to swap with."""
+    switched = Signal(bool)  # presenting began or ended: text and lines change their size
+    moved = Signal()  # the class sees another screen
+    one_screen = Signal()  # there is no other screen to swap with
 
     def __init__(
         self, window: QMainWindow, tools: QToolBar, below: QWidget, screens: Screens

@@ -41,8 +41,7 @@ class StartCard(CoverCard):
     review_wanted = Signal()
     open_wanted = Signal()
     trades_wanted = Signal()
-    always_set = Signal(bool)
-    """Whether the card appears at every start."""
+    always_set = Signal(bool)  # whether the card appears at every start
 
     def __init__(
         self,

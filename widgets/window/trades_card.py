@@ -23,13 +23,10 @@ from widgets.window.cover_card import CoverCard
 from widgets.window.quality import with_choice
 
 COLUMNS = 5
-ROUND_PX = 8
-"""The room around the content of a tile."""
-BESIDE_PX = 80
-"""The part of the window's width that no tile takes."""
+ROUND_PX = 8  # the room around the content of a tile
+BESIDE_PX = 80  # the part of the window's width that no tile takes
 WIDEST_PX = 330
-PIXELS_SHOWN = 1 / 3
-"""Factor by which a picture is drawn smaller, so that its pixels are seen."""
+PIXELS_SHOWN = 1 / 3  # factor by which a picture is drawn smaller, so that its pixels are seen
 
 
 class TradesCard(CoverCard):

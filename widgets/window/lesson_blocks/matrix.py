@@ -19,8 +19,7 @@ from widgets.parts.typeset import paint_brackets
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import Sign, on_holder
 
-CELL_EM = 6.0
-"""Largest width of a cell, in line heights."""
+CELL_EM = 6.0  # largest width of a cell, in line heights
 _BRACKET_PX = 6
 
 
