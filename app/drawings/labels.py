@@ -67,8 +67,7 @@ class Board:
         """The labels whose places are not free, and for how many seconds."""
         self._fades: dict[Hashable, tuple[float, KeptSpot | None]] = {}
         """The labels on the way to other places, and for how many seconds."""
-        self.left_out: list[str] = []
-        """The texts of the labels that were wanted, and have no place."""
+        self.left_out: list[str] = []  # the texts of the labels that were wanted, and have no place
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
 

@@ -227,8 +227,7 @@ class PaneCamera:
         self._window, self._em = canvas.window, canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
         self._goal = vtkCamera()
-        self.is_turned = False
-        """Whether the way ends where the user has turned the camera."""
+        self.is_turned = False  # whether the way ends where the user has turned the camera
 
     @property
     def size_px(self) -> tuple[int, int]:

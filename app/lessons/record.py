@@ -119,8 +119,7 @@ class Record:
 
     def __init__(self, path: Path) -> None:
         self._path, self._old = path, path.with_name(f"old-{path.name}")
-        self.problem: Refusal | None = None
-        """Why a part of it could not be read the last time."""
+        self.problem: Refusal | None = None  # why a part of it could not be read the last time
 
     def add(self, attempt: Attempt) -> None:
         """Add a line; a `Refusal` if it cannot be written."""

@@ -168,8 +168,7 @@ class _MatrixTextReader:
     def __init__(self) -> None:
         self.lines: list[list[float]] = [[]]
         self.count = 0
-        self.places: list[str] = []
-        """The indices in the labels of numbers: ``00`` of ``m00 = 1``."""
+        self.places: list[str] = []  # the indices in the labels of numbers: ``00`` of ``m00 = 1``
         self.open: list[tuple[str, int]] = []
         """The name before each open bracket, and how many numbers were read before it."""
 

@@ -62,8 +62,7 @@ class _Value(TypesetLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_below = False
-        """Whether the value is below its label."""
+        self.is_below = False  # whether the value is below its label
         self.shrinks = True
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 

@@ -73,8 +73,7 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.motions: dict[str, SettingMotion] = {}
-        self.lent: set[str] = set()
-        """Names of the settings whose rows are elsewhere."""
+        self.lent: set[str] = set()  # names of the settings whose rows are elsewhere
         self.readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self.readable.changed)
 

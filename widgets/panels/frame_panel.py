@@ -70,8 +70,7 @@ class FramePanel(Panel):
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Camera frame"))
-        self.step = 0
-        """Index into `app.lecture.camera_frame.STEPS`."""
+        self.step = 0  # index into `app.lecture.camera_frame.STEPS`
         self._projection = Projection()
         self._highlight = NOTHING
         self._steps = self._make_steps()

@@ -76,8 +76,7 @@ class _Node(QAbstractButton):
         self.is_leaf = kind.name not in {each.parent for each in KINDS.values()}
         self._on_path = False
         self._style = LIGHT
-        self.scale = 1.0
-        """Scale of the letters."""
+        self.scale = 1.0  # scale of the letters
         self.setText(_text(kind.title))
         self.setAccessibleName(_text(kind.title))
         self.setCheckable(True)

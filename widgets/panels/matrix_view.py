@@ -119,8 +119,7 @@ class _CellField(QLineEdit):
     def __init__(self, text: str, view: QWidget) -> None:
         super().__init__(text, view)
         self._view = view
-        self.is_refused = False
-        """Whether the text was refused, and has not been edited since."""
+        self.is_refused = False  # whether the text was refused, and has not been edited since
         self.textEdited.connect(self._mend)
 
     def _mend(self) -> None:
@@ -183,10 +182,8 @@ class MatrixView(QWidget):
         super().__init__()
         self.setAccessibleName(title)
         self._explain, self._editable = explain, editable
-        self.field: _CellField | None = None
-        """The field of the cell that is being typed."""
-        self.place = (0, 0)
-        """Row and column of the keyboard's cursor."""
+        self.field: _CellField | None = None  # the field of the cell that is being typed
+        self.place = (0, 0)  # row and column of the keyboard's cursor
         self.texts: list[list[str]] = []
         """The cells' texts; formulas are for `widgets.parts.typeset`."""
         self._matrix: WrittenMatrix | None = None

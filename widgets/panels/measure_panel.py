@@ -144,10 +144,8 @@ class MeasurePanel(DiagramPanel):
         self._asked: list[str] = []  # the trades and sweeps that are being measured
         self.measured: dict[str, Measurements] = {}
         """The last results of every trade and sweep, by name; each holds only that one."""
-        self.loaded: dict[str, Measurements] = {}
-        """The results from a file, by name."""
-        self.words: dict[str, str] = {}
-        """Why a trade or sweep has no results."""
+        self.loaded: dict[str, Measurements] = {}  # the results from a file, by name
+        self.words: dict[str, str] = {}  # why a trade or sweep has no results
         self.measuring = Measuring(self)
         self.measuring.progressed.connect(lambda part: self.progress.setValue(round(1000 * part)))
         self.measuring.finished.connect(self._finished)

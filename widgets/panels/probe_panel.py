@@ -46,8 +46,7 @@ class ProbePanel(ReadablePanel):
         super().__init__()
         self.probes: tuple[Probe, ...] = ()
         """The probes that the panes mark, in the order of the table."""
-        self.pinned = frozenset[int]()
-        """Numbers of the probes that the next click does not move."""
+        self.pinned = frozenset[int]()  # numbers of the probes that the next click does not move
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._is_new = False

@@ -61,8 +61,7 @@ class Adaptive(QObject):
         self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
         self.budget = self._of_turning = FrameBudget([FrameQuality(False, 1.0)], 0.0)
-        self._measured = self.budget
-        """The budget that the present frame counts for."""
+        self._measured = self.budget  # the budget that the present frame counts for
         self._turned = QTimer(self, singleShot=True, interval=REST_MS)
         self._turned.timeout.connect(self._end_turn)
         for pane in panes.values():

@@ -376,8 +376,7 @@ class Hand(QObject):
         """Where the left button was pressed, while it may be a click."""
         self._dragged_from: QPointF | None = None
         self._holds = False
-        self.has_tooltip = True
-        """Whether the canvas has a tooltip."""
+        self.has_tooltip = True  # whether the canvas has a tooltip
         self.may_turn: Callable[[], bool] = lambda: True
         """Whether a drag turns the camera; otherwise it only shifts it."""
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.

@@ -243,8 +243,7 @@ class Compare(QObject):
         self._laid_out: list[tuple[int, int] | None] = []
         """The sizes of the images in the present layout."""
         self._screen_px = 0.0  # the height of the screen that a class looks at; 0 for a window
-        self.bar = QWidget()
-        """Below the picture: says how the pictures differ."""
+        self.bar = QWidget()  # below the picture: says how the pictures differ
         self.words = _TwoLineLabel()
         self.words.setAccessibleName(self.tr("Differences between the pictures"))
         self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)

@@ -96,14 +96,11 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self.make_drawing = make_drawing
         self.drawing: Drawing | None = None
-        self.shown: ShownData | None = None
-        """What the pane shows, or will show when it appears."""
+        self.shown: ShownData | None = None  # what the pane shows, or will show when it appears
         self._to_build: tuple[object, ...] | None = None
-        self.built_with: tuple[object, ...] | None = None
-        """The last arguments of `build`."""
+        self.built_with: tuple[object, ...] | None = None  # the last arguments of `build`
         self._waits = False
-        self.requested = dict(AS_BUILT)
-        """The values of `request`."""
+        self.requested = dict(AS_BUILT)  # the values of `request`
         self._due: set[str] = set()  # what the drawing has yet to show
         self._pointed_at = NOTHING
         self._matrices_ms = 0.0
@@ -133,8 +130,7 @@ class Pane(QFrame):
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
-        self.is_aimed_at = False
-        """Whether a question asks for a place in the picture."""
+        self.is_aimed_at = False  # whether a question asks for a place in the picture
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]

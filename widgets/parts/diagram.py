@@ -35,8 +35,7 @@ class DiagramView(QWidget):
         self._diagram: Diagram | None = None
         self.names: dict[str, Floats] = {}
         """Places of the curves' names (left, top, right, bottom), kept where possible."""
-        self.spot_names: dict[str, QRectF] = {}
-        """Places of the spots' names."""
+        self.spot_names: dict[str, QRectF] = {}  # places of the spots' names
         self._style = LIGHT
         self._pressed = ""  # the key of the spot under the last press of the mouse
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)

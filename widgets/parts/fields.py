@@ -97,8 +97,7 @@ class Row(TintedWidget, QWidget, Gestures):
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()
         self.name, self.tip = name, tip
-        self.error = ""
-        """The sentence shown below the row, or nothing."""
+        self.error = ""  # the sentence shown below the row, or nothing
         self._attending: set[str] = set()  # by mouse and keyboard
         self._value: Any = None
         self._default: Any = None

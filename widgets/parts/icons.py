@@ -88,8 +88,7 @@ class WarningLabel(PlainLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_warning = True
-        """Whether the text is a warning."""
+        self.is_warning = True  # whether the text is a warning
         self.setWordWrap(True)
         self._fit_sign()
 

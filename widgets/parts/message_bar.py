@@ -31,8 +31,7 @@ class MessageBar(QFrame):
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._sentence, self._warns = "", False
-        self.choices: tuple[QPushButton, ...] = ()
-        """The buttons of the message shown."""
+        self.choices: tuple[QPushButton, ...] = ()  # the buttons of the message shown
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
         tip = self.tr("Dismiss this message")

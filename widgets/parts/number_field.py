@@ -42,8 +42,7 @@ class NumberField(QLineEdit):
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__()
         self.name, self.unit = name, unit
-        self.refused = False
-        """Whether the text was refused."""
+        self.refused = False  # whether the text was refused
         self._number: float | None = None
         self.setAccessibleName(name)
 

@@ -50,8 +50,7 @@ class CoverCard(QWidget):
         around = QGridLayout(self)
         around.setContentsMargins(8, 8, 8, 8)
         around.addWidget(self.card, 0, 0, Qt.AlignmentFlag.AlignCenter)
-        self.tiles: dict[str, QToolButton] = {}
-        """The buttons with a picture, by name."""
+        self.tiles: dict[str, QToolButton] = {}  # the buttons with a picture, by name
         self._undrawn: list[str] = []
         self._drawing = QTimer(self)
         self._drawing.timeout.connect(self._draw_next)

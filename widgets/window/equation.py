@@ -99,8 +99,7 @@ class EquationSlide(QWidget):
         """Of letters that have the colour of what the picture names by them."""
         self._screen_px = 1.0
         self._is_slide = False
-        self.cells: list[QRectF] = []
-        """Where the cells were painted; of a 0 its digit alone."""
+        self.cells: list[QRectF] = []  # where the cells were painted; of a 0 its digit alone
         self._readable = Readable(self, self._fill, lambda: self._is_slide)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture

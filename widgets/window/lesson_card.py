@@ -75,8 +75,7 @@ class LessonCard(QFrame):
         """The lesson whose progress is kept: that of the page, or the one that was just opened."""
         self._shown: int | None = None  # the step of the page
         self._over: Course | None = None  # the talk whose last page is shown
-        self.is_on = False
-        """Whether the card shows a lesson, or that one is finished."""
+        self.is_on = False  # whether the card shows a lesson, or that one is finished
         self._title = PlainLabel(wordWrap=True, objectName="paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
         self.anew = tool_button("", forget, self.begin_again, icon="reset", flat=True)

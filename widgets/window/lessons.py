@@ -84,8 +84,7 @@ class Lessons(QObject):
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from, self._panes = look_from, panes
-        self.player: Player | None = None
-        """The open lesson, as it is played."""
+        self.player: Player | None = None  # the open lesson, as it is played
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document

@@ -127,8 +127,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = self._was_painted = self._is_narrow = False
-        self.cover: CoverCard | None = None
-        """The card over the window."""
+        self.cover: CoverCard | None = None  # the card over the window
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []

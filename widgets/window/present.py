@@ -67,8 +67,7 @@ class Present(QObject):
         self._window, self._tools, self._below = window, tools, below
         self._state = Qt.WindowState.WindowNoState
         self.is_on = False
-        self.geometry_before = QByteArray()
-        """Geometry of the ordinary window, while presenting."""
+        self.geometry_before = QByteArray()  # geometry of the ordinary window, while presenting
         self._blank, self._edge = QWidget(window), QWidget(window)
         """What covers the window in black until it is clicked, and the top edge of the window."""
         self._blank.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)

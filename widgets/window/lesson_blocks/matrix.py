@@ -38,8 +38,7 @@ class _MatrixCellEdit(QLineEdit):
         self.setMinimumWidth(3 * em)
         self.setMaximumWidth(round(CELL_EM * em))
         self.textEdited.connect(self.unmark)
-        self.sign = Sign("", "")
-        """Below the cell, where it takes no room from the number."""
+        self.sign = Sign("", "")  # below the cell, where it takes no room from the number
         self.sign.hide()
 
     def mark(self, is_right: bool) -> None:
