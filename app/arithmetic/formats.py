@@ -37,10 +37,8 @@ class Format:
     """Numbers of limited size with a limited number of digits."""
 
     name: str
-    bits: int
-    """Stored bits of one number."""
-    digits: int | None
-    """Significant bits of a number of ordinary size; None for fixed point."""
+    bits: int  # stored bits of one number
+    digits: int | None  # significant bits of a number of ordinary size; None for fixed point
     step: float
     """The distance between neighbours near 0, and for fixed point everywhere; a power of 2."""
     largest: float
@@ -90,10 +88,8 @@ class Grid(NamedTuple):
     as normalised integers and puts lower corner and step into the node's matrix.
     """
 
-    bits: int
-    """Of one coordinate."""
-    lower: Array
-    """The box's lower corner, (3,)."""
+    bits: int  # of one coordinate
+    lower: Array  # the box's lower corner, (3,)
     step: float
 
     @classmethod

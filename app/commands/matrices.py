@@ -22,8 +22,7 @@ from app.model.projection import Array, Projection
 from app.model.refusal import format_value
 
 _DIGITS = 4
-NOTICED_PX = 1e-9
-"""Least skew that is no rounding of float64."""
+NOTICED_PX = 1e-9  # least skew that is no rounding of float64
 
 
 def run(arguments: Sequence[str]) -> int:

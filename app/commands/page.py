@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
-FRAMES = 21
-"""States under the slider, unless another number is asked for."""
+FRAMES = 21  # states under the slider, unless another number is asked for
 
 
 def check(options: Namespace) -> None:

@@ -58,8 +58,7 @@ def _with_view(tree: Tree) -> Tree:
 
 MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view,)
 """Step i turns a document of version i + 1 into one of version i + 2."""
-VERSION = len(MIGRATIONS) + 1
-"""Version of the documents that are written."""
+VERSION = len(MIGRATIONS) + 1  # version of the documents that are written
 
 MOST_VALUES = 100_000
 """Most values in a document, estimated from its commas and brackets: one takes microseconds."""
@@ -67,8 +66,7 @@ SHORTEST = 1e-100
 """Shortest distance and shortest up vector of a pane's own camera: VTK squares them."""
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
-LONGEST_SHOWN = 60
-"""Most characters of a key in a refusal."""
+LONGEST_SHOWN = 60  # most characters of a key in a refusal
 
 MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")

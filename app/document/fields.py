@@ -51,22 +51,17 @@ class FieldKind(NamedTuple):
 
     read: Callable[[str], Any]
     """Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot."""
-    bound: tuple[Any, ...] = ()
-    """The bound that an invalid text violates, and the bound's limits."""
+    bound: tuple[Any, ...] = ()  # the bound that an invalid text violates, and the bound's limits
 
 
 class Field(NamedTuple):
     """One value of a document."""
 
     section: str
-    name: str
-    """The field's section and name; the top level is section ``""``."""
-    kind: FieldKind | None
-    """None if ``--set`` cannot set the field."""
-    required: bool = False
-    """Whether its section must have it."""
-    unit: str = ""
-    """May be typed after each of its numbers, as the window shows it."""
+    name: str  # the field's section and name; the top level is section ``""``
+    kind: FieldKind | None  # None if ``--set`` cannot set the field
+    required: bool = False  # whether its section must have it
+    unit: str = ""  # may be typed after each of its numbers, as the window shows it
 
     @property
     def path(self) -> str:

@@ -30,14 +30,12 @@ _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 class Compared:
     """Several pictures that a pane shows: side by side, or as strips of one picture."""
 
-    pictures: list[PanePicture]
-    """Each has its name as its caption."""
+    pictures: list[PanePicture]  # each has its name as its caption
     places: list[tuple[int, int, int, int]]
     """Left, top, width and height of each, if they are side by side."""
     dividers: tuple[float, ...]
     live: int
-    size: tuple[int, int]
-    """Without the lines of words below."""
+    size: tuple[int, int]  # without the lines of words below
     lines: list[str]
 
     @property

@@ -27,10 +27,8 @@ from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Proje
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
-Write: TypeAlias = Callable[[float], str]
-"""Writes a number in a sentence."""
-EDITABLE = ("view_from_world", "clip_from_view")
-"""The matrices with editable cells."""
+Write: TypeAlias = Callable[[float], str]  # writes a number in a sentence
+EDITABLE = ("view_from_world", "clip_from_view")  # the matrices with editable cells
 
 _RIGID = 2.0**-46
 """Tolerance of a rotation's rows for length 1 and right angles.
@@ -213,15 +211,13 @@ def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals 
 class MatrixReading(NamedTuple):
     """What a projection matrix of any convention does: our lens, and how its spaces differ."""
 
-    lens: Lens
-    """It looks along -z of a view space with y up."""
+    lens: Lens  # it looks along -z of a view space with y up
     depth: DepthRange
     y: int
     z: int
     """The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
     points down, and that it looks along +z."""
-    is_transposed: bool
-    """Whether the cells are read as columns."""
+    is_transposed: bool  # whether the cells are read as columns
 
     @property
     def digits(self) -> int:

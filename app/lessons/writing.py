@@ -33,8 +33,7 @@ OURS = QT_TRANSLATE_NOOP(
     "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
 )
 A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
-NEW_TALK_MINUTES = 2
-"""Planned minutes for the first step of a talk, until the teacher changes them."""
+NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
 
 # --------------------------------------------------------------------------- state to text

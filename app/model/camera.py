@@ -74,8 +74,7 @@ class Orbit(NamedTuple):
 
     azimuth_deg: float
     """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
-    elevation_deg: float
-    """Angle above the target's horizon, from -90 to 90."""
+    elevation_deg: float  # angle above the target's horizon, from -90 to 90
     distance: float
     roll_deg: float = 0.0
     """Rotation about the view direction, clockwise as the photographer sees it."""

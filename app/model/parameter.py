@@ -16,10 +16,8 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
-Read: TypeAlias = Callable[[Any], Any]
-"""Returns a value of a `Projection`."""
-Write: TypeAlias = Callable[[Any, Any], Any]
-"""Returns the `Projection` with another value."""
+Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
+Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
 CLOSE = 1e-7
 """Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
@@ -34,12 +32,9 @@ PARTS: dict[str, Part] = {
 class Computed(NamedTuple):
     """Numbers that the model computes together from a part of a projection and does not keep."""
 
-    source: Read
-    """Returns the part of a projection that the numbers are computed from."""
-    compute: Read
-    """Returns a named tuple of the numbers of a projection."""
-    apply: Write
-    """Returns a projection with other numbers."""
+    source: Read  # returns the part of a projection that the numbers are computed from
+    compute: Read  # returns a named tuple of the numbers of a projection
+    apply: Write  # returns a projection with other numbers
 
 
 @dataclass(frozen=True)
@@ -51,49 +46,35 @@ class Parameter:
     """
 
     name: str
-    default: Value | None = None
-    """None if the scene's camera and lens have it."""
+    default: Value | None = None  # None if the scene's camera and lens have it
     low: float = -math.inf
-    high: float = math.inf
-    """Bounds of a number, included. Camera and lens check their own."""
+    high: float = math.inf  # bounds of a number, included. Camera and lens check their own.
     span: tuple[float, float] | None = None
     """The range of the slider within the bounds; all of it if not given."""
     unit: str = ""
     logarithmic: bool = False
-    whole: bool = False
-    """Of a number: its slider is logarithmic; it is an integer."""
-    per_second: float = 0.0
-    """How fast a number moves while it is played; 0 if it cannot be played."""
+    whole: bool = False  # of a number: its slider is logarithmic; it is an integer
+    per_second: float = 0.0  # how fast a number moves while it is played; 0 if it cannot be played
     only_with: tuple[str, Value] | None = None
     """The name of another setting, and the only value of it with which this one has an effect."""
     title: str = ""
     tip: str = ""
     """Its name and its tooltip. A content file has them, and `choices`, `tips`, `row`, `also`
     and `drag` (`app.model.content_file`)."""
-    choices: tuple[tuple[str, str], ...] = ()
-    """The values of a choice and their texts."""
-    section: str = "settings"
-    """Its path in the document is ``SECTION.NAME``."""
-    step: float = 0.0
-    """Of the slider's arrow keys; 0 for about a 500th of its range."""
-    tips: tuple[str, ...] = ()
-    """The explanation of each choice, if there are any."""
-    row: str = ""
-    """The name of its row, if that is not its title."""
-    said: str = ""
-    """Its unit in words, if they are its own."""
-    other: str = ""
-    """What a choice shows when it is none of its choices."""
-    buttons: bool = False
-    """Whether the choices stand side by side."""
-    also: str = ""
-    """Other names, by which the finder finds it."""
+    choices: tuple[tuple[str, str], ...] = ()  # the values of a choice and their texts
+    section: str = "settings"  # its path in the document is ``SECTION.NAME``
+    step: float = 0.0  # of the slider's arrow keys; 0 for about a 500th of its range
+    tips: tuple[str, ...] = ()  # the explanation of each choice, if there are any
+    row: str = ""  # the name of its row, if that is not its title
+    said: str = ""  # its unit in words, if they are its own
+    other: str = ""  # what a choice shows when it is none of its choices
+    buttons: bool = False  # whether the choices stand side by side
+    also: str = ""  # other names, by which the finder finds it
     letter: str = ""
     """In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture."""
     formula: str = ""
     """In the formulas of lessons; ``_x``, ``_y`` and ``_z`` follow for a vector's components."""
-    place: str = ""
-    """The part of the dock with its row; empty if it has none."""
+    place: str = ""  # the part of the dock with its row; empty if it has none
     needs: str = ""
     """The property or field of the lenses that have it; by default the field of its own name."""
     changes: tuple[str, ...] = ()
@@ -103,15 +84,11 @@ class Parameter:
     makes: tuple[str, ...] = ()
     """Other things computed from it; highlighting these marks its row too."""
     handle: str = ""
-    drag: str = ""
-    """The handle of the world pane that changes it, and what a drag of it does."""
-    vector: bool = False
-    """Whether it has three components."""
-    computed: Computed | None = None
-    """The numbers of which it is one."""
+    drag: str = ""  # the handle of the world pane that changes it, and what a drag of it does
+    vector: bool = False  # whether it has three components
+    computed: Computed | None = None  # the numbers of which it is one
     read: Read | None = None
-    write: Write | None = None
-    """Read and change it in a `Projection`, if it is no field there."""
+    write: Write | None = None  # read and change it in a `Projection`, if it is no field there
 
     @property
     def path(self) -> str:

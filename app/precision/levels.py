@@ -38,8 +38,7 @@ PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")
 
 DRAWING_TOLERANCE_PX = 0.01
 """Default of the error up to which `float32` draws; above it, `float64` does."""
-LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
-"""Limits of this setting."""
+LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0  # limits of this setting
 READING_TOLERANCE_PX = 1e-9
 """Error of float64 above which displayed numbers come from the exact precision."""
 READING_TOLERANCE_DEPTH = 1e-12

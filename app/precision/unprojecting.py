@@ -29,11 +29,9 @@ from app.model.tables import inverse
 from app.precision.cheap import BoundedNumbers, applied, divided, off_rationals
 
 WAYS = ("inverse", "inverses", "ray")
-THERE = ("one", "two")
-"""The ways to the picture: by P V as one matrix, or by V and then by P."""
+THERE = ("one", "two")  # the ways to the picture: by P V as one matrix, or by V and then by P
 
-Steps: TypeAlias = list[tuple[Rationals, bool]]
-"""Matrices, and whether w divides after each."""
+Steps: TypeAlias = list[tuple[Rationals, bool]]  # matrices, and whether w divides after each
 
 
 def float32_pixels(image: Array, depth: Array) -> Array:

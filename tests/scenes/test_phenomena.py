@@ -200,7 +200,11 @@ def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) ->
 def test_a_wheel_has_the_content_files() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     packed = project["tool"]["setuptools"]["package-data"]
-    folders = [folder.relative_to(ROOT) for folder in (ROOT / "app").rglob("content")]
+    folders = [
+        folder.relative_to(ROOT)
+        for part in ("app", "widgets")
+        for folder in (ROOT / part).rglob("content")
+    ]
     assert len(folders) > 1
     for folder in folders:
         assert packed[".".join(folder.parent.parts)] == ["content/*"], folder

@@ -63,10 +63,8 @@ class Controls(Dock, RowHolder):
     """
 
     concerns = EVERYTHING
-    edited = Signal(object)
-    """The user made this `Projection`; emitted once per action."""
-    object_unfolded = Signal(bool)
-    """Whether the numbers of a movable object are unfolded."""
+    edited = Signal(object)  # the user made this `Projection`; emitted once per action
+    object_unfolded = Signal(bool)  # whether the numbers of a movable object are unfolded
     highlighted = Signal(str, object)
     """The key of the row under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
 

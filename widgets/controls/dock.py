@@ -9,10 +9,8 @@ from widgets.parts.focus import FocusRing, lay_out
 from widgets.parts.layouts import in_column
 from widgets.parts.section import GAP_PX
 
-WIDTH_PX, LEAST_PX = 285, 270
-"""Default width of the dock, and its least width at the ordinary font."""
-PRESENTED_EM = 17.6
-"""Width of the dock for a class on any screen, in heights of its letters."""
+WIDTH_PX, LEAST_PX = 285, 270  # default width of the dock, and its least width at the ordinary font
+PRESENTED_EM = 17.6  # width of the dock for a class on any screen, in heights of its letters
 LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
 
 

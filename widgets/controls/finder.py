@@ -46,8 +46,7 @@ def _has(text: str, asked: Iterable[str]) -> bool:
 class SearchBox(QLineEdit):
     """The search box: Enter or ↓ goes to the first result, Esc clears it."""
 
-    taken = Signal()
-    """The user wants to go to the first result."""
+    taken = Signal()  # the user wants to go to the first result
 
     def __init__(self, parent: QWidget) -> None:
         super().__init__(parent)

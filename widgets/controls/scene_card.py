@@ -40,10 +40,8 @@ from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
 from widgets.parts.writing import all_digits
 
-WORD = 16
-"""Longest word that fits the narrowest dock."""
-TITLE = 1.25
-"""Size of the scene's name, relative to ordinary text."""
+WORD = 16  # longest word that fits the narrowest dock
+TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
 class SceneCard(QWidget, RowHolder):
@@ -54,8 +52,7 @@ class SceneCard(QWidget, RowHolder):
 
     settings_edited = Signal(object)
     """The user or a motion set these values, by the names of the settings."""
-    comparison_wanted = Signal(str)
-    """The user wants to see this comparison of the scene."""
+    comparison_wanted = Signal(str)  # the user wants to see this comparison of the scene
     highlighted = Signal(str, object)
     """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
 
@@ -76,8 +73,7 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.motions: dict[str, SettingMotion] = {}
-        self.lent: set[str] = set()
-        """Names of the settings whose rows are elsewhere."""
+        self.lent: set[str] = set()  # names of the settings whose rows are elsewhere
         self.readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self.readable.changed)
 

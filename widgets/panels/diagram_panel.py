@@ -10,8 +10,7 @@ from app.scenes.phenomena.diagram import Diagram
 from widgets.parts.diagram import DiagramView
 from widgets.parts.readable import ReadablePanel
 
-LEAST_WINDOW_PX = 900
-"""The panel must fit into a window of this width."""
+LEAST_WINDOW_PX = 900  # the panel must fit into a window of this width
 
 
 class DiagramPanel(ReadablePanel):

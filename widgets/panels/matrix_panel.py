@@ -83,8 +83,7 @@ class MatrixPanel(ReadablePanel):
     """All matrices between the object and its picture."""
 
     concerns = PROJECTION
-    letters_changed = Signal(str)
-    """The chosen letters, for panes and panels alike."""
+    letters_changed = Signal(str)  # the chosen letters, for panes and panels alike
 
     def __init__(self) -> None:
         super().__init__()

@@ -17,8 +17,7 @@ from widgets.parts.writing import lettering
 
 Cells: TypeAlias = list[str | float]
 """A line of a probe: its numbers, or one text across all columns."""
-DIVIDE = 4
-"""The line that shows the divisor, after its sign."""
+DIVIDE = 4  # the line that shows the divisor, after its sign
 
 
 class ProbeRows(NamedTuple):
@@ -27,10 +26,8 @@ class ProbeRows(NamedTuple):
     probes: Sequence[int] = ()
     lines: Sequence[tuple[str, str]] = ()
     """Name and formula of each line; the formula is for `widgets.parts.typeset`."""
-    blocks: Sequence[Sequence[Cells]] = ()
-    """The lines of each probe."""
-    outside: Sequence[Highlight] = ()
-    """The planes that each probe lies beyond."""
+    blocks: Sequence[Sequence[Cells]] = ()  # the lines of each probe
+    outside: Sequence[Highlight] = ()  # the planes that each probe lies beyond
 
 
 class ProbeNumbers(QObject):

@@ -40,15 +40,13 @@ class ProbePanel(ReadablePanel):
     """The probes, the buttons that change them, and the table of their numbers."""
 
     concerns = PROJECTION
-    changed = Signal()
-    """The probes have changed."""
+    changed = Signal()  # the probes have changed
 
     def __init__(self) -> None:
         super().__init__()
         self.probes: tuple[Probe, ...] = ()
         """The probes that the panes mark, in the order of the table."""
-        self.pinned = frozenset[int]()
-        """Numbers of the probes that the next click does not move."""
+        self.pinned = frozenset[int]()  # numbers of the probes that the next click does not move
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._is_new = False

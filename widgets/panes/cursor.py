@@ -44,8 +44,7 @@ from widgets.parts.writing import all_digits
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-STEP_PX, LONG_STEP_PX = 1.0, 10.0
-"""Pixels that an arrow key drags by, without and with Shift."""
+STEP_PX, LONG_STEP_PX = 1.0, 10.0  # pixels that an arrow key drags by, without and with Shift
 _RADIUS_EM = 1.1
 _LINE_PX, _HELD_LINE_PX, _RIM_PX = 2.0, 4.0, 2.0
 _GAP_PX = 2
@@ -65,8 +64,7 @@ class Followed:
     number: int
 
 
-Thing: TypeAlias = Handle | Vertex | Followed
-"""The cursor's place."""
+Thing: TypeAlias = Handle | Vertex | Followed  # the cursor's place
 
 
 class Cursor(QObject):

@@ -9,10 +9,8 @@ from PySide6.QtWidgets import QComboBox, QStyle, QStyleOptionComboBox
 from widgets.parts.icons import paint_icon
 from widgets.parts.plain import set_tip
 
-ARROW = 0.8
-"""Width of the arrow relative to its room, which is as wide as a line is high."""
-BESIDE = 0.3
-"""Room between the text and the arrow, in heights of a line."""
+ARROW = 0.8  # width of the arrow relative to its room, which is as wide as a line is high
+BESIDE = 0.3  # room between the text and the arrow, in heights of a line
 
 
 class Combo(QComboBox):

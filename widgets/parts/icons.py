@@ -23,8 +23,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication
 
 from widgets.parts.plain import PlainLabel
 
-SIGN = 1.25
-"""Width of a warning sign and the gap after it, in line heights."""
+SIGN = 1.25  # width of a warning sign and the gap after it, in line heights
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
 _PATHS = {
@@ -89,8 +88,7 @@ class WarningLabel(PlainLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_warning = True
-        """Whether the text is a warning."""
+        self.is_warning = True  # whether the text is a warning
         self.setWordWrap(True)
         self._fit_sign()
 

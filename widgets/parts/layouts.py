@@ -19,10 +19,8 @@ from widgets.parts.focus import FocusRing
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
 """A part of a line: a widget or a layout, alone or with its stretch or alignment; a gap in pixels;
 or `FREE`."""
-FREE = None
-"""A stretch that takes the remaining room."""
-TOP = Qt.AlignmentFlag.AlignTop
-"""Alignment of a sign beside a text of several lines."""
+FREE = None  # a stretch that takes the remaining room
+TOP = Qt.AlignmentFlag.AlignTop  # alignment of a sign beside a text of several lines
 _Line = TypeVar("_Line", bound=QBoxLayout)
 
 

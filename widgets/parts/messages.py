@@ -56,8 +56,7 @@ A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
 
-FEW = 4
-"""Significant digits of a displayed number."""
+FEW = 4  # significant digits of a displayed number
 
 
 def breakable(text: str, longest: int = 40) -> str:

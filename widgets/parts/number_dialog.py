@@ -30,8 +30,7 @@ class NumberDialog(QDialog):
         parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
-        self.number = value
-        """The first number, until the user accepts another one."""
+        self.number = value  # the first number, until the user accepts another one
         self._name, self._low, self._high = name, low, high
         self.setWindowTitle(name)
         asked = PlainLabel(question, wordWrap=True)

@@ -8,10 +8,8 @@ from widgets.parts.messages import FEW, number_text
 from widgets.parts.number_text import FIELD_CHARACTERS, parse_number, short_text
 from widgets.parts.writing import all_digits
 
-ALL_CHARACTERS = 18
-"""Longest number, without its sign, that fits where all digits are shown."""
-INSIDE_FIELD_PX = 2
-"""Space that Qt leaves on both sides of a field's text."""
+ALL_CHARACTERS = 18  # longest number, without its sign, that fits where all digits are shown
+INSIDE_FIELD_PX = 2  # space that Qt leaves on both sides of a field's text
 _LEAVE_TEXT = {
     Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Escape,
     Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown,
@@ -44,8 +42,7 @@ class NumberField(QLineEdit):
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__()
         self.name, self.unit = name, unit
-        self.refused = False
-        """Whether the text was refused."""
+        self.refused = False  # whether the text was refused
         self._number: float | None = None
         self.setAccessibleName(name)
 

@@ -20,8 +20,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.parts.gestures import Gestures
 
-Changed: TypeAlias = frozenset[str]
-"""Some of `EVERYTHING`."""
+Changed: TypeAlias = frozenset[str]  # some of `EVERYTHING`
 PROJECTION: Changed = frozenset({"lens", "camera", "image_size", "depth", "placement"})
 """The fields of a `Projection`."""
 EVERYTHING: Changed = PROJECTION | {"scene", "illustration", "settings", "quality", "view"}
@@ -92,17 +91,12 @@ class Panel(QWidget, Gestures):
     it opens. The window connects its signals.
     """
 
-    concerns = EVERYTHING
-    """See `Listener`."""
+    concerns = EVERYTHING  # see `Listener`
 
-    edited = Signal(object)
-    """The user made this `Projection`."""
-    highlighted = Signal(object)
-    """The `Highlight` of the part under the mouse or the cursor."""
-    adjusted = Signal(str)
-    """A sentence about something that was done differently from the request."""
-    refused = Signal(str)
-    """A sentence about something that was refused."""
+    edited = Signal(object)  # the user made this `Projection`
+    highlighted = Signal(object)  # the `Highlight` of the part under the mouse or the cursor
+    adjusted = Signal(str)  # a sentence about something that was done differently from the request
+    refused = Signal(str)  # a sentence about something that was refused
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)
     """The user wants this picture of a diagram on the clipboard, or in a file."""

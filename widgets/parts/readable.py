@@ -23,10 +23,8 @@ from app.drawings.style import LIGHT, Style
 from widgets.parts.panel import Panel
 from widgets.parts.writing import all_digits
 
-READ_MS = 100
-"""Digits that change more often cannot be read."""
-STEPS = 3
-"""If steps are slow, the numbers are shown once in so many steps."""
+READ_MS = 100  # digits that change more often cannot be read
+STEPS = 3  # if steps are slow, the numbers are shown once in so many steps
 
 
 class Readable(QObject):

@@ -28,7 +28,5 @@ class SharedChoice(QObject, Generic[_T]):
             self.changed.emit()
 
 
-lettering = SharedChoice[Letters]("own")
-"""The lecture whose letters are used."""
-all_digits = SharedChoice(False)
-"""Whether numbers are shown with all digits instead of four."""
+lettering = SharedChoice[Letters]("own")  # the lecture whose letters are used
+all_digits = SharedChoice(False)  # whether numbers are shown with all digits instead of four

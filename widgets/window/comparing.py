@@ -33,8 +33,7 @@ from widgets.window.slots import Slots
 class Comparing(QObject):
     """Starts and ends comparisons; `button` is in the title row of the image pane."""
 
-    concerns: Changed = frozenset()
-    """Empty while nothing is compared."""
+    concerns: Changed = frozenset()  # empty while nothing is compared
 
     def __init__(
         self,

@@ -25,8 +25,7 @@ from widgets.window.lesson_blocks.view import Sign, on_holder
 
 ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
 """The icon of how an exercise was solved; none for one that is not solved yet."""
-LONGEST = 60
-"""Most characters of an exercise in the name of its button."""
+LONGEST = 60  # most characters of an exercise in the name of its button
 
 
 class Overview(QDialog):
@@ -37,10 +36,8 @@ class Overview(QDialog):
     could not be read.
     """
 
-    lesson_wanted = Signal(object)
-    """A `Course`."""
-    exercise_wanted = Signal(object)
-    """A `PlacedExercise`."""
+    lesson_wanted = Signal(object)  # a `Course`
+    exercise_wanted = Signal(object)  # a `PlacedExercise`
     review_wanted = Signal()
     test_wanted = Signal()
     export_wanted = Signal()

@@ -17,8 +17,7 @@ from widgets.window.pen import Pen
 from widgets.window.question import HiddenInk, QuestionOverlay
 from widgets.window.slots import Slots
 
-EQUATION_SHARE = 0.7
-"""Width of an equation that has a picture beside it."""
+EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
@@ -26,8 +25,7 @@ EQUATION_HEIGHT = 0.45
 class Slide(QWidget):
     """Holds the panes, and lays the question over a part of them."""
 
-    touched = Signal()
-    """A finger has touched the screen."""
+    touched = Signal()  # a finger has touched the screen
 
     def __init__(self, slots: Slots) -> None:
         super().__init__()

@@ -29,11 +29,9 @@ from widgets.window.slots import panes_of_slide
 
 PICTURE_PX = (400, 250)
 """Size at which the next step's pane is drawn; it is scaled to the available space."""
-MOST_PICTURES = 12
-"""Most cached pictures of steps."""
+MOST_PICTURES = 12  # most cached pictures of steps
 TEXT_PX = 15
-NOTES_STEP_PX = 2
-"""Step by which Ctrl and + or - change the text size of the notes."""
+NOTES_STEP_PX = 2  # step by which Ctrl and + or - change the text size of the notes
 
 
 class TalkClock:
@@ -106,8 +104,7 @@ class SpeakerWindow(QWidget):
     """The window that only the speaker sees; it closes with its parent, the main window."""
 
     left = Signal()
-    jump_wanted = Signal(int)
-    """The number of a step, from 1."""
+    jump_wanted = Signal(int)  # the number of a step, from 1
 
     def __init__(self, settings: Settings, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Window)

@@ -33,8 +33,7 @@ from widgets.parts.number_dialog import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 
-RESTS_AFTER_MS = 150
-"""Time without changes after which errors are predicted."""
+RESTS_AFTER_MS = 150  # time without changes after which errors are predicted
 
 
 class StatusLine(QStatusBar):

@@ -22,8 +22,7 @@ from app.lessons.state import State
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
 
-REVEALED = "told"
-"""Kept as the answer if the program has shown it."""
+REVEALED = "told"  # kept as the answer if the program has shown it
 
 
 class Idea(NamedTuple):
@@ -101,22 +100,15 @@ class Verdict(NamedTuple):
     """The response to an answer."""
 
     right: bool
-    idea: str = ""
-    """Name of the wrong idea behind it; empty if it has none."""
-    says: str = ""
-    """Markdown."""
-    state: Document | None = None
-    """A state that shows what `says` explains."""
-    too_short: bool = False
-    """Whether the answer is right but has too few digits."""
-    remark: Refusal | None = None
-    """How an answer that no idea explains differs from the right one."""
-    cells: tuple[bool, ...] = ()
-    """Which numbers of a matrix are right, row after row."""
+    idea: str = ""  # name of the wrong idea behind it; empty if it has none
+    says: str = ""  # Markdown
+    state: Document | None = None  # a state that shows what `says` explains
+    too_short: bool = False  # whether the answer is right but has too few digits
+    remark: Refusal | None = None  # how an answer that no idea explains differs from the right one
+    cells: tuple[bool, ...] = ()  # which numbers of a matrix are right, row after row
     beside: Document | None = None
     """A state that shows the idea's number beside the model's own one."""
-    title: str = ""
-    """The idea in the student's words."""
+    title: str = ""  # the idea in the student's words
 
     @property
     def word(self) -> str:
@@ -159,10 +151,8 @@ class StepContent:
 class Block:
     """A block of a step."""
 
-    kind: ClassVar[str] = ""
-    """The word after its three backticks."""
-    once: ClassVar[bool] = False
-    """Whether a step may have only one block of this kind."""
+    kind: ClassVar[str] = ""  # the word after its three backticks
+    once: ClassVar[bool] = False  # whether a step may have only one block of this kind
     needs_answer: ClassVar[bool] = False
     """Whether the student has to answer it; such a block has a name."""
     line: int
@@ -190,10 +180,8 @@ class ReadBlock(Block):
     reveals: ClassVar[bool] = False
     """Whether a talk first asks the class and then shows the right answer."""
     text: str
-    why: str = ""
-    """Markdown; `why` is shown once the answer is known."""
-    show: State | None = None
-    """The state that the model then moves to."""
+    why: str = ""  # Markdown; `why` is shown once the answer is known
+    show: State | None = None  # the state that the model then moves to
 
     def add_to(self, content: StepContent) -> None:
         content.parts.append(self)
@@ -240,22 +228,15 @@ class Asked(ReadBlock):
     """A block that the student has to answer."""
 
     needs_answer: ClassVar[bool] = True
-    holds: ClassVar[bool] = False
-    """Whether the step continues only after an answer."""
-    retries: ClassVar[bool] = True
-    """Whether the student may answer again after a wrong answer."""
-    varies: ClassVar[bool] = False
-    """Whether its numbers are drawn anew for each seed."""
+    holds: ClassVar[bool] = False  # whether the step continues only after an answer
+    retries: ClassVar[bool] = True  # whether the student may answer again after a wrong answer
+    varies: ClassVar[bool] = False  # whether its numbers are drawn anew for each seed
     has_field: ClassVar[bool] = True
     """Whether the student answers in the block itself, where the cursor can be."""
-    is_worked: ClassVar[bool] = True
-    """Whether the student works the answer out on paper."""
-    name: str
-    """Used by samples and the student's progress; unique within a step."""
-    unit: str = ""
-    """The unit of the answer, one of `UNITS`."""
-    pane: str = ""
-    """The picture in which the student points at the answer; empty for other answers."""
+    is_worked: ClassVar[bool] = True  # whether the student works the answer out on paper
+    name: str  # used by samples and the student's progress; unique within a step
+    unit: str = ""  # the unit of the answer, one of `UNITS`
+    pane: str = ""  # the picture in which the student points at the answer; empty for other answers
     hints: tuple[str, ...] = ()
     responses: tuple[tuple[int, str], ...] = ()
     """All replies to answers, and the hints, each with its line."""

@@ -27,8 +27,7 @@ from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
-LEAST_VARIANTS = 20
-"""Fewer variants are learnt by heart."""
+LEAST_VARIANTS = 20  # fewer variants are learnt by heart
 LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5
@@ -75,8 +74,7 @@ class Exercise(Asked):
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
     """What the numbers must fulfil, in the variant's own state."""
-    states: Lines
-    """The lines of the variant's state."""
+    states: Lines  # the lines of the variant's state
     recipe: Lines
 
     @classmethod

@@ -43,14 +43,11 @@ NO_RIGHT = QT_TRANSLATE_NOOP(
 Value: TypeAlias = tuple[float, ...]
 """The numbers of an answer: one, a matrix row after row, or coordinates."""
 
-LETTERS = "ABCDEFGHIJ"
-"""The letters by which a class names the choices."""
-RIGHT = " **✓**"
-"""Marks the right answer, in Markdown."""
+LETTERS = "ABCDEFGHIJ"  # the letters by which a class names the choices
+RIGHT = " **✓**"  # marks the right answer, in Markdown
 HIDDEN = ("numbers", "lens", "scale", *PANES)
 """What a question may hide; the scale on paper only, where a ruler would find the answer."""
-CHECKS = ("check", "why", "hint", "hide")
-"""Keys that every question may have."""
+CHECKS = ("check", "why", "hint", "hide")  # keys that every question may have
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,12 +102,10 @@ class Question(Asked):
     """A question with one right reply."""
 
     reveals: ClassVar[bool] = True
-    replies: Sequence[Reply]
-    """Choices, or the wrong values that have an idea."""
+    replies: Sequence[Reply]  # choices, or the wrong values that have an idea
     checks: tuple[tuple[int, Condition], ...] = ()
     """Conditions that hold if the right reply is correct."""
-    symbol: str = ""
-    """TeX of what the value is called in its worked solution."""
+    symbol: str = ""  # TeX of what the value is called in its worked solution
     number: str = ""
     """The name of the number of the model that the value is; empty if it is none, or is the key."""
 

@@ -21,8 +21,7 @@ ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right stat
 NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
-DONE = "done"
-"""Kept as the answer of a finished task, and the verdict on a sample that fulfils it."""
+DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """The names that conditions have for fields of the view with other names."""

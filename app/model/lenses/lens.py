@@ -41,12 +41,10 @@ from app.model.tables import TO_PYRAMID, PipelineStep, Table
 class LensTable:
     """A lens as the lectures write it; made once, and compared by identity."""
 
-    steps: tuple[PipelineStep, ...]
-    """From view space to clip space; empty for a typed matrix."""
+    steps: tuple[PipelineStep, ...]  # from view space to clip space; empty for a typed matrix
     clip_from_view: Table
     """The product of all steps in closed form, in the order of operations that keeps the digits."""
-    view_from_clip: Table | None = None
-    """Its inverse in closed form."""
+    view_from_clip: Table | None = None  # its inverse in closed form
     otherwise: Mapping[str, LensTable] = field(default_factory=dict)
     """The table of the same lens after another choice of a field: ``far``, finite again."""
     fields: Mapping[str, tuple[str, ...]] = field(default_factory=dict)

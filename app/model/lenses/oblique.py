@@ -31,8 +31,7 @@ from app.model.limits import (
 from app.model.parameter import Parameter
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-COTS = ("cot(alpha)", "cot(beta)")
-"""The letters of the projectors' slant."""
+COTS = ("cot(alpha)", "cot(beta)")  # the letters of the projectors' slant
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)

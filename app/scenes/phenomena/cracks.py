@@ -28,8 +28,7 @@ from app.scenes.shapes import SIDE_RGB, Coloured, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("cracks")
 
-SIZES = 10.0, 3.0
-"""Widths of the two boxes, from which their steps follow."""
+SIZES = 10.0, 3.0  # widths of the two boxes, from which their steps follow
 _HIGH = 0.9
 _Y = np.linspace(-_HIGH, _HIGH, 25)
 SEAM: Array = np.column_stack([0.3 * np.sin(2.1 * _Y) + 0.11 * _Y, _Y, np.zeros(len(_Y))])

@@ -117,8 +117,7 @@ class Shot(NamedTuple):
     about: Literal["scene", "camera"] = "scene"
 
 
-FIRST_SHOT = Shot(-66.0, 18.0, "camera")
-"""From beside the camera, so that near and far stand apart."""
+FIRST_SHOT = Shot(-66.0, 18.0, "camera")  # from beside the camera, so that near and far stand apart
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

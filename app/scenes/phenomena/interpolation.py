@@ -35,8 +35,7 @@ from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("interpolation")
 
-TEXELS = 256
-"""Of the board's texture, each side."""
+TEXELS = 256  # of the board's texture, each side
 
 _CHECKS = 8
 _CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])

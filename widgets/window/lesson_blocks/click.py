@@ -13,15 +13,13 @@ from widgets.parts.layouts import FREE
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import BlockView, button, on_holder
 
-NOWHERE = "-"
-"""Recorded for a place that has no coordinates."""
+NOWHERE = "-"  # recorded for a place that has no coordinates
 
 
 class ClickView(MarkedAnswerView):
     """A place in a picture; `Pointing` shows the crosshair there, and says where it is."""
 
-    wanted = Signal()
-    """The user wants to move the crosshair."""
+    wanted = Signal()  # the user wants to move the crosshair
     question: Click
 
     def __init__(self, played: PlayedBlock, question: Click) -> None:

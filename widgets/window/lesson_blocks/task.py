@@ -8,8 +8,7 @@ from app.lessons.player import PlayedBlock
 from app.model.refusal import Refusal
 from widgets.window.lesson_blocks.view import BlockView, Sign, button
 
-REST_MS = 900
-"""How long nothing has changed when a wrong idea is named."""
+REST_MS = 900  # how long nothing has changed when a wrong idea is named
 
 
 class TaskView(BlockView):

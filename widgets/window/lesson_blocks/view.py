@@ -30,8 +30,7 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
-SIGN_EM = 1.15
-"""Size of a sign, relative to the text height beside it."""
+SIGN_EM = 1.15  # size of a sign, relative to the text height beside it
 
 
 class Sign(QWidget):
@@ -67,14 +66,11 @@ class BlockView(QFrame):
     A subclass adds its own widgets by `_insert`; `sign` is a widget beside the text.
     """
 
-    settled = Signal()
-    """The block is answered."""
-    show_wanted = Signal(object)
-    """The user wants to see this `Document`, which explains an answer."""
+    settled = Signal()  # the block is answered
+    show_wanted = Signal(object)  # the user wants to see this `Document`, which explains an answer
     posed = Signal(object)
     """The `Document` in which the question is asked, instead of the step's own."""
-    responded = Signal()
-    """A response to the answer appeared."""
+    responded = Signal()  # a response to the answer appeared
 
     def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
         super().__init__()
