@@ -193,7 +193,7 @@ def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float
 def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals | None) -> bool:
     """Whether a lens has the matrix, cell by cell, up to the rounding of its fields or `units`."""
     try:
-        own = replace(projection, lens=lens).direct_stages[0].exact
+        own = replace(projection, lens=lens).exact_clip_from_view
     except Refusal:  # the image makes this window impossible
         return False
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
@@ -415,7 +415,7 @@ def properties(projection: Projection, name: str, write: Write = few) -> list[Ma
     if lens.has_steps:
         return []
     if name == "clip_from_view":
-        return _of_clip(projection, projection.direct_stages[0].exact, write)
+        return _of_clip(projection, projection.exact_clip_from_view, write)
     if name == "view_from_world" and lens.own_view is not None:
         return _of_view(projection, lens.own_view, write)
     return []

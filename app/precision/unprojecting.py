@@ -57,7 +57,7 @@ def steps(projection: Projection, way: str, origin: Vector) -> Steps:
         to_eye = _moved([-part for part in offset])
         if way == "one":
             return [(product(clip, to_eye), True)]
-        return [(product(view, to_eye), False), (projection.direct_stages[0].exact, True)]
+        return [(product(view, to_eye), False), (projection.exact_clip_from_view, True)]
     from_eye, from_clip = _moved(offset), _short(projection)
     if way == "inverse":
         return [(product(from_eye, from_clip), True)]
