@@ -18,7 +18,7 @@ from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
 from app.lecture.typesetting import line_of
 from app.model.parameters import TITLES
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
 
 LINE_EM = 1.5
@@ -29,15 +29,13 @@ _MOST_WORDS = 0.25  # of a figure's height, for a caption
 class Compared:
     """Several pictures that a pane shows: side by side, or as strips of one picture."""
 
-    pictures: list[PanePicture]
-    """Each has its name as its caption."""
+    pictures: list[PanePicture]  # each has its name as its caption
     places: list[tuple[int, int, int, int]]
     """Left, top, width and height of each, if they are side by side."""
     dividers: tuple[float, ...]
     live: int
     size: tuple[int, int]
-    low: int
-    """Where the pictures end, and the caption begins."""
+    low: int  # where the pictures end, and the caption begins
     lines: list[str]
     """Of the caption."""
 
