@@ -209,7 +209,7 @@ def _drawable(piece: str, is_tex: bool) -> tuple[str, bool]:
 
 @lru_cache(maxsize=1024)
 def line_of(
-    text: str, plain: bool = False, *, formula: float = 0.0, one_size: bool = False
+    text: str, plain: bool = False, one_size: bool = False, *, formula: float = 0.0
 ) -> LineLayout:
     """Set a text in one line. TeX that cannot be drawn is shown as it is typed.
 
