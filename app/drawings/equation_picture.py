@@ -73,7 +73,7 @@ class EquationPicture:
                 mm = (f"{side * em / PX_PER['mm']:.3g}" for side in (room_em, right_em))
                 raise Refusal.saying(TOO_NARROW, *mm, f"{em * 72.0 / DPI:.3g}")
             lines[-1].append(_EquationPart(each, sign, wide))
-        shapes, top = list[Shape](), 0.0
+        shapes, top = list[Shape](), _RULE_EM * em / 2.0
         for line in lines:
             rows = [em * max(part.laid.heights[row] for part in line) for row in range(4)]
             low, left, names = top + sum(rows), 0.0, list[Shape]()
