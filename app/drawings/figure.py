@@ -54,7 +54,6 @@ in the window, would be 3); other figures look alike."""
 CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
-OWN_SIZE = ("image",), ("equation",)  # the panes that alone have a size of their own
 _TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
@@ -155,7 +154,7 @@ class Figure:
         divided = not self.column, self.column
         for templates, side, is_divided in zip(_SIDES, self.full_size[:2], divided, strict=True):
             smallest = SMALLEST_PANE_PX * (len(self.panes) if is_divided else 1)
-            if self.panes in OWN_SIZE:
+            if self._has_own_size:
                 smallest = 1
             # Also for NaN; and an integer of 400 digits cannot be multiplied by the scale.
             if side <= sys.float_info.max and smallest <= side * per_px * self.scale <= LARGEST_PX:
@@ -245,7 +244,14 @@ class Figure:
 
     @property
     def _is_cropped(self) -> bool:
-        return self.crop or (self.width is not None and self.panes not in OWN_SIZE)
+        return self.crop or (self.width is not None and not self._has_own_size)
+
+    @property
+    def _has_own_size(self) -> bool:
+        """Whether it fills its box: an equation, and an image that is compared with none."""
+        return self.panes == ("equation",) or (
+            self.panes == ("image",) and not self.document.view.compare
+        )
 
     def _whole(self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
         """Its pixels before it is cropped."""
@@ -256,7 +262,7 @@ class Figure:
         """Draw it in a box so large that what is seen in it is as wide as asked for."""
         figure, drawn = self, draw(self)
         for _ in range(_TRIES):
-            if self.width is None or self.panes in OWN_SIZE:
+            if self.width is None or self._has_own_size:
                 break
             larger = self.width / (wide(drawn) or self.width)
             if abs(1.0 - larger) * self.width <= _NEAR_PX:
