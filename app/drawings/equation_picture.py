@@ -59,13 +59,13 @@ class EquationPicture:
         equation = equation_of(*asked)
         laid, room_em = [*laid_out(equation)], self.size[0] / em or inf
         gap_em = BETWEEN_EM if equation.result or len(laid) == 1 else APART_EM
-        lines, right_em = list[list[_EquationPart]](), inf
+        lines, right_em = list[list[_EquationPart]](), 0.0
         for place, each in enumerate(laid):
             sign = each.lead if len(laid) == 1 else ""
             if equation.factors and equation.result and place == len(laid) - 1:
                 sign = "="
             wide = each.width + (width_em(sign) + BETWEEN_EM if sign else 0.0)
-            if right_em + gap_em + wide > room_em:
+            if not lines or right_em + gap_em + wide > room_em:
                 right_em = -gap_em
                 lines.append([])
             right_em += gap_em + wide

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -97,6 +98,8 @@ def test_an_equation_is_a_figure_that_a_column_can_hold(
     left, top, right, low = box_of(shapes, "#ffffff") or (0.0,) * 4
     assert 0.0 <= left < right <= width and -1.0 <= top < low <= height + 1.0
     assert shown.pixels().shape == (round(height), round(width), 3)
+    natural = replace(shown, width=None).shapes()[0]
+    assert natural[0] > 3.0 * (ASKED_PT / 72.0 * DPI) and natural[1] <= height + 1e-6
     for ending in ("pdf", "tex", "svg"):
         shown.save(tmp_path / f"e.{ending}")
     tex = (tmp_path / "e.tex").read_text()
