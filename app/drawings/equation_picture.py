@@ -27,6 +27,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 TOO_NARROW = QT_TRANSLATE_NOOP(
     "Refusal", "width = {0} mm: a line of this equation needs {1} mm in letters of {2} points."
 )
+_ROUNDING_EM = 1e-6
 _LINES_APART_EM, _CAPTION_EM, _AXIS_EM, _FOOT_EM, _RULE_EM = 0.9, 1.0, 0.25, 0.22, 0.045
 
 
@@ -57,7 +58,10 @@ class EquationPicture:
         view, em = self.document.view, self.style.font_size
         asked = self.document.projection, view.letters, view.equation, self.document.settings
         equation = equation_of(*asked)
-        laid, room_em = [*laid_out(equation)], self.size[0] / em or inf
+        laid, room_em = (
+            [*laid_out(equation)],
+            self.size[0] / em + _ROUNDING_EM if self.size[0] else inf,
+        )
         gap_em = BETWEEN_EM if equation.result or len(laid) == 1 else APART_EM
         lines, right_em = list[list[_EquationPart]](), 0.0
         for place, each in enumerate(laid):
