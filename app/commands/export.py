@@ -212,7 +212,7 @@ def _figure(
         return Figure(
             document, scene, panes, options.size, options.scale, "/" in options.panes and not pane,
             options.text_size, options.palette, options.hidden or "none", options.crop,
-            options.transparent, caption=options.caption, width=options.width, fit=options.fit,
+            options.transparent, width=options.width, fit=options.fit,
         )  # fmt: skip
     except Refusal as error:
         asked = "width" if options.width else "size" if options.size else ""

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 
 from app import __version__, bootstrap
 from app.commands.terminal import CliError, write_out
-from app.document.lengths import PX_PER, parse_length, parse_size
+from app.document.lengths import PX_PER, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -294,10 +294,11 @@ def _export() -> Parser:
         "--width", "LENGTH",
         "instead of --size: how wide it is after it was cropped without a margin, such as 84mm; "
         "its height is free, and letters keep their size",
-        read=_parsed("--width", f"a length in {', '.join(PX_PER)}, such as 84mm", parse_length),
+        read=_parsed(
+            "--width", f"a length in {', '.join(PX_PER)}, such as 84mm",
+            lambda text: parse_size(f"{text}x{text}").px[0],
+        ),
     )  # fmt: skip
-    text = "below pictures that are compared (default: none)"
-    parser.add("--caption", "TEXT", text, default="")
     parser.add_choice(
         "--fit", FITS, "what the world pane frames: what is named, with the whole frustum too, or "
         "the objects alone (default: named)", "named",

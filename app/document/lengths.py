@@ -10,7 +10,6 @@ DPI = 300
 wide, the text of a page; a scale makes it no larger, but finer."""
 PX_PER = {"mm": DPI / 25.4, "cm": DPI / 2.54, "in": float(DPI), "px": 1.0}
 """Pixels of a figure, by unit."""
-_LENGTH = re.compile("([0-9.]{1,12})([a-z]*)")
 _SIZE = re.compile(r"([0-9.]{1,12})([a-z]*) *[xX×] *([0-9.]{1,12})([a-z]*)")
 
 
@@ -39,14 +38,6 @@ def parse_size(text: str) -> Size:
     if unit not in PX_PER or (first or unit) != unit:
         raise ValueError(text)
     return Size(float(width), float(height), unit)
-
-
-def parse_length(text: str) -> float:
-    """Return the pixels of ``84mm``, ``3.3in`` or ``992``; a `ValueError` as of `parse_size`."""
-    match = _LENGTH.fullmatch(text.strip())
-    if match is None or (unit := match[2] or "px") not in PX_PER:
-        raise ValueError(text)
-    return float(match[1]) * PX_PER[unit]
 
 
 def whole_pixels(size: tuple[float, float]) -> tuple[int, int]:

@@ -1,6 +1,6 @@
 """Pictures that are compared in a pane: beside each other, or divided, with their differences."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import pairwise, starmap
 
@@ -13,16 +13,14 @@ from app.drawings.label import SceneLabel
 from app.drawings.label import drawn as drawn_label
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import Ends, PanePicture
-from app.drawings.side_by_side import BARE_EM, places_of, room_for
+from app.drawings.side_by_side import places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
-from app.lecture.typesetting import line_of
 from app.model.parameters import TITLES
 from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
 
 LINE_EM = 1.5
-_MOST_WORDS = 0.25  # of a figure's height, for a caption
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,9 +33,6 @@ class Compared:
     dividers: tuple[float, ...]
     live: int
     size: tuple[int, int]
-    low: int  # where the pictures end, and the caption begins
-    lines: list[str]
-    """Of the caption."""
 
     @property
     def _style(self) -> Style:
@@ -62,29 +57,20 @@ class Compared:
             if self._is_titled:
                 named = zip(parts, self.pictures, strict=True)
                 parts = [_titled(part, picture.caption, style) for part, picture in named]
-            whole = self._empty(parts[0])
+            whole = np.empty((self.size[1], self.size[0], parts[0].shape[2]), np.uint8)
+            whole[:] = parts[0][0, 0]  # beside the pictures
             for part, (left, top, wide, high) in zip(parts, self.places, strict=True):
                 whole[top : top + high, left : left + wide] = part
-            return self._with_caption(whole)
+            return whole
         edges = self._edges(drawn[self.live][1])
-        whole = self._empty(drawn[0][0])
+        whole = drawn[0][0].copy()
         for (pixels, _), strip in zip(drawn, starmap(slice, pairwise(edges)), strict=True):
-            whole[: self.low, strip] = pixels[:, strip]
+            whole[:, strip] = pixels[:, strip]
         half = max(1, round(style.line_width / 2.0))
         for x in edges[1:-1]:
-            divider = whole[: self.low, max(0, x - half) : x + half]
+            divider = whole[:, max(0, x - half) : x + half]
             divider[..., :3] = np.array(rgb(style.ink)) * 255.0
             divider[..., 3:] = 255
-        return self._with_caption(whole)
-
-    def _empty(self, part: Pixels) -> Pixels:
-        """As much of a picture's background as all is large."""
-        whole = np.empty((self.size[1], self.size[0], part.shape[2]), np.uint8)
-        whole[:] = part[0, 0]
-        return whole
-
-    def _with_caption(self, whole: Pixels) -> Pixels:
-        _write(whole[self.low :], self.lines, self._style)
         return whole
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
@@ -96,7 +82,7 @@ class Compared:
             for (part, _), (left, right) in zip(drawn, pairwise(edges), strict=True):
                 shapes += within(part, left, right)
             for x in edges[1:-1]:
-                ends = [(float(x), 0.0), (float(x), float(self.low))]
+                ends = [(float(x), 0.0), (float(x), float(height))]
                 shapes.append(LineShape(ends, rgb(style.ink), 1.0, style.line_width))
         for (part, _), picture, (left, top, wide, _) in zip(
             drawn, self.pictures, self.places, strict=False
@@ -108,13 +94,10 @@ class Compared:
         if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
             corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
             shapes.insert(0, ground._replace(rings=[corners]))
-        for number, text in enumerate(self.lines):
-            y = self.low + (number + 0.5) * line_px
-            shapes.append(_line_of_text(text, width / 2.0, y, style))
         return shapes
 
 
-def compared_in(whole: PanePicture, scene: Scene, caption: str = "") -> Compared:
+def compared_in(whole: PanePicture, scene: Scene) -> Compared:
     """Return the pictures that are compared in a pane, which is as large as `whole`.
 
     The scene is the document's own one.
@@ -132,8 +115,7 @@ def compared_in(whole: PanePicture, scene: Scene, caption: str = "") -> Compared
     names = names_in([words.get(name, name) for name in given], states, settings, written)
     aspects = [state.projection.aspect for state in states]
     is_divided = bool(dividers) and len(set(aspects)) == 1 and whole.pane == "image"
-    lines = _lines_of(caption, whole.size, style)
-    width, height = whole.size[0], whole.size[1] - _line_px(style) * len(lines)
+    width, height = whole.size
     shown = [
         replace(
             whole,
@@ -148,18 +130,15 @@ def compared_in(whole: PanePicture, scene: Scene, caption: str = "") -> Compared
     if is_divided:
         middles = [sum(ends) / 2.0 for ends in pairwise((0.0, *dividers, 1.0))]
         shown = [
-            replace(picture, size=(width, height), middle=middle)
-            for picture, middle in zip(shown, middles, strict=True)
+            replace(picture, middle=middle) for picture, middle in zip(shown, middles, strict=True)
         ]
     else:
         places = places_of(whole.pane, width, height, aspects, style.font_size)
-        if whole.pane == "image":
-            places, height = room_for(places, aspects, style.font_size)
         shown = [
             replace(picture, size=(wide, high), framed=True, bare=True)
             for picture, (_, _, wide, high) in zip(shown, places, strict=True)
         ]
-    return Compared(shown, places, dividers if is_divided else (), live, whole.size, height, lines)
+    return Compared(shown, places, dividers if is_divided else (), live, whole.size)
 
 
 def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
@@ -171,37 +150,15 @@ def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
 
 def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
     """A picture with its name at the top, where a pane has its title."""
-    lines = _lines_of(text, (pixels.shape[1], pixels.shape[0]), style)
-    titled = pixels.copy()
-    _write(titled[: _line_px(style) * len(lines)], lines, style)
+    name = drawn_label(text, style.font_size, style.tone(""), style.background, plain=True)
+    top = max(0, (_line_px(style) - len(name)) // 2)
+    titled, name = pixels.copy(), name[: len(pixels) - top, : pixels.shape[1]]
+    left = (pixels.shape[1] - name.shape[1]) // 2
+    part = titled[top : top + len(name), left : left + name.shape[1]]
+    part[:] = np.round(part + name[..., 3:] / 255.0 * (name[..., : part.shape[2]] - part * 1.0))
+    part[..., 3:] = np.maximum(part[..., 3:], name[..., 3:])
     return titled
 
 
 def _line_px(style: Style) -> int:
     return round(LINE_EM * style.font_size)
-
-
-def _lines_of(text: str, size: tuple[int, int], style: Style) -> list[str]:
-    """Break a text into lines, at most a quarter of a height; the rest is dropped."""
-    room = size[0] / style.font_size - 2.0 * BARE_EM
-    lines: list[str] = []
-    for word in text.split():
-        if lines and line_of(f"{lines[-1]} {word}", True).width <= room:
-            lines[-1] += f" {word}"
-        else:
-            lines.append(word)
-    return lines[: int(_MOST_WORDS * size[1] / _line_px(style))]
-
-
-def _write(band: Pixels, lines: Sequence[str], style: Style) -> None:
-    """Write lines of words into the middle of a picture's rows."""
-    for place, text in enumerate(lines):
-        ink = drawn_label(text, style.font_size, style.tone(""), style.background, plain=True)
-        ink = ink[:, : band.shape[1]]
-        top = round((place + 0.5) * _line_px(style) - ink.shape[0] / 2.0)
-        left = (band.shape[1] - ink.shape[1]) // 2
-        ink = ink[max(0, -top) : len(band) - top]
-        part = band[max(0, top) :][: len(ink), left : left + ink.shape[1]]
-        opacity = ink[..., 3:] / 255.0
-        part[:] = np.round(part + opacity * (ink[..., : part.shape[2]] - part.astype(float)))
-        part[..., 3:] = np.maximum(part[..., 3:], ink[..., 3:])

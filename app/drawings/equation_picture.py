@@ -9,18 +9,10 @@ from typing import NamedTuple
 from app.document.document import Document
 from app.document.lengths import DPI, PX_PER
 from app.drawings.label import LabelText
-from app.drawings.off_screen import Pixels
 from app.drawings.style import Style, rgb
-from app.drawings.vectors import Area, LineShape, Shape, TextShape, box_of, moved
+from app.drawings.vectors import LineShape, Shape, TextShape, box_of, moved
 from app.lecture.equation import equation_of
-from app.lecture.equation_layout import (
-    APART_EM,
-    BETWEEN_EM,
-    BRACKET_EM,
-    MatrixLayout,
-    laid_out,
-    width_em,
-)
+from app.lecture.equation_form import APART_EM, BRACKET_EM, GAP_EM, MatrixLayout, laid_out, width_em
 from app.lecture.typesetting import line_of, piece_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
@@ -41,16 +33,11 @@ class _EquationPart(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EquationPicture:
-    """The equation of a view; `size` in pixels, of which 0 is as much as it needs.
-
-    `scale` is that of the pixels.
-    """
+    """The equation of a view; `size` in pixels, of which 0 is as much as it needs."""
 
     document: Document
     style: Style
     size: tuple[float, float] = (0.0, 0.0)
-    transparent: bool = False
-    scale: float = 1.0
 
     @cached_property
     def _set(self) -> list[Shape]:
@@ -62,13 +49,13 @@ class EquationPicture:
             [*laid_out(equation)],
             self.size[0] / em + _ROUNDING_EM if self.size[0] else inf,
         )
-        gap_em = BETWEEN_EM if equation.result or len(laid) == 1 else APART_EM
+        gap_em = GAP_EM if equation.result or len(laid) == 1 else APART_EM
         lines, right_em = list[list[_EquationPart]](), 0.0
         for place, each in enumerate(laid):
             sign = each.lead if len(laid) == 1 else ""
             if equation.factors and equation.result and place == len(laid) - 1:
                 sign = "="
-            wide = each.width + (width_em(sign) + BETWEEN_EM if sign else 0.0)
+            wide = each.width + (width_em(sign) + GAP_EM if sign else 0.0)
             if not lines or right_em + gap_em + wide > room_em:
                 right_em = -gap_em
                 lines.append([])
@@ -101,22 +88,8 @@ class EquationPicture:
         box = box_of(self._set, "")
         return (0.0, 0.0) if box is None else (box[2], box[3])
 
-    @property
-    def _sides(self) -> tuple[float, float]:
-        return self.size[0] or self.needed[0], self.size[1] or self.needed[1]
-
-    def pixels(self, seen: object = None) -> Pixels:
-        from app.drawings.pdf import rastered
-
-        (width, height), shapes = self._sides, self.shapes()
-        if not self.transparent:
-            page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
-            shapes.insert(0, Area([page], rgb(self.style.background), 1.0))
-        drawn = rastered(shapes, (width, height), self.scale)
-        return drawn if self.transparent else drawn[..., :3]
-
     def shapes(self, hidden: str = "", watch: object = None) -> list[Shape]:
-        free = (side - used for side, used in zip(self._sides, self.needed, strict=True))
+        free = (side - used for side, used in zip(self.size, self.needed, strict=True))
         right, down = (each / 2.0 for each in free)
         return [moved(shape, right, down) for shape in self._set]
 

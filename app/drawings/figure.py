@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -33,11 +33,9 @@ from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
-    from app.drawings.compared_figures import Compared
     from app.drawings.drawing import Drawing
     from app.drawings.equation_picture import EquationPicture
     from app.drawings.off_screen import Pixels
-    from app.drawings.one_pane import PanePicture
     from app.drawings.vectors import Shape
 
 Drawn = TypeVar("Drawn")
@@ -105,7 +103,6 @@ class Figure:
     - `palette`: one of `PALETTES`.
     - `hidden`: one of `HIDDEN`, for shapes.
     - `crop`: leave out what is empty around the content, but for a margin of `CROP_PX`.
-    - `caption`: below pictures that are compared.
     - `width`: of what is seen, in pixels at scale 1; it is cropped to that, and its height is free.
     - `fit`: one of `FITS`.
     - `transparent`: leave the background transparent.
@@ -126,7 +123,6 @@ class Figure:
     transparent: bool = False
     words: Mapping[str, str] | None = field(default=None, hash=False)
     translate: Translate = in_english
-    caption: str = ""
     width: float | None = None
     fit: str = "named"
 
@@ -174,8 +170,7 @@ class Figure:
             return Size(*self.size)
         if self.panes == ("image",):
             wide, high = self.document.projection.image_size
-            larger = 1.0 if self.width is None else self.width / wide
-            return Size(larger * wide, larger * high)
+            return Size(self.width or wide, (self.width or wide) * high / wide)
         if self.panes == ("equation",):
             needed = self._equation((self.width or 0.0, 0.0)).needed
             return Size(self.width or needed[0], needed[1])
@@ -235,6 +230,11 @@ class Figure:
         Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise
         VTK may use Qt's context for its own.
         """
+        if self.panes == ("equation",):
+            from app.drawings.pdf import rastered
+
+            size, shapes = self.shapes()
+            return rastered(shapes, size, self.scale)[..., : 4 if self.transparent else 3]
         watch = _Watch(progress, len(self.panes))
         whole = self._as_wide(
             lambda figure: figure._whole(watch, seen),
@@ -329,15 +329,13 @@ class Figure:
             shapes.insert(0, Area([page], rgb(background), 1.0))
         return (width, height), shapes
 
-    def _parts(
-        self, scale: float, watch: _Watch
-    ) -> Iterator[tuple[PanePicture | Compared | EquationPicture, tuple[int, int]]]:
+    def _parts(self, scale: float, watch: _Watch) -> Iterator[tuple[Any, tuple[int, int]]]:
         """Yield what each pane shows, with its left and top."""
         from app.drawings.compared_figures import compared_in
         from app.drawings.one_pane import PanePicture
 
         if self.panes == ("equation",):
-            yield self._equation(self.full_size.px, scale), (0, 0)
+            yield self._equation(self.full_size.px), (0, 0)
             return
         document, view = self.document, self.document.view
         # Beside an image several worlds that are compared would be small.
@@ -358,16 +356,13 @@ class Figure:
                 framed=len(self.panes) > 1, transparent=self.transparent, fit=self.fit,
             )  # fmt: skip
             is_compared = pane == view.compares_in and view.compare
-            yield (
-                (compared_in(picture, self.scene, self.caption) if is_compared else picture),
-                (left, top),
-            )
+            yield compared_in(picture, self.scene) if is_compared else picture, (left, top)
 
-    def _equation(self, size: tuple[float, float], scale: float = 1.0) -> EquationPicture:
+    def _equation(self, size: tuple[float, float]) -> EquationPicture:
         from app.drawings.equation_picture import EquationPicture
 
         style = replace(PALETTES[self.palette], font_size=self.em_pt * DPI / 72.0)
-        return EquationPicture(self.document, style, size, self.transparent, scale)
+        return EquationPicture(self.document, style, size)
 
     # -- files
 

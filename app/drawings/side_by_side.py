@@ -62,21 +62,6 @@ def places_of(
     return columns(width_px, height_px, len(aspects), em)
 
 
-def room_for(
-    places: Sequence[tuple[int, int, int, int]], aspects: Sequence[float], em: float
-) -> tuple[list[tuple[int, int, int, int]], int]:
-    """Leave nothing free between pictures in a row and what is below; return where that begins."""
-    across, down = 2.0 * BARE_EM * em, (2.0 * BARE_EM + TITLE_EM) * em
-    needed = [(wide - across) / aspect + down
-              for (_, _, wide, _), aspect in zip(places, aspects, strict=True)]  # fmt: skip
-    if len({top for _, top, *_ in places}) > 1:
-        needed = [high for *_, high in places]
-    shorter = [
-        (left, top, wide, min(high, math.ceil(max(needed)))) for left, top, wide, high in places
-    ]
-    return shorter, max(top + high for _, top, _, high in shorter)
-
-
 def columns(
     width_px: int, height_px: int, count: int, em: float
 ) -> list[tuple[int, int, int, int]]:

@@ -13,14 +13,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 from app.drawings.style import LIGHT, Style, tone
 from app.lecture.copying import as_text
 from app.lecture.equation import Equation, Term, equation_of
-from app.lecture.equation_layout import (
-    APART_EM,
-    BETWEEN_EM,
-    BRACKET_EM,
-    MatrixLayout,
-    laid_out,
-    width_em,
-)
+from app.lecture.equation_form import APART_EM, BRACKET_EM, GAP_EM, MatrixLayout, laid_out, width_em
 from app.lecture.highlight import ENDS, OBJECT_AXES
 from app.lecture.notation import letters_in
 from app.lecture.typesetting import line_of, piece_of
@@ -147,14 +140,14 @@ class EquationSlide(QWidget):
     def _beside(self) -> float:
         """The width in em of everything but the matrices."""
         if not self._is_product:
-            return width_em(self._laid[0].lead) + 2.0 * BETWEEN_EM
-        equals = width_em("=") + 2.0 * BETWEEN_EM if self._has_result else 0.0
+            return width_em(self._laid[0].lead) + 2.0 * GAP_EM
+        equals = width_em("=") + 2.0 * GAP_EM if self._has_result else 0.0
         return self._gap_em * len(self._laid) + equals
 
     @property
     def _gap_em(self) -> float:
         """The gap between two matrices."""
-        return BETWEEN_EM if self._has_result or not self._is_product else APART_EM
+        return GAP_EM if self._has_result or not self._is_product else APART_EM
 
     # -- painting
 
@@ -189,11 +182,11 @@ class EquationSlide(QWidget):
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)
         if not self._is_product:
-            x = self._draw(painter, self._laid[0].lead, em, x, middle, ink) + 2.0 * BETWEEN_EM * em
+            x = self._draw(painter, self._laid[0].lead, em, x, middle, ink) + 2.0 * GAP_EM * em
         for place, each in enumerate(self._laid):
             if self._has_result and place == len(self._laid) - 1:
-                x += BETWEEN_EM * em
-                x = self._draw(painter, "=", em, x, middle, ink) + BETWEEN_EM * em
+                x += GAP_EM * em
+                x = self._draw(painter, "=", em, x, middle, ink) + GAP_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
             if stretch:  # alike where there is room
                 alike = sum(widths) / 4.0
