@@ -35,11 +35,10 @@ from app.strangers import decode
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
 """The default turn, scale and move of a node, and of a copy of a mesh."""
-_READ = re.compile(
+_READ = re.compile(  # extensions that this module reads, or that change no shape
     "KHR_mesh_quantization|KHR_node_visibility|EXT_mesh_gpu_instancing"
     r"|[A-Z]+_(animation|image|lights|materials|techniques?|texture|xmp)\w*"
 )
-"""Extensions that this module reads, or that change no shape."""
 _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""

@@ -50,13 +50,12 @@ ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
 KEY_PX = 25.0  # movement of the mouse that an arrow key stands for: it turns by 10 degrees
-ARROWS = {
+ARROWS = {  # right and down
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
     Qt.Key.Key_Up: (0.0, -1.0),
     Qt.Key.Key_Down: (0.0, 1.0),
 }
-"""Right and down."""
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """On many keyboards plus is on the key of =."""
 

@@ -44,8 +44,7 @@ from app.scenes.phenomena.settings import Settings
 from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
-from widgets.parts.escape import EscapeKey
-from widgets.parts.gestures import Gestures
+from widgets.parts.gestures import EscapeKey, Gestures
 from widgets.parts.icons import BesideLabel
 from widgets.parts.messages import (
     field_name,

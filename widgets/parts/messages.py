@@ -49,7 +49,7 @@ lettering = SharedChoice[Letters]("own")  # the lecture whose letters are used
 all_digits = SharedChoice(False)  # whether numbers are shown with all digits instead of four
 
 
-SPACES = {
+SPACES = {  # names of the spaces between the stages
     "object": QT_TRANSLATE_NOOP("Space", "object"),
     "world": QT_TRANSLATE_NOOP("Space", "world"),
     "view": QT_TRANSLATE_NOOP("Space", "view"),
@@ -61,9 +61,8 @@ SPACES = {
     "ndc": QT_TRANSLATE_NOOP("Space", "ndc"),
     "image": QT_TRANSLATE_NOOP("Space", "image"),
 }
-"""Names of the spaces between the stages."""
 
-FACTORS = {
+FACTORS = {  # names of the stages' factors, except for the lectures' own letters
     "rotation": QT_TRANSLATE_NOOP("Factor", "rotation"),
     "translation": QT_TRANSLATE_NOOP("Factor", "translation"),
     "scale": QT_TRANSLATE_NOOP("Factor", "scale"),
@@ -72,7 +71,6 @@ FACTORS = {
     "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
     "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
 }
-"""Names of the stages' factors, except for the lectures' own letters."""
 
 # Refusals of controls only: the text is not a number.
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")

@@ -210,10 +210,9 @@ class Settings:
     """Whether panels show all digits of a number instead of four."""
     language = _KeptSetting("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
-    tolerance_px = _KeptSetting(
+    tolerance_px = _KeptSetting(  # error in pixels up to which a GPU's own arithmetic may draw
         "tolerance", _number_in(LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX), DRAWING_TOLERANCE_PX
     )
-    """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _KeptSetting("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
     reduce_motion = _kept_flag("reduce-motion", None)

@@ -33,7 +33,7 @@ from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("cheap-arithmetic")
 
-PRESETS = {
+PRESETS = {  # the hardware of each choice but ``"own"``
     "console": Hardware("16 bits", "fixed 16.16", "whole px", "table, 1 Newton step"),
     "bits8": Hardware("8 bits"),
     "bits12": Hardware("12 bits"),
@@ -42,7 +42,6 @@ PRESETS = {
     "far": Hardware(),
     "exact": Hardware("float64", "float64"),
 }
-"""The hardware of each choice but ``"own"``."""
 _FORMATS = {
     "float64": "float64", "float32": "float32", "float16": "float16", "bfloat16": "bfloat16",
     "fixed": "fixed 16.16", "bits16": "16 bits", "bits12": "12 bits", "bits8": "8 bits",

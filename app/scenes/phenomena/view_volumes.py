@@ -28,14 +28,13 @@ _LENS = {
     "pyramid": "perspective", "cone": "perspective", "box": "orthographic", "oblique": "oblique",
 }  # fmt: skip
 
-POINTS = {
+POINTS = {  # the world coordinates of the test points
     "A": (0.0, 3.0, 0.0),
     "B": (3.0, 3.0, 4.0),
     "C": (7.0, 3.0, -4.0),
     "D": (-4.0, 3.0, 0.0),
     "E": (-2.0, 1.2, -4.0),
 }
-"""The world coordinates of the test points."""
 _PLACES = np.array(list(POINTS.values()))
 _LETTERS = _PLACES + np.array([0.0, 0.45, 0.0])
 
