@@ -329,18 +329,16 @@ class Sweep:
 class Measurements:
     """All measurements of one run.
 
-    - `date`: ISO 8601 with a time zone.
     - `document`: the scene and the projection, as in their document.
-    - `complete`: false if the run was cancelled.
     """
 
-    date: str
+    date: str  # ISO 8601 with a time zone
     machine: Mapping[str, str] = field(hash=False)
     versions: Mapping[str, str] = field(hash=False)
     document: Mapping[str, Any] = field(hash=False)
     trades: tuple[Trade, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
-    complete: bool = True
+    complete: bool = True  # false if the run was cancelled
 
     def by_cost(self, cost: str) -> Measurements:
         """Return the results with every trade `by` this cost."""

@@ -87,18 +87,15 @@ def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
 class _MeshSize(NamedTuple):
     """The counts of a mesh.
 
-    - `elements`: most triangles, lines and points.
     - `targets`, `sets`: most morph targets and most sets of four joints of a primitive.
-    - `weights`: default morph weights that are not 0.
-    - `overhead`: vertices that take as long as its primitives and targets do without any.
     """
 
     vertices: int
-    elements: int
+    elements: int  # most triangles, lines and points
     targets: int
     sets: int
-    weights: int
-    overhead: int
+    weights: int  # default morph weights that are not 0
+    overhead: int  # vertices that take as long as its primitives and targets do without any
 
 
 class _Gltf:

@@ -69,15 +69,13 @@ def _geometry() -> tuple[Coloured, Coloured]:
 class Cut(NamedTuple):
     """A polygon after one more plane, in clip coordinates.
 
-    - `corners` (m, 4): what is left of it; m may be 0.
     - `new` (k, 4): those of the corners that the plane has made: 2 where it crosses the polygon, or
       fewer where it goes through an old corner.
-    - `off` (j, 4): the part that the plane has cut off; j may be 0.
     """
 
-    corners: Array
+    corners: Array  # (m, 4): what is left of it; m may be 0
     new: Array
-    off: Array
+    off: Array  # (j, 4): the part that the plane has cut off; j may be 0
 
 
 _NONE = np.empty((0, 4))

@@ -27,8 +27,6 @@ class Curve:
 class Spot:
     """A point of a diagram, in its units, with a name.
 
-    - `name`: written beside it, where there is room; it is in `tip` too.
-    - `key`: reported when it is clicked; empty if it cannot be chosen.
     - `faded`, `marked`, `broken`, `hollow`: drawn paler, because another one is better; drawn as
       the present choice; drawn as a cross, because something ends here; drawn as a circle, because
       it is only a reference.
@@ -36,8 +34,8 @@ class Spot:
 
     x: float
     y: float
-    name: str = ""
-    key: str = ""
+    name: str = ""  # written beside it, where there is room; it is in `tip` too
+    key: str = ""  # reported when it is clicked; empty if it cannot be chosen
     tip: str = ""
     colour: str = "ink"
     faded: bool = False

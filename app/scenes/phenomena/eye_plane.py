@@ -64,11 +64,8 @@ class EyePlanePictures(NamedTuple):
 
     - `naive`, `cut`, `right` (m, 2, 2): by the divide alone, by lecture 004's cut, by homogeneous
       clipping; NaN where nothing is drawn.
-    - `case` (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
     - `wrong_px` (m,): length that only the naive drawing has inside the frame: all that it draws of
       a segment with an end behind the eye, because its arc and the right one share only their ends.
-    - `missed_px` (m,): length that the right drawing has and the naive one lacks.
-    - `left_out_px` (m,): length that lecture 004's cut removes in front of the eye.
     - `part` (m, 2): where the part begins and ends that the right drawing shows, from 0 to 1; NaN
       for nothing.
     """
@@ -76,10 +73,10 @@ class EyePlanePictures(NamedTuple):
     naive: Array
     cut: Array
     right: Array
-    case: NDArray[np.intp]
+    case: NDArray[np.intp]  # (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`
     wrong_px: Array
-    missed_px: Array
-    left_out_px: Array
+    missed_px: Array  # (m,): length that the right drawing has and the naive one lacks
+    left_out_px: Array  # (m,): length that lecture 004's cut removes in front of the eye
     part: Array
 
 

@@ -89,14 +89,12 @@ class Subject:
     """The object of the scene, without the ground grid.
 
     - `lower`, `upper`: world bounds.
-    - `points` (n, 3): its vertices in world coordinates; a sample of those of a large mesh.
-    - `mesh`: the user's mesh, if it replaces the built-in subject.
     """
 
     lower: Vector
     upper: Vector
-    points: Array
-    mesh: OwnMesh | None = None
+    points: Array  # (n, 3): its vertices in world coordinates; a sample of those of a large mesh
+    mesh: OwnMesh | None = None  # the user's mesh, if it replaces the built-in subject
 
     @property
     def size(self) -> float:

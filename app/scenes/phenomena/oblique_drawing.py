@@ -52,14 +52,12 @@ def _geometry() -> tuple[Coloured, Coloured]:
 class DrawnEdge(NamedTuple):
     """An edge along n as drawn, measured on the image beside equal edges along u and v.
 
-    - `scale`: its length in units of the edge along u.
-    - `up`: likewise for the edge along v: 1 unless the picture is stretched.
     - `angle_deg`: its direction away from the viewer, from the right, anticlockwise; meaningless at
       scale 0.
     """
 
-    scale: float
-    up: float
+    scale: float  # its length in units of the edge along u
+    up: float  # likewise for the edge along v: 1 unless the picture is stretched
     angle_deg: float
 
 

@@ -55,22 +55,18 @@ class Phrase:
 class Reading:
     """One line of the readout.
 
-    - `label`: translatable, with letters as in the lectures.
     - `value`: a str is a translatable word. None means that there is no value, and `note` says why.
-    - `unit`: ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units.
     - `counted`: the value is counted later in the pixels of the picture, and None until then.
       `note` says why, if there turns out to be nothing to count.
-    - `about`: the names of `app.lecture.highlight` that it is highlighted with.
-    - `cell`: of a matrix, the only cell that is highlighted, counted row by row.
     """
 
-    label: str
+    label: str  # translatable, with letters as in the lectures
     value: float | tuple[float, ...] | str | None
-    unit: str = ""
+    unit: str = ""  # ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units
     note: Phrase | None = None
     counted: bool = False
-    about: tuple[str, ...] = ()
-    cell: int | None = None
+    about: tuple[str, ...] = ()  # the names of `app.lecture.highlight` that it is highlighted with
+    cell: int | None = None  # of a matrix, the only cell that is highlighted, counted row by row
 
     @classmethod
     def or_why(
