@@ -240,12 +240,12 @@ class MeasurePanel(DiagramPanel):
     def begin_gesture(self) -> None:
         """Pause the measurement while a control is dragged or something plays."""
         self._gestures += 1
-        self._show_paused()
+        self._show_running()
 
     def end_gesture(self) -> None:
         """Resume the measurement when the last gesture has ended."""
         self._gestures = max(0, self._gestures - 1)
-        self._show_paused()
+        self._show_running()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._picked = ""
@@ -336,13 +336,9 @@ class MeasurePanel(DiagramPanel):
         self.run_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)
         self.progress.setVisible(running)
-        self._show_paused()
-
-    def _show_paused(self) -> None:
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
-        waits = paused and self.measuring.running
-        self.progress.setFormat(self.tr("paused") if waits else "%p %")
+        self.progress.setFormat(self.tr("paused") if paused and running else "%p %")
 
     # -- files
 
