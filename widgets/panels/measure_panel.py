@@ -61,9 +61,8 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.focus import FocusRing
 from widgets.parts.icons import Combo, NoteLabel, icon
-from widgets.parts.layouts import in_column, in_row, push_button
+from widgets.parts.layouts import FocusRing, in_column, in_row, push_button
 from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip

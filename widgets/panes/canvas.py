@@ -39,8 +39,7 @@ from PySide6.QtGui import (
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
-from widgets.parts.focus import FocusRing
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import FocusRing, in_column
 from widgets.parts.plain import set_tip
 
 if TYPE_CHECKING:
