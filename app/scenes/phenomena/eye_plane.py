@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
@@ -37,7 +37,6 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
-from app.scenes.phenomena.settings import Settings, point
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 

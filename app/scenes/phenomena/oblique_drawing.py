@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, Parameter
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.parameters import ALPHA, BETA, NEAR
 from app.model.projection import (
     Array,
@@ -26,7 +26,6 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_grid, joined
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, Parameter
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
@@ -26,7 +26,6 @@ from app.scenes.phenomena.picture import (
     rectangle,
     section,
 )
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 

@@ -12,13 +12,12 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings
 from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
-from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
