@@ -30,7 +30,7 @@ from app.measure.results import (
 )
 from app.model import parameters
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
+from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".pdf")  # the formats of `widgets.parts.chart_picture`
 TITLES = {  # the title of every trade and every sweep

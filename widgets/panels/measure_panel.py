@@ -58,7 +58,7 @@ from app.measure.single import (
     split,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.icons import Combo, NoteLabel, icon

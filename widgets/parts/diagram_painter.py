@@ -13,7 +13,7 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
-from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.words import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
 from widgets.parts.messages import figure_text, of_phenomena
 from widgets.parts.panel import faded

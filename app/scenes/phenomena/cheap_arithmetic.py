@@ -23,11 +23,10 @@ from numpy.typing import NDArray
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, Spot
 from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("cheap-arithmetic")

@@ -20,11 +20,10 @@ from app.model.limits import PLANES
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("clipping")

@@ -21,7 +21,6 @@ from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_nd
 from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Dot,
@@ -37,7 +36,7 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 WORDS = PhenomenonWords("eye-plane")
