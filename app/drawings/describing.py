@@ -8,7 +8,7 @@ import numpy as np
 from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
-from app.drawings.precision import bounds_px, predictions
+from app.drawings.scene_bounds import bounds_px, predictions
 from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity

@@ -19,7 +19,7 @@ from PySide6.QtCore import QObject
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.store import Store
-from app.drawings.precision import bounds_px
+from app.drawings.scene_bounds import bounds_px
 from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal
 from app.precision.quality import AUTO, AUTOMATIC, Quality

@@ -146,7 +146,7 @@ def _one_progress(kept: Any) -> Progress:
     )
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _KeptSetting(Generic[_T]):
     """One setting: its key in the file, how it is read from text and written, and its default."""
 

@@ -13,7 +13,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
-from app.drawings.precision import bounds_px, predictions
+from app.drawings.scene_bounds import bounds_px, predictions
 from app.model.projection import Projection
 from app.precision.levels import (
     DRAWING_TOLERANCE_PX,

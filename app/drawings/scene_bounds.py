@@ -1,0 +1,40 @@
+"""The largest error of each precision for a scene in its present place."""
+
+from itertools import islice
+from weakref import WeakKeyDictionary
+
+from app.model.projection import Projection
+from app.precision.levels import Precision, Prediction, drawing_bounds_px, predict
+from app.scenes.scene import Scene
+
+
+def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
+    """Return float32's bounds for a scene's faces, dots and lines, and for a ground left behind.
+
+    They are computed once for all panes of a step.
+    """
+    kept = _bounds.get(scene)
+    if kept is None or kept[0] != projection:
+        bounds: list[float] = []
+        for part, space in scene.parts(projection.placement):
+            errors = iter(drawing_bounds_px(projection, part.boxes.together, scene.origin, space))
+            bounds += [max(islice(errors, len(boxes)), default=0.0) for boxes in part.boxes]
+        del bounds[3:5]  # the ground has no faces and no dots
+        kept = _bounds[scene] = projection, tuple(bounds)
+    return kept[1]
+
+
+def predictions(projection: Projection, scene: Scene) -> dict[Precision, Prediction] | None:
+    """Return bounds of every precision's largest error over a scene's vertices."""
+    predicted: dict[Precision, Prediction] | None = None
+    for part, space in scene.parts(projection.placement):
+        if part.has_vertices:
+            bounds = predict(projection, part.vertices, scene.origin, space)
+            if predicted is not None and bounds is not None:
+                for level, bound in predicted.items():
+                    bounds[level] = Prediction(*map(max, bound, bounds[level]))
+            predicted = bounds or predicted
+    return predicted
+
+
+_bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, ...]]] = WeakKeyDictionary()
