@@ -10,8 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cache
 
-TITLE_EM = 1.5
-"""Height of a pane's title, which lies on the picture, in ems."""
+TITLE_EM = 1.5  # height of a pane's title, which lies on the picture, in ems
 BLACK, WHITE = "#000000", "#ffffff"
 
 
@@ -38,6 +37,7 @@ class Style:
     """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
     all are whole pixels: OpenGL would round others differently in each way of drawing."""
     font_size: float = 15.0  # height of an em
+    one_size: bool = False  # of words and letters of formulas
     on_paper: bool = False
     """Whether faces that meet differ in lightness, and far is dashed: nothing by hue alone."""
 

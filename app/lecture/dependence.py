@@ -25,7 +25,7 @@ from app.model.formula import (
 from app.model.parameters import ASPECT, EYE, FOV_Y, PARAMETERS, TARGET, UP
 from app.model.projection import Projection
 
-FIELDS = {
+FIELDS = {  # fields of the document by the names in the formulas of `app.lecture.notation`
     **{each.letter: each.fields for each in PARAMETERS.values() if each.letter},
     "theta_v": FOV_Y.fields,
     "theta_h": (*FOV_Y.fields, *ASPECT.fields),
@@ -34,7 +34,6 @@ FIELDS = {
     **dict.fromkeys(("axis_u", "axis_v"), (EYE.name, TARGET.name, UP.name)),
     "axis_n": (EYE.name, TARGET.name),
 }
-"""Fields of the document by the names in the formulas of `app.lecture.notation`."""
 
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
@@ -42,12 +41,9 @@ _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 class ProjectionState(NamedTuple):
     """The facts about a projection that decide which of its numbers matter; see `state_of`."""
 
-    keep: str
-    """The lens' proportions; empty for a lens without a window."""
-    zeros: frozenset[str]
-    """The names, and the sums and calls of names, that are 0."""
-    fits: bool
-    """Whether the lens' window already has the image's proportions."""
+    keep: str  # the lens' proportions; empty for a lens without a window
+    zeros: frozenset[str]  # the names, and the sums and calls of names, that are 0
+    fits: bool  # whether the lens' window already has the image's proportions
     letters: tuple[tuple[str, tuple[str, ...]], ...]
     """Letters that only this lens has, and the fields of the document that they depend on."""
     held: tuple[tuple[str, tuple[str, ...]], ...]

@@ -75,7 +75,7 @@ WITHIN = 0.01
 """Tolerance of ``=`` and ``!=`` in a condition: of the larger value, or of 1 if one is 0."""
 
 XYZ = ("x", "y", "z")
-_SPACES = {
+_SPACES = {  # the spaces of a probe, and its coordinates there
     "object": XYZ,
     "world": XYZ,
     "view": XYZ,
@@ -83,7 +83,6 @@ _SPACES = {
     "ndc": XYZ,
     "image": ("x", "y", "depth"),
 }
-"""The spaces of a probe, and its coordinates there."""
 
 
 class NotThere(LookupError):
@@ -136,8 +135,7 @@ def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
 RATIONAL = Arithmetic(Fraction, _rational)
 """Rationals, with the functions in float64; a `KeyError` names an unknown one."""
 
-NEGLIGIBLE = 1.0 / LARGEST
-"""A number nearer to 0 counts as 0."""
+NEGLIGIBLE = 1.0 / LARGEST  # a number nearer to 0 counts as 0
 _LARGEST, _NEGLIGIBLE = Fraction(LARGEST), Fraction(NEGLIGIBLE)
 _CONSTANTS = {"pi": math.pi, "infinity": math.inf}
 

@@ -33,13 +33,11 @@ TOO_FAR = QT_TRANSLATE_NOOP(
 )
 FARTHEST = 1e12
 """Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
-DIVIDING = 0.9
-"""Progress from which only faces are divided."""
+DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000
 """Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
 than the pixels."""
-FLAT_DOTS = 1_000
-"""Most dots that have one colour."""
+FLAT_DOTS = 1_000  # most dots that have one colour
 _BLOCK = 100_000  # faces that are computed at once, between two reports of progress
 _SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angle are drawn
 
@@ -47,25 +45,20 @@ _SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angl
 class Finished(NamedTuple):
     """A mesh that is ready to be drawn.
 
-    - `points` (n, 3): world coordinates.
     - `offsets`, `corners` (m + 1,) and (offsets[m],): as in `app.scenes.mesh.Mesh`, for faces of
       three or four corners.
-    - `rgb` (m, 3): shaded colour of each face.
-    - `edges` (k, 2, 3): ends of the faces' edges to draw.
-    - `lines` (l, 2, 3): ends of the file's own lines.
     - `dots`, `dot_rgb` (d, 3): the file's own dots and their colours.
-    - `notes`: as in `app.scenes.mesh.Mesh`.
     """
 
-    points: Floats
+    points: Floats  # (n, 3): world coordinates
     offsets: Ints
     corners: Ints
-    rgb: Colours
-    edges: Floats
-    lines: Floats
+    rgb: Colours  # (m, 3): shaded colour of each face
+    edges: Floats  # (k, 2, 3): ends of the faces' edges to draw
+    lines: Floats  # (l, 2, 3): ends of the file's own lines
     dots: Floats
     dot_rgb: Colours
-    notes: list[tuple[Any, ...]]
+    notes: list[tuple[Any, ...]]  # as in `app.scenes.mesh.Mesh`
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

@@ -31,7 +31,7 @@ from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, canvas
 from widgets.panes.pane import REST_MS
-from widgets.parts.number_dialog import NumberDialog
+from widgets.parts.number_field import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
@@ -526,6 +526,11 @@ def test_the_shares_for_dragging_depend_on_the_size_of_the_mesh(
     surface = pv.PolyData.from_regular_faces(np.eye(3, dtype=np.float32), corners)
     assert shares_for_dragging(replace(scene, surface=surface)) == shares
     assert shares_for_dragging(replace(scene, surface=None)) == ()
+
+
+def test_a_scene_whose_vertices_are_moved_stays_whole_in_a_drag() -> None:
+    """Each drawn vertex is looked up among the scene's own, which a coarser mesh does not have."""
+    assert shares_for_dragging(load("vertex-depth")) == ()
 
 
 @pytest.mark.parametrize("software", [True, False])

@@ -29,7 +29,7 @@ from tests.support.window import MakeWindow, activate, settle, show_scene
 from widgets.parts.diagram import DiagramView
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
-from widgets.window.self_test import SelfTestDialog
+from widgets.window.practice import SelfTestDialog
 from widgets.window.speaker import SpeakerWindow
 from widgets.window.talk_writing import TitleDialog
 
@@ -136,7 +136,7 @@ def test_a_message_is_announced_and_esc_closes_it(
 ) -> None:
     heard: list[str] = []
     monkeypatch.setattr(
-        "widgets.parts.message_bar.QAccessible",
+        "widgets.parts.messages.QAccessible",
         SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message())),
     )
     window = make_window()

@@ -58,24 +58,17 @@ from app.measure.single import (
     split,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.buttons import push_button
-from widgets.parts.combo import Combo
-from widgets.parts.focus import FocusRing
-from widgets.parts.icons import icon
-from widgets.parts.layouts import in_column, in_row
-from widgets.parts.messages import of_measurements, sentence
-from widgets.parts.note import NoteLabel
+from widgets.parts.icons import Combo, NoteLabel, icon
+from widgets.parts.layouts import FocusRing, in_column, in_row, push_button
+from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.writing import all_digits
 
-ENDINGS = (".csv", ".json", *chart.ENDINGS)
-"""Endings of the export formats."""
-NOTE_LETTERS = 24
-"""Least width of the column of notes, in letters, unless the notes are shorter."""
+ENDINGS = (".csv", ".json", *chart.ENDINGS)  # endings of the export formats
+NOTE_LETTERS = 24  # least width of the column of notes, in letters, unless the notes are shorter
 _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
 _NAME = Qt.ItemDataRole.UserRole
 
@@ -126,12 +119,10 @@ class MeasurePanel(DiagramPanel):
     list.
     """
 
-    used = Signal(object)
-    """The `use` of a choice that was clicked: a dict of str."""
+    used = Signal(object)  # the `use` of a choice that was clicked: a dict of str
     refusal_withdrawn = Signal(str)
     """The sentence of a refusal that no longer applies, because the panel was used again."""
-    succeeded = Signal()
-    """A file was read or written."""
+    succeeded = Signal()  # a file was read or written
 
     def __init__(
         self,
@@ -148,10 +139,8 @@ class MeasurePanel(DiagramPanel):
         self._asked: list[str] = []  # the trades and sweeps that are being measured
         self.measured: dict[str, Measurements] = {}
         """The last results of every trade and sweep, by name; each holds only that one."""
-        self.loaded: dict[str, Measurements] = {}
-        """The results from a file, by name."""
-        self.words: dict[str, str] = {}
-        """Why a trade or sweep has no results."""
+        self.loaded: dict[str, Measurements] = {}  # the results from a file, by name
+        self.words: dict[str, str] = {}  # why a trade or sweep has no results
         self.measuring = Measuring(self)
         self.measuring.progressed.connect(lambda part: self.progress.setValue(round(1000 * part)))
         self.measuring.finished.connect(self._finished)
@@ -250,12 +239,12 @@ class MeasurePanel(DiagramPanel):
     def begin_gesture(self) -> None:
         """Pause the measurement while a control is dragged or something plays."""
         self._gestures += 1
-        self._show_paused()
+        self._show_running()
 
     def end_gesture(self) -> None:
         """Resume the measurement when the last gesture has ended."""
         self._gestures = max(0, self._gestures - 1)
-        self._show_paused()
+        self._show_running()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._picked = ""
@@ -346,13 +335,9 @@ class MeasurePanel(DiagramPanel):
         self.run_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)
         self.progress.setVisible(running)
-        self._show_paused()
-
-    def _show_paused(self) -> None:
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
-        waits = paused and self.measuring.running
-        self.progress.setFormat(self.tr("paused") if waits else "%p %")
+        self.progress.setFormat(self.tr("paused") if paused and running else "%p %")
 
     # -- files
 

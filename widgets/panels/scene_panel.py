@@ -8,23 +8,18 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLayout, QScrollArea, QWidget
 
-from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
+from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
-from widgets.parts.focus import FocusRing
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, subscripts
 
-WORD = 16
-"""Characters of a file's name that fit into the narrowest column."""
-COLUMN_PX = 200
-"""Least width of a scrolling column."""
-PICTURE = 16.0 / 9.0
-"""Aspect of a diagram that is a picture."""
-MOST_ABREAST = 2
-"""Most diagrams in one row; more of them use two rows if they are larger that way."""
+WORD = 16  # characters of a file's name that fit into the narrowest column
+COLUMN_PX = 200  # least width of a scrolling column
+PICTURE = 16.0 / 9.0  # aspect of a diagram that is a picture
+MOST_ABREAST = 2  # most diagrams in one row; more of them use two rows if they are larger that way
 
 
 class ScenePanel(DiagramPanel):

@@ -20,8 +20,7 @@ from app.lessons.player import Player
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.saving import png_of
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look
@@ -35,8 +34,7 @@ from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
 from widgets.window.talk_writing import TalkWriter
 
-SEEN_MS = 250
-"""How long a slide must stand still before the speaker's window shows it."""
+SEEN_MS = 250  # how long a slide must stand still before the speaker's window shows it
 
 
 class Talks(QObject):

@@ -17,18 +17,16 @@ from app.model.formula import Formula
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-WITHIN_PX = 12.0
-"""Largest distance of a click that counts, unless the question says another one."""
+WITHIN_PX = 12.0  # largest distance of a click that counts, unless the question says another one
 PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
 """Width of a small image pane; a unit of the cube, and the way from the eye to its target, in small
 panes. A check uses them to compare places without a window."""
 
-COORDINATES = {
+COORDINATES = {  # what the coordinates of a place are called in a worked solution
     "image": (r"x_{\mathrm{win}}", r"y_{\mathrm{win}}"),
     "ndc": ("x'", "y'", "z'"),
     "world": ("x", "y", "z"),
 }
-"""What the coordinates of a place are called in a worked solution."""
 NOT_SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
 OUTSIDE = QT_TRANSLATE_NOOP("Refusal", "has the place ({0}), which is not in the picture")
 A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by spaces")
@@ -44,8 +42,7 @@ class Click(MarkedQuestion):
 
     kind = "answer"
     is_worked = False
-    within_px: float
-    """How far from a place a click may be, on a screen with scale 1."""
+    within_px: float  # how far from a place a click may be, on a screen with scale 1
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> Click:

@@ -1,4 +1,4 @@
-"""The words of a phenomenon: its content file, which is read when a word is first needed.
+"""What a phenomenon says beside the panes: readings, diagrams, and the words of its content file.
 
 The file is Markdown in the manner of a lesson. Every text stands on one line::
 
@@ -22,15 +22,84 @@ The window translates these texts in the context "phenomena". lupdate reads no M
 `tests/texts.py` makes a source for it.
 """
 
-from collections.abc import Iterator
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
-from app.model.content_file import ContentSection, read_sections, sections_of, worded
-from app.model.parameter import Parameter
-from app.model.projection import Projection
-from app.scenes.phenomena.readout import Phrase
+import numpy as np
+
+from app.model.parameter import ContentSection, Parameter, read_sections, sections_of, worded
+from app.model.projection import Array, Projection
+
+
+@dataclass(frozen=True)
+class Phrase:
+    """A sentence with values in it; ``{0}``, ``{1}`` in the translatable template."""
+
+    template: str
+    values: tuple[str | float, ...] = ()
+
+    def sentence(
+        self,
+        translate: Callable[[str], str] = str,
+        write: Callable[[float], str] = lambda value: figure(value),
+    ) -> str:
+        """Translate the template, then fill in the values; `write` formats the numbers."""
+        values = (value if isinstance(value, str) else write(value) for value in self.values)
+        return translate(self.template).format(*values)
+
+
+@dataclass(frozen=True)
+class Reading:
+    """One line of the readout.
+
+    - `value`: a str is a translatable word. None means that there is no value, and `note` says why.
+    - `counted`: the value is counted later in the pixels of the picture, and None until then.
+      `note` says why, if there turns out to be nothing to count.
+    """
+
+    label: str  # translatable, with letters as in the lectures
+    value: float | tuple[float, ...] | str | None
+    unit: str = ""  # ``"px"``, ``"°"``, ``"%"``, ``"×"``, or empty for world units
+    note: Phrase | None = None
+    counted: bool = False
+    about: tuple[str, ...] = ()  # the names of `app.lecture.highlight` that it is highlighted with
+    cell: int | None = None  # of a matrix, the only cell that is highlighted, counted row by row
+
+    @classmethod
+    def or_why(
+        cls,
+        label: str,
+        value: float | tuple[float, ...] | str | None,
+        unit: str = "",
+        why: Phrase | None = None,
+    ) -> Reading:
+        """A line with a note only if it has no value, or none that is finite."""
+        if isinstance(value, float) and not math.isfinite(value):
+            value = None
+        return cls(label, value, unit, why if value is None else None)
+
+
+FEW, EVERY_DIGIT = 4, 17
+
+
+def digits_apart(*numbers: float, least: int = FEW) -> int:
+    """The fewest digits, at least so many, with which different numbers look different."""
+    different = {number + 0.0 for number in numbers if number == number}
+    for digits in range(least, EVERY_DIGIT):
+        if len({f"{number:.{digits}g}" for number in different}) == len(different):
+            return digits
+    return EVERY_DIGIT
+
+
+def figure(value: float, digits: int = FEW) -> str:
+    """A number for a mark or a sentence, with the minus sign of the readouts."""
+    return f"{value + 0.0:.{digits}g}".replace("-", "−")
+
 
 CONTENT = Path(__file__).with_name("content")
 _COMPARE = "Compare: "
@@ -119,3 +188,75 @@ class PhenomenonWords:
             if heading.endswith("}"):
                 texts.add(heading.rpartition(" {#")[0])
         return texts
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """A curve: points (n, 2) in the diagram's units, NaN where it is broken.
+
+    `keys` are what its points report when they are clicked; empty if they cannot be chosen.
+    """
+
+    points: Array
+    colour: str = "ink"
+    label: str = ""
+    width: float = 1.0
+    closed: bool = False
+    dots: bool = False
+    keys: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Spot:
+    """A point of a diagram, in its units, with a name.
+
+    - `faded`, `marked`, `broken`, `hollow`: drawn paler, because another one is better; drawn as
+      the present choice; drawn as a cross, because something ends here; drawn as a circle, because
+      it is only a reference.
+    """
+
+    x: float
+    y: float
+    name: str = ""  # written beside it, where there is room; it is in `tip` too
+    key: str = ""  # reported when it is clicked; empty if it cannot be chosen
+    tip: str = ""
+    colour: str = "ink"
+    faded: bool = False
+    marked: bool = False
+    broken: bool = False
+    hollow: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Diagram:
+    """A small picture or chart beside the panes.
+
+    - `title`, `x_label`, `y_label`: translatable; an empty label for none.
+    - `left`, `right`, `bottom`, `top`: its window; if `bottom` is greater than `top`, y runs down,
+      as in an image.
+    - `equal`: whether both axes have the same scale, as in a picture. A picture without axis labels
+      has no numbers either.
+    - `x_ticks`, `y_ticks` (n,): where lines are drawn across, such as the codes of a depth buffer.
+    - `spots`: drawn over the curves; the first ones get the better places for their names.
+    """
+
+    title: str
+    curves: tuple[Curve, ...]
+    left: float
+    right: float
+    bottom: float
+    top: float
+    x_label: str = ""
+    y_label: str = ""
+    x_log: bool = False
+    y_log: bool = False
+    equal: bool = False
+    x_ticks: Array | None = None
+    y_ticks: Array | None = None
+    spots: tuple[Spot, ...] = ()
+
+
+def broken(segments: Array) -> Array:
+    """Segments (k, 2, 2) as the points of one curve that is broken after each of them."""
+    gaps = np.full((len(segments), 1, 2), np.nan)
+    return np.concatenate([segments, gaps], axis=1).reshape(-1, 2)
