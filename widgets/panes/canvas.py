@@ -531,7 +531,7 @@ class Hand(QObject):
             if moved < QApplication.startDragDistance():
                 return True
             self._dragged_from, self._pressed = self._pressed, None
-            self.drag_started.emit(self._dragged_from * ratio)
+            self.drag_started.emit(self._middle(self._dragged_from))
         if self._dragged_from is not None:
             self.dragged.emit((event.position() - self._dragged_from) * ratio, is_shifted)
         if self._last is None or not self._orbits:

@@ -38,7 +38,7 @@ from app.picking.handles import (
     slid_grip,
     way,
 )
-from app.picking.sight import Sight
+from app.picking.sight import Sight, heading
 from app.scenes.phenomena.marks import Grip
 from app.scenes.phenomena.settings import Settings
 from widgets.panes.arrow_cursor import arrow_cursor
@@ -162,7 +162,7 @@ class Manipulation(Gestures, QObject):
         grip, drawing = self._grips.get(taken.handle.setting), pane.drawing
         along = way(self._projection, taken.handle, taken.point)
         if taken.handle.name == "grip":
-            along = None if grip is None or grip.along is None else np.array(grip.along)
+            along = None if grip is None or grip.along is None else heading(grip.along, grip.point)
         if along is None or drawing is None:
             pane.canvas.setCursor(Qt.CursorShape.SizeAllCursor)
         else:
@@ -430,7 +430,8 @@ def _value(grip: Grip) -> Vector | float:
     """The setting that a grip stands for."""
     away = grip.point - grip.base
     if grip.along is not None:
-        return float(away @ grip.along / np.dot(grip.along, grip.along))
+        way = heading(grip.along, grip.point)
+        return float(away @ way / (way @ way))
     return vector(away)
 
 
