@@ -196,12 +196,14 @@ class Manipulation(Gestures, QObject):
 
     def _show_line(self, pane: Pane, text: str) -> None:
         """Show a line beside the thing that is dragged, or in the middle of the picture."""
-        canvas, drawing = pane.canvas, pane.drawing
-        at: Spot | None = None
+        canvas, drawing, drag = pane.canvas, pane.drawing, self._drag
+        at = math.nan, math.nan
         if self._pointed is not None and drawing is not None:
-            at = dict(drawing.handles.shown).get(self._pointed)
+            at = dict(drawing.handles.shown).get(self._pointed, at)
+        if drag is not None and drag.taken is not None and not math.isfinite(sum(at)):
+            at = drag.taken.spot[0] + drag.reached.x(), drag.taken.spot[1] + drag.reached.y()
         around = canvas.rect().center()
-        if at is not None and math.isfinite(sum(at)):
+        if math.isfinite(sum(at)):
             around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
         self.line.setParent(canvas)
         self.line.setText(text)
