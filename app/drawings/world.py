@@ -149,9 +149,11 @@ class WorldDrawing(Drawing):
             self._follow_pane(afresh=True)
 
     def show_walk(self, eyes: Sequence[Vector]) -> None:
+        begins = len(eyes) > 0 and not self._walk.inside()
         self._walk.show_walk(eyes)
-        self._follow_pane(afresh=True)
-        self.refit()
+        if begins and not self.own.was_moved:
+            self.own.place(self._framed())
+        self.reset_clipping_range()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.state.hidden = hidden

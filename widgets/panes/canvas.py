@@ -358,7 +358,7 @@ class Hand(QObject):
     moved = Signal()  # the canvas' own camera was moved
     clicked = Signal(QPointF)  # pressed and released in one place: the middle of that pixel
     drag_started = Signal(QPointF)
-    """The place where the left button was pressed; the mouse has left it."""
+    """The middle of the pixel where the left button was pressed; the mouse has left it."""
     dragged = Signal(QPointF, bool)  # the movement from there, and whether Shift is held
     drag_ended = Signal()
     hovered = Signal(QPointF)  # the mouse is here without a button: the middle of that pixel
