@@ -274,7 +274,8 @@ def test_what_lights_up_is_dragged_and_nothing_else(make_window: MakeWindow, nam
                 about = pane.drawing.highlight_at(x + 0.5, y + 0.5)
                 is_lit = highlighted.now == about != NOTHING
                 has_own = pane.canvas.cursor().shape() != pane.cursor().shape()
-                moved = any(drag_from(window, (x, y), way, kind) for way in ((28, 9), (-9, 28)))
+                ways = ((28, 9), (-9, 28)) if about else ((28, 9),)
+                moved = any(drag_from(window, (x, y), way, kind) for way in ways)
                 if {is_lit, has_own, moved} != {bool(about)}:
                     wrong.append((kind, set(about), (x, y), is_lit, has_own, moved))
     assert not wrong
