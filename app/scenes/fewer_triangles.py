@@ -65,8 +65,8 @@ def reduced(scene: Scene, share: float) -> Scene:
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
     """Return the shares for drawing while a control is dragged, from fine to coarse."""
-    least = _LEAST_DRAGGED if can_be_reduced(scene) else math.inf
-    return tuple(share for share in _DRAGGED if share * scene.cells >= least)
+    cells = scene.cells if can_be_reduced(scene) else 0
+    return tuple(share for share in _DRAGGED if share * cells >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:
