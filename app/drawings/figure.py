@@ -166,14 +166,16 @@ class Figure:
     @cached_property
     def full_size(self) -> Size:
         """Width and height at scale 1, before it is cropped."""
-        if self.size is not None:
-            return Size(*self.size)
+        asked = None if self.size is None else Size(*self.size)
+        if self.panes == ("equation",):  # or a `Refusal`
+            room = self.width or (0.0 if asked is None else asked.px[0])
+            needed = self._equation((room, 0.0)).needed
+            return asked or Size(self.width or needed[0], needed[1])
+        if asked is not None:
+            return asked
         if self.panes == ("image",):
             wide, high = self.document.projection.image_size
             return Size(self.width or wide, (self.width or wide) * high / wide)
-        if self.panes == ("equation",):
-            needed = self._equation((self.width or 0.0, 0.0)).needed
-            return Size(self.width or needed[0], needed[1])
         count = len(self.panes)
         side = PANE_PX if self.width is None else self.width / (1 if self.column else count)
         return Size(side, count * side) if self.column else Size(count * side, side)
