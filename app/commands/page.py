@@ -19,7 +19,7 @@ from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
 from app.model.parameters import TITLES
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 
 if TYPE_CHECKING:
     from app.drawings.figure import Figure

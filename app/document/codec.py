@@ -1,7 +1,7 @@
 """Documents as JSON text: `parse` reads one, `to_json` writes one.
 
 Text from outside is checked here, and every fault is refused in one sentence. The table
-`app.document.fields` says which fields there are; the classes that hold the values check their
+`app.document.document` says which fields there are; the classes that hold the values check their
 bounds.
 """
 
@@ -24,15 +24,17 @@ from app.document.compare import (
     ComparedPicture,
     Held,
 )
-from app.document.document import SCENE_NAME, Document, is_mesh
-from app.document.fields import (
+from app.document.document import (
     CAMERA,
     IMAGE,
     OBJECT,
     QUALITY,
+    SCENE_NAME,
     VIEW,
+    Document,
     Field,
     Tree,
+    is_mesh,
     lens_fields,
     model_paths,
     unknown,

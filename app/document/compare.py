@@ -15,8 +15,8 @@ from typing import Any
 from app.model.parameter import Parameter
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.readout import FEW, digits_apart
 from app.scenes.phenomena.settings import Settings
+from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4
 """As many as the lectures show side by side: the four cases of an edge and the eye plane."""

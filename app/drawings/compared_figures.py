@@ -19,7 +19,7 @@ from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, withi
 from app.lecture.typesetting import font_file
 from app.model.parameters import TITLES
 from app.model.projection import Array
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
 
 LINE_EM = 1.5

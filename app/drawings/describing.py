@@ -17,7 +17,7 @@ from app.model.projection import Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
 Translate = Callable[[str, str], str]  # from a text and its context to the text in another language

@@ -13,7 +13,7 @@ from app.picking.picking import Probe
 from app.picking.sight import Sight
 from app.precision.levels import Precision
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.words import Phrase
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:

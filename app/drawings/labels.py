@@ -30,7 +30,7 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.formula import ARROW
 from app.model.projection import Array
-from app.scenes.phenomena.readout import FEW
+from app.scenes.phenomena.words import FEW
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))

@@ -44,7 +44,7 @@ from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
 from app.scenes.phenomena.marks import DetailLevel, Fog, Rendering, Texture
-from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.words import Phrase
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from app.model.content_file import read_sections, section_of
 from app.model.infinity import trace_at_infinity
+from app.model.parameter import read_sections, section_of
 from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
 
 TOLERANCE = 1e-4

@@ -18,13 +18,12 @@ from typing import Any
 
 from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View
-from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, Variant, Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, State, Variant, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.course import AtStep, Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
-from app.lessons.state import State
 from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera

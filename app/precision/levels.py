@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.quotients import Quotients
+from app.arithmetic.formats import Quotients
 from app.model.infinity import trace_at_infinity
 from app.model.pipeline import empty_trace
 from app.model.projection import ONE_OF, Array, Projection, Space, Trace, Vector, WorldPoints

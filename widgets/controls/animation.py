@@ -17,11 +17,10 @@ from PySide6.QtWidgets import QWidget
 from app.model.limits import NOT_PARALLEL, within
 from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import limits_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear

@@ -37,8 +37,7 @@ from app.model.parameters import (
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
 from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
-from widgets.controls.dock import Dock
-from widgets.controls.finder import ControlTexts, find
+from widgets.controls.dock import ControlTexts, Dock, find
 from widgets.controls.lens_sliders import LensSliders
 from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
 from widgets.controls.scene_card import SceneCard

@@ -13,9 +13,9 @@ from app.model.parameter import Computed, Parameter, Part
 from app.model.parameters import KIND, lenses_with, tidy
 from app.model.projection import LENSES, FreeMatrix, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import CheckRow, ChoiceRow, Option, Row
+from widgets.parts.layouts import tool_button
 from widgets.parts.messages import limits_text, of_phenomena, parameter_text, translated
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale

@@ -9,15 +9,12 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from app.scenes.phenomena.readout import Reading
-from widgets.parts.buttons import tool_button
-from widgets.parts.icons import show_icon
-from widgets.parts.layouts import in_column
-from widgets.parts.messages import number_text, of_phenomena, read_text
-from widgets.parts.note import Balanced
+from app.scenes.phenomena.words import Reading
+from widgets.parts.icons import Balanced, show_icon
+from widgets.parts.layouts import in_column, tool_button
+from widgets.parts.messages import all_digits, lettering, number_text, of_phenomena, read_text
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
-from widgets.parts.writing import all_digits, lettering
 
 LARGE = 1.15  # size of a reading's number, relative to ordinary text
 BESIDE, ON_A_LINE = 13, 30

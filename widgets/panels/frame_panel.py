@@ -29,16 +29,14 @@ from app.model.formula_text import stacked_fraction
 from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
-from widgets.parts.buttons import push_button
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row, scrolled
-from widgets.parts.messages import read_text, sentence
+from widgets.parts.layouts import FREE, in_column, in_row, push_button, scrolled
+from widgets.parts.messages import all_digits, lettering, read_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
-from widgets.parts.writing import all_digits, lettering
 
 STEP_MS = 2500  # time for reading each step while playing
 NUDGE_DEG = 0.1

@@ -30,9 +30,8 @@ from widgets.parts.focus import RING_PX
 from widgets.parts.highlight import faded
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
-from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel
-from widgets.parts.readable import ReadablePanel
 
 _OF_CUBE = Projection(
     Camera((0.0, 0.0, 2.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 10.0), (640, 640)

@@ -35,10 +35,9 @@ from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from app.model.refusal import format_value
 from widgets.parts.highlight import faded, paint_highlight
-from widgets.parts.messages import read_text
+from widgets.parts.messages import all_digits, read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
-from widgets.parts.writing import all_digits
 
 VIEW = ("view_from_world", "rotation")
 TO_CLIP = ("clip_from_view", "clip_from_world")

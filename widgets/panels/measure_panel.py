@@ -61,16 +61,12 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.buttons import push_button
-from widgets.parts.combo import Combo
 from widgets.parts.focus import FocusRing
-from widgets.parts.icons import icon
-from widgets.parts.layouts import in_column, in_row
-from widgets.parts.messages import of_measurements, sentence
-from widgets.parts.note import NoteLabel
+from widgets.parts.icons import Combo, NoteLabel, icon
+from widgets.parts.layouts import in_column, in_row, push_button
+from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.writing import all_digits
 
 ENDINGS = (".csv", ".json", *chart.ENDINGS)  # endings of the export formats
 NOTE_LETTERS = 24  # least width of the column of notes, in letters, unless the notes are shorter

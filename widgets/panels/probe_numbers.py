@@ -12,8 +12,7 @@ from app.model.projection import PLANES, Projection, Trace
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
-from widgets.parts.messages import plane_name
-from widgets.parts.writing import lettering
+from widgets.parts.messages import lettering, plane_name
 
 Cells: TypeAlias = list[str | float]
 """A line of a probe: its numbers, or one text across all columns."""

@@ -16,16 +16,12 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
-from widgets.parts.buttons import push_button
-from widgets.parts.combo import Combo
-from widgets.parts.icons import RefusalLabel, icon
-from widgets.parts.layouts import Part, in_column, in_row
-from widgets.parts.messages import sentence
+from widgets.parts.icons import Combo, RefusalLabel, icon
+from widgets.parts.layouts import Part, in_column, in_row, push_button
+from widgets.parts.messages import all_digits, lettering, sentence
 from widgets.parts.number_field import ShortField, refusal
-from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.readable import ReadablePanel
-from widgets.parts.writing import all_digits, lettering
 
 _PIN_SHEET = """
 QPushButton:checked {

@@ -36,10 +36,9 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.messages import read_text
-from widgets.parts.note import BesideLabel
+from widgets.parts.icons import BesideLabel
+from widgets.parts.messages import all_digits, read_text
 from widgets.parts.panel import Changed, ShownData
-from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene

@@ -46,6 +46,7 @@ from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.gestures import Gestures
+from widgets.parts.icons import BesideLabel
 from widgets.parts.messages import (
     field_name,
     of_phenomena,
@@ -54,7 +55,6 @@ from widgets.parts.messages import (
     seen_from,
     sentence,
 )
-from widgets.parts.note import BesideLabel
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip

@@ -25,8 +25,8 @@ from app.picking.picking import Probe
 from widgets.panes.ahead import DrawingsAhead
 from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand, release_context
 from widgets.panes.header import Header
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock
+from widgets.parts.layouts import tool_button
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import PlainLabel
 

@@ -21,14 +21,13 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import Projection
-from app.scenes.phenomena.readout import digits_apart
-from widgets.parts.buttons import tool_button
+from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
-from widgets.parts.layouts import in_column, in_row
+from widgets.parts.layouts import in_column, in_row, tool_button
+from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
-from widgets.parts.writing import lettering
 
 STEPS = 240  # slider steps from one stop to the next
 CATCH = 12  # a drag that comes as near to a stop is at the stop

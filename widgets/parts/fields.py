@@ -29,13 +29,10 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from widgets.parts.buttons import tool_button
-from widgets.parts.combo import Combo
 from widgets.parts.gestures import Gestures
 from widgets.parts.highlight import TintedWidget
-from widgets.parts.icons import RefusalLabel
-from widgets.parts.layouts import in_row
-from widgets.parts.note import Balanced
+from widgets.parts.icons import Balanced, Combo, RefusalLabel
+from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.number_field import refusal
 from widgets.parts.plain import set_tip, wrapped
 

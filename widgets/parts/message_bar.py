@@ -8,9 +8,8 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
-from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, push_button, tool_button
 from widgets.parts.messages import breakable
 
 Choice: TypeAlias = tuple[str, Callable[[], object]]  # text of a button and its action

@@ -19,6 +19,7 @@ from widgets.parts.messages import (
     A_NUMBER,
     A_NUMBER_LIKE,
     A_NUMBER_OR_INFINITY,
+    all_digits,
     number_text,
     sentence,
 )
@@ -26,7 +27,6 @@ from widgets.parts.number_field import ShortField
 from widgets.parts.number_text import short_text
 from widgets.parts.plain import Markup, PlainLabel, set_tip
 from widgets.parts.scales import Scale, Stops
-from widgets.parts.writing import all_digits
 
 QUIET_MS = 500  # keys and wheel steps at shorter intervals are one gesture
 LEAST_SLIDER_PX = 150

@@ -21,7 +21,7 @@ from app.model.refusal import Refusal
 from widgets.controls.scene_card import SceneCard
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
-from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import tool_button
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, Changed, ShownData

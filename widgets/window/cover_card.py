@@ -8,8 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, SignalInstance
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QToolButton, QWidget
 
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.plain import PlainLabel
 
 

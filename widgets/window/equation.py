@@ -21,8 +21,7 @@ from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
 from widgets.parts.messages import sentence
-from widgets.parts.panel import PROJECTION, Changed, ShownData
-from widgets.parts.readable import Readable
+from widgets.parts.panel import PROJECTION, Changed, Readable, ShownData
 from widgets.parts.typeset import fill_line, paint_brackets
 
 LARGEST_EM, LEAST_EM = 0.058, 0.034

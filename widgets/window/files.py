@@ -26,8 +26,7 @@ from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
-from widgets.parts.buttons import dialog_buttons
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import dialog_buttons, in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, ShownData

@@ -25,14 +25,13 @@ from app.lessons.practice import Sheet, marked
 from app.lessons.record import Attempt, Record
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
-from widgets.parts.buttons import push_button, tool_button
-from widgets.parts.layouts import FREE, TOP, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
-from widgets.window.self_test_marks import SelfTestMarks
+from widgets.window.overview import SelfTestMarks
 from widgets.window.settings import Settings
 from widgets.window.step_marks import StepMarks
 from widgets.window.step_page import StepPage

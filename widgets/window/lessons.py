@@ -22,11 +22,11 @@ from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
+from app.lessons.blocks.block import State
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, read
 from app.lessons.player import Player
-from app.lessons.state import State
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal
 from widgets.parts.clock import Clock

@@ -54,11 +54,10 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import all_digits, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, ShownData
-from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
-from widgets.window.arrangement import Arrangement
+from widgets.window.arrangement import Arrangement, WorldLook
 from widgets.window.comparing import Comparing
 from widgets.window.control_strip import ControlStrip
 from widgets.window.cover_card import CoverCard
@@ -89,7 +88,6 @@ from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
 from widgets.window.transition import Transition
 from widgets.window.wiring import wire
-from widgets.window.world_look import WorldLook
 
 log = logging.getLogger(__name__)
 AT_FIRST_PX = (1366, 768)

@@ -25,8 +25,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QToolButton, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lessons.strokes import COLOURS, Stroke
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, tool_button
 
 WIDTH_SHARE = 0.005  # width of a line, in heights of the slide
 ERASER_SHARE = 0.02  # reach of the eraser, in heights of the slide

@@ -10,8 +10,8 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 from app.document.view import PANES
 from app.drawings.label_placement import Ground
 from widgets.panes.pane import Pane
+from widgets.parts.icons import Title
 from widgets.parts.layouts import in_row
-from widgets.parts.note import Title
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
 from widgets.window.question import HiddenInk, QuestionOverlay

@@ -19,8 +19,7 @@ from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.panes.canvas import release_context
 from widgets.parts import palette
-from widgets.parts.buttons import push_button
-from widgets.parts.layouts import TOP, in_column, in_row
+from widgets.parts.layouts import TOP, in_column, in_row, push_button
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip
 from widgets.window.pictures import image_of

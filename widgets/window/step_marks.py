@@ -8,8 +8,7 @@ from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.lessons.player import Player
 from app.lessons.text import in_line
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, discard, in_row
+from widgets.parts.layouts import FREE, discard, in_row, tool_button
 from widgets.parts.plain import PlainLabel
 from widgets.parts.roles import give_role
 

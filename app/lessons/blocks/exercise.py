@@ -16,13 +16,12 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.block import Asked, Here, Trial, Variant
+from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, whole
 from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
-from app.lessons.state import State, read_state
 from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 

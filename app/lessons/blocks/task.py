@@ -8,11 +8,10 @@ from dataclasses import dataclass, replace
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
-from app.lessons.blocks.block import Asked, Here, Trial, Verdict
+from app.lessons.blocks.block import Asked, Here, State, Trial, Verdict, state_in
 from app.lessons.blocks.question import Reply
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
-from app.lessons.state import State, state_in
 from app.model.limits import ONE_OF
 from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal

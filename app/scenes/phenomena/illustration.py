@@ -7,7 +7,7 @@ A phenomenon of the lectures is a scene with settings of its own and one functio
 The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
 of the scene under further matrices, diagrams beside the panes, and how the scene is rasterised. It
 is made anew at every change, from the arguments alone, so that panes, panel, figures and tests all
-show the same. `settings`, `readout`, `marks` and `diagram` define its parts, `words` its texts.
+show the same. `settings`, `marks` and `diagram` define its parts, `words` its texts and readout.
 """
 
 from __future__ import annotations
@@ -26,9 +26,8 @@ from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(

@@ -23,9 +23,8 @@ from app.lessons.blocks.block import REVEALED, Asked, Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
-from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
-from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row, push_button
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
