@@ -1,9 +1,9 @@
 """The world pane: the scene, the camera in it, and the camera's frustum.
 
 Its layers are `SceneInWorld`, `CameraDrawing`, `WorldAxes`, `FrustumDrawing`, `NearPicture`,
-`Dimensions`, `MarksDrawing`, `WorldProbes` and `WorldHandles`; `own_view` is the camera from which
-the pane looks. No part computes a projection: the frustum is the NDC cube's own edges and faces
-under ``world_from_clip``, and a slider step sets matrices alone.
+`Dimensions`, `MarksDrawing`, `EyeWalk`, `WorldProbes` and `WorldHandles`; `own_view` is the camera
+from which the pane looks. No part computes a projection: the frustum is the NDC cube's own edges
+and faces under ``world_from_clip``, and a slider step sets matrices alone.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -15,6 +15,7 @@ from app.drawings.actors import SceneActors, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
 from app.drawings.drawing import Drawing, light_of_labels
+from app.drawings.eye_walk import EyeWalk
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import WorldHandles
@@ -29,7 +30,7 @@ from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, ENDS, WINDOW
-from app.model.projection import Array, Camera, Projection
+from app.model.projection import Array, Camera, Projection, Vector
 from app.picking.handles import Handle
 from app.scenes.phenomena.illustration import Illustration, Shot
 from app.scenes.scene import Scene
@@ -111,9 +112,10 @@ class WorldDrawing(Drawing):
         self.frustum = FrustumDrawing(state)
         self.axes = WorldAxes(state, self._scene.actors)
         self._lengths, self._marks = Dimensions(state), MarksDrawing(state)
+        self._walk = EyeWalk(state)
         layers: list[Layer] = [
             WorldProbes(state), self._scene, self.camera, self.axes, self.frustum,
-            self.picture, self._lengths, self._marks,
+            self.picture, self._lengths, self._marks, self._walk,
         ]  # fmt: skip
         if live:
             self.handles = WorldHandles(state, self.axes, self.camera)
@@ -123,6 +125,8 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
+        self.fit = "named"
+        """What the pane frames, as in `Figure`."""
         self._goes_to: Framed | None = None
         """What is framed at the end of the way that the pane is on."""
         self._name()
@@ -145,6 +149,13 @@ class WorldDrawing(Drawing):
             self.axes.is_wanted = wanted
             self.axes.show_names()
             self._follow_pane(afresh=True)
+
+    def show_walk(self, eyes: Sequence[Vector]) -> None:
+        begins = len(eyes) > 0 and not self._walk.inside()
+        self._walk.show_walk(eyes)
+        if begins and not self.own.was_moved:
+            self.own.place(self._framed())
+        self.reset_clipping_range()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.state.hidden = hidden
@@ -242,6 +253,10 @@ class WorldDrawing(Drawing):
     def _framed(self) -> Framed:
         state, at, volume = self.state, self.state.standing, self.state.volume
         inside, middle = self.layers.inside(), state.objects.mean(axis=0)
+        if self.fit == "frustum" and volume.exists:
+            inside["frustum"] = volume.corners
+        elif self.fit == "scene":
+            inside = {"subject": inside["subject"]}
         offsets = np.concatenate(list(inside.values())) - middle
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)

@@ -61,19 +61,16 @@ class Dot:
 class Text:
     """A few letters beside a point (2 or 3,).
 
-    - `name`: its plain name in ``view.names``: ``y_p``, ``film``.
-    - `colour`: of its concept; empty for ink.
     - `away_from` (2 or 3,): in the world and in NDC the letters are placed away from this point:
       the middle of a figure with an edge here, for example.
-    - `text`: what is written, as of `app.drawings.label`; by default the name.
     """
 
-    name: str
+    name: str  # its plain name in ``view.names``: ``y_p``, ``film``
     point: Array
-    colour: str = ""
+    colour: str = ""  # of its concept; empty for ink
     about: tuple[str, ...] = ()
     away_from: Array | None = None
-    text: str = ""
+    text: str = ""  # what is written, as of `app.drawings.label`; by default the name
 
     def __post_init__(self) -> None:
         if not self.text:
@@ -168,14 +165,15 @@ class Grip:
     """A handle for a setting: a point, a direction, or a number on a rail.
 
     The setting's value is ``point - base``; of a direction, `base` is where it starts. A number is
-    t in ``point = base + t along``. What has this `name` takes hold of it, too, and so do the edges
-    of the polygon `face`, and all of a polygon that is a plane: more than two points.
+    t in ``point = base + t along``, or with a fourth part w in `along`, over ``1 + t w``. What has
+    this `name` takes hold of it, too, and so do the edges of the polygon `face`, and all of a
+    polygon that is a plane: more than two points.
     """
 
     setting: str
     point: Array
     base: Vector = (0.0, 0.0, 0.0)
-    along: Vector | None = None
+    along: tuple[float, ...] | None = None
     name: str = ""
     colour: str = "accent"
     face: Array = field(default_factory=lambda: np.empty((0, 3)))
@@ -226,19 +224,15 @@ class Vertices:
 class Texture:
     """A checkerboard laid over the scene's faces by a parallel projection of its own.
 
-    - `texture_from_world` (2, 4): gives s and t of a world point, 0 to 1 across the board.
-    - `checks`: along each side.
     - `affine`: interpolate s and t linearly on the screen, without the divide that makes them
       right.
-    - `subdivision`: each side of a face is cut into so many parts.
-    - `coordinates`: show s as red and t as green instead of the checks.
     """
 
-    texture_from_world: Array
-    checks: int
+    texture_from_world: Array  # (2, 4): gives s and t of a world point, 0 to 1 across the board
+    checks: int  # along each side
     affine: bool = False
-    subdivision: int = 1
-    coordinates: bool = False
+    subdivision: int = 1  # each side of a face is cut into so many parts
+    coordinates: bool = False  # show s as red and t as green instead of the checks
 
 
 @dataclass(frozen=True)

@@ -13,11 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, Parameter
+from app.model.limits import vector
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
-from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, plate, segment
+from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
     SIDES,
     box_edges,
@@ -26,8 +26,7 @@ from app.scenes.phenomena.picture import (
     rectangle,
     section,
 )
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("vanishing-points")
@@ -221,8 +220,15 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=(_diagram(projection, points, trace),),
+        grips=(_grip(start, toward, there.world),),
         warning=WORDS.of_parallel(projection),
     )
+
+
+def _grip(start: Array, toward: Array, there: Array | None) -> Grip:
+    """P on its way; at infinity it cannot be taken, but a drag goes through it."""
+    place = np.full(3, np.nan) if there is None else there
+    return Grip("t", place, vector(start), (*(toward - start).tolist(), -1.0), "P")
 
 
 def _readings(
