@@ -147,8 +147,7 @@ class LabelText(NamedTuple):
     halo: str
     opacity: float
     underlined: bool
-    anchor: int = 0
-    """The part that keeps its place in another font: -1 left end, 0 middle, 1 right end."""
+    anchor: int = 0  # what keeps its place in another font: -1 left end, 0 middle, 1 right end
 
 
 class LabelActor(vtkTexturedActor2D):
@@ -180,8 +179,7 @@ class SceneLabel:
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
         self._text, self._tone = text, style.tone(colour)
-        self.size_px = size_px(text, self.em, plain)
-        """Width and height of the letters, without the halo."""
+        self.size_px = size_px(text, self.em, plain)  # width and height of the letters without halo
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
         self._image, self._texture = vtkImageData(), vtkTexture()

@@ -137,8 +137,7 @@ class PaneState:
     """What the layers of one pane share: where they draw, and what the pane shows."""
 
     pane: ClassVar[str]  # one of `app.document.view.PANES`
-    objects = NO_POINTS
-    """The corners of the box round the objects, in the coordinates of the pane's actors."""
+    objects = NO_POINTS  # corners of the box round the objects, in the coordinates of the actors
     written: frozenset[str] = frozenset()  # the names that lengths write, and no other layer has to
 
     def __init__(

@@ -96,10 +96,8 @@ class WrittenMatrix(NamedTuple):
     formulas: Formulas  # in our own names; see `written`
     fields: tuple[tuple[tuple[str, ...], ...], ...]
     """The fields of the document that change the cell (`app.lecture.dependence`)."""
-    factors: tuple[WrittenMatrix, ...] = ()
-    """In the order of the product; empty if there is only one."""
-    product: tuple[str, ...] = ()
-    """The stages whose product this matrix is, in the order of the product."""
+    factors: tuple[WrittenMatrix, ...] = ()  # in the product's order; empty if there is only one
+    product: tuple[str, ...] = ()  # the stages whose product this matrix is, in that order
     note: str = ""  # as in `Stage`
     called: str = ""  # the lecture's name and chain: ``P_obl = P_ort H``; empty if it has none
     chain: tuple[str, ...] = ()  # `product` with the lecture's name of each stage that has one

@@ -300,8 +300,7 @@ class CanvasHolder(QWidget):
         super().__init__()
         self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
         self._room: QRect | None = None
-        self.beside: QColor | None = None
-        """Colour of the part without canvas; None for the window's."""
+        self.beside: QColor | None = None  # colour beside the canvas; None for the window's
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._room is not None and self.beside is not None:
@@ -355,8 +354,7 @@ class Hand(QObject):
 
     moved = Signal()  # the canvas' own camera was moved
     clicked = Signal(QPointF)  # pressed and released in one place: the middle of that pixel
-    drag_started = Signal(QPointF)
-    """The place where the left button was pressed; the mouse has left it."""
+    drag_started = Signal(QPointF)  # where the left button was pressed; the mouse has left it
     dragged = Signal(QPointF, bool)  # the movement from there, and whether Shift is held
     drag_ended = Signal()
     hovered = Signal(QPointF)  # the mouse is here without a button: the middle of that pixel
@@ -370,8 +368,7 @@ class Hand(QObject):
         self._canvas = canvas
         self._orbits = orbits
         self._last: QPointF | None = None
-        self._pressed: QPointF | None = None
-        """Where the left button was pressed, while it may be a click."""
+        self._pressed: QPointF | None = None  # where the left button went down, if perhaps a click
         self._dragged_from: QPointF | None = None
         self._holds = False
         self.has_tooltip = True  # whether the canvas has a tooltip

@@ -50,10 +50,8 @@ from widgets.parts.plain import TextDocument
 from widgets.parts.roles import give_role
 from widgets.parts.typeset import em_px, fill_line
 
-INKS = "inks"
-"""The property of a document with the colours of letters, ``"#rrggbb"`` by their names."""
-SPACIOUS = "spacious"
-"""The property of a document that has room for large fractions and displayed formulas."""
+INKS = "inks"  # a document's property: the colours of letters, ``"#rrggbb"`` by their names
+SPACIOUS = "spacious"  # a document's property: room for large fractions and displayed formulas
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
 _IS_DISPLAYED, _TAIL = QTextFormat.Property.UserProperty + 2, QTextFormat.Property.UserProperty + 3

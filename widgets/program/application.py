@@ -73,14 +73,12 @@ class Options:
 
     theme: str | None = None  # ``"light"`` or ``"dark"`` for this run only
     size: tuple[int, int] | None = None
-    """Width and height of the window, in pixels of the screen's scale."""
+    """The window's width and height, in pixels of the screen's scale."""
     screenshot: Path | None = None
     """The file for a picture of the window, which then closes. The user's settings are neither read
     nor written, and the theme is light, so that the picture is the same everywhere."""
-    canvas: str | None = None
-    """``"opengl"`` or ``"raster"``: how the panes draw; None for the faster one."""
-    start_card: bool = True
-    """Whether to offer the start card, because no file and no value was given."""
+    canvas: str | None = None  # ``"opengl"`` or ``"raster"``: how panes draw; None for the faster
+    start_card: bool = True  # whether to offer the start card: no file and no value was given
 
 
 def make_application() -> QApplication:
