@@ -123,6 +123,7 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
+        self.fit = "named"  # what the pane frames, as in `Figure`
         self._goes_to: Framed | None = None  # what is framed where the pane's present way ends
         self._name()
         self.show_projection(scene.start)
@@ -241,6 +242,10 @@ class WorldDrawing(Drawing):
     def _framed(self) -> Framed:
         state, at, volume = self.state, self.state.standing, self.state.volume
         inside, middle = self.layers.inside(), state.objects.mean(axis=0)
+        if self.fit == "frustum" and volume.exists:
+            inside["frustum"] = volume.corners
+        elif self.fit == "scene":
+            inside = {"subject": inside["subject"]}
         offsets = np.concatenate(list(inside.values())) - middle
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
