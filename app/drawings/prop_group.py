@@ -102,7 +102,7 @@ class PropGroup:
     @property
     def is_laid_out(self) -> bool:
         """Whether the next rendering needs no layout."""
-        return self._laid_out == self.window.GetSize()
+        return bool(self._laid_out == self.window.GetSize())
 
     def remove(self) -> None:
         if self._observer is not None:
