@@ -25,8 +25,7 @@ from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, can_be_reduced, 
 from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
-Pieces: TypeAlias = Array
-"""Straight parts of an outline, (n, 2, 2): begin and end in px."""
+Pieces: TypeAlias = Array  # straight parts of an outline, (n, 2, 2): begin and end in px
 
 _PIECE_PX = 0.5
 _BESIDE_PX = 1e-3

@@ -90,8 +90,7 @@ SHOWN = {
 }  # fmt: skip
 """How a trade is shown, in the form of `ChartPoint.use`; without a scene, every scene shows it. If
 it is missing, the scene of the trade's own name does."""
-ANY_SCENE = "letter-f"
-"""The scene of a trade that every scene shows."""
+ANY_SCENE = "letter-f"  # the scene of a trade that every scene shows
 _BARGAINS = {
     ("time", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times faster, {3}."),
     ("time", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times slower, {3}."),

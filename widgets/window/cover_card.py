@@ -8,8 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal, SignalInstance
 from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QFrame, QGridLayout, QHBoxLayout, QToolButton, QWidget
 
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.plain import PlainLabel
 
 
@@ -19,8 +18,7 @@ class CoverCard(QWidget):
     `card` is the visible part.
     """
 
-    left = Signal()
-    """The card has closed; emitted before the signal of what was chosen."""
+    left = Signal()  # the card has closed; emitted before the signal of what was chosen
 
     def __init__(self, window: QWidget, name: str) -> None:
         super().__init__(window)
@@ -36,8 +34,7 @@ class CoverCard(QWidget):
         around = QGridLayout(self)
         around.setContentsMargins(8, 8, 8, 8)
         around.addWidget(self.card, 0, 0, Qt.AlignmentFlag.AlignCenter)
-        self.tiles: dict[str, QToolButton] = {}
-        """The buttons with a picture, by name."""
+        self.tiles: dict[str, QToolButton] = {}  # the buttons with a picture, by name
         window.installEventFilter(self)
         self._cover()
 

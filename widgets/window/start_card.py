@@ -14,8 +14,7 @@ from app.lessons.lesson import head_of, is_lesson
 from app.lessons.player import Progress
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import file_title
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.cover_card import CoverCard
@@ -46,8 +45,7 @@ class StartCard(CoverCard):
     review_wanted = Signal()
     open_wanted = Signal()
     trades_wanted = Signal()
-    always_set = Signal(bool)
-    """Whether the card appears at every start."""
+    always_set = Signal(bool)  # whether the card appears at every start
 
     def __init__(
         self,

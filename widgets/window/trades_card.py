@@ -19,10 +19,9 @@ from app.measure.meaning import ANY_SCENE, GIVEN_UP, bargain, boldest, shown_by
 from app.measure.results import SWEPT, Measurements
 from app.measure.single import shipped
 from app.scenes.scene import load
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_column
+from widgets.parts.icons import NoteLabel
+from widgets.parts.layouts import FREE, in_column, tool_button
 from widgets.parts.messages import of_measurements
-from widgets.parts.note import NoteLabel
 from widgets.parts.plain import PlainLabel
 from widgets.window.cover_card import CoverCard
 from widgets.window.pictures import image_of
@@ -32,16 +31,12 @@ log = logging.getLogger(__name__)
 
 DRAWN_FINER = 2.0
 """Factor by which a picture is drawn larger, so that its lines do not hide the scene."""
-BARE = View(layers=frozenset({"labels"}))
-"""The view of a picture, without labels."""
+BARE = View(layers=frozenset({"labels"}))  # the view of a picture, without labels
 COLUMNS = 5
-ROUND_PX = 8
-"""The room around the content of a tile."""
-BESIDE_PX = 80
-"""The part of the window's width that no tile takes."""
+ROUND_PX = 8  # the room around the content of a tile
+BESIDE_PX = 80  # the part of the window's width that no tile takes
 WIDEST_PX = 330
-PIXELS_SHOWN = 1 / 3
-"""Factor by which a picture is drawn smaller, so that its pixels are seen."""
+PIXELS_SHOWN = 1 / 3  # factor by which a picture is drawn smaller, so that its pixels are seen
 
 
 class TradesCard(CoverCard):
