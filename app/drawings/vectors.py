@@ -43,11 +43,10 @@ _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1
 _WIDE = _WIDTHS[2]  # beside lines that are hidden, which are half as wide
 _GROUND = [tuple(level / 255.0 for level in rgb) for rgb in (GRID_RGB, GRID_AXIS_RGB)]
 
-_FRAME = np.array(
+_FRAME = np.array(  # near, far, left, right, bottom and top of clip space; positive inside
     [(0, 0, 1, 1), (0, 0, -1, 1), (1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, 1), (0, -1, 0, 1)],
     dtype=np.float64,
 )
-"""Near, far, left, right, bottom and top of clip space; positive inside."""
 
 
 class Area(NamedTuple):
@@ -136,7 +135,7 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
 def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, float, float] | None:
     """Return left, top, right and bottom of the shapes that are seen; None if there are none."""
     corners = list[tuple[float, float]]()
-    empty = rgb(background)
+    empty = rgb(background) if background else None
     for shape in shapes:
         if isinstance(shape, Area):
             if shape.colour != empty:
@@ -206,9 +205,9 @@ def shapes_of(
     ]
     # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.
     shapes: list[Shape] = [area for pane in panes for area in pane.background()]
-    for pane in panes:
-        shapes += pane.shapes(window)
-    return shapes
+    drawn = [shape for pane in panes for shape in pane.shapes(window)]
+    # Pixels next: the frame of an image lies over their edges.
+    return shapes + sorted(drawn, key=lambda shape: not isinstance(shape, PixelShape))
 
 
 def refuse_too_many(window: Any) -> None:

@@ -22,7 +22,7 @@ from app.lecture.typesetting import font_file
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import Measurements, Sweep, Trade
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.parts.diagram_painter import SMALL, DiagramPainter
 from widgets.parts.saving import png_of
 from widgets.parts.typeset import resized
