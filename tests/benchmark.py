@@ -22,7 +22,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from app import bootstrap
+from app import bootstrap, python_packages
 from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
@@ -70,7 +70,7 @@ def application() -> Any:
     if QApplication.instance() is None:
         prepare()
         made = QApplication([])
-        with bootstrap.for_good():
+        with python_packages.for_good():
             import widgets.window.main_window  # noqa: F401
         return made
     return QApplication.instance()

@@ -27,6 +27,7 @@ SUMMARIES = {
     "measure": "measure, on this machine, what speed costs in accuracy",
     "lesson": "check or list lessons and talks, print tests of exercises, mark results",
     "talk": "draw every step of a talk, or print it with its notes",
+    "bundle": "make a folder to carry to machines without a network or an administrator",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
 """The commands and their summaries."""
@@ -40,6 +41,7 @@ SPACES = ("world", "object")
 CONVENTIONS = ("opengl", "direct3d", "vulkan", "unity", "opencv")
 MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
+WHEEL_PLATFORMS = ("linux-x86_64", "linux-arm64", "macos-x86_64", "macos-arm64", "windows-x86_64")
 FULL_TURN = 360.0
 """Of an orbit, in degrees."""
 TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
@@ -496,6 +498,20 @@ def _talk() -> Parser:
     return parser
 
 
+def _bundle() -> Parser:
+    text = (
+        "the folder for the program and all that it needs, without Python, for machines of this "
+        "kind, and for the same as one archive; needs PyInstaller"
+    )
+    parser = Parser("bundle", "OUT", text)
+    parser.add_flag("--wheels", "instead: the code and its packages, for machines with Python")
+    parser.add_choice(
+        "--platform", WHEEL_PLATFORMS, "of --wheels; may be repeated (default: all of them)",
+        action="append",
+    )  # fmt: skip
+    return parser
+
+
 _PARSERS: dict[str, Callable[[], Parser]] = {
     "": _window,
     "export": _export,
@@ -504,6 +520,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
     "measure": _measure,
     "lesson": _lesson,
     "talk": _talk,
+    "bundle": _bundle,
     "doctor": partial(Parser, "doctor", "", argparse.SUPPRESS),
 }
 

@@ -21,7 +21,7 @@ import pytest
 from PySide6.QtCore import QEventLoop, QStandardPaths, QTimer
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from app import bootstrap
+from app import python_packages
 from app.bootstrap import ROOT
 from app.commands.cli import main
 from app.document.codec import to_json
@@ -1034,7 +1034,7 @@ def test_no_other_thread_destroys_the_window_s_garbage() -> None:
             loop = QEventLoop()
             QTimer.singleShot(20, loop.quit)
             loop.exec()
-        with bootstrap.for_good():
+        with python_packages.for_good():
             pass
         assert not gc.isenabled()
     finally:

@@ -4,14 +4,14 @@
 
     redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
 
-- `GlCanvas` contains pyvistaqt's interactor: VTK draws into a QOpenGLWidget.
+- `GlCanvas` contains an `Interactor`: VTK draws into a QOpenGLWidget.
 - `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
   the pixels. With OpenGL in software that takes half the time: Qt composes no textures, and
   repaints a slider beside it without the canvases. It needs no OpenGL in Qt.
 
-Both are empty until they are opened, which imports VTK. Nothing else renders: pyvista's `render`
-draws at once *and* again in the paint event. VTK's interactor styles are not used: they render,
-rewrite the clipping range at every drag, and bind plain keys to changes of the scene.
+Both are empty until they are opened, which imports VTK. Nothing else renders. VTK's interactor
+styles are not used: they render, rewrite the clipping range at every drag, and bind plain keys to
+changes of the scene.
 """
 
 from __future__ import annotations
@@ -566,7 +566,6 @@ class Hand(QObject):
 
     @property
     def camera(self) -> Any:
-        """The canvas' own; pyvista's `camera` would move it first."""
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:

@@ -1,5 +1,7 @@
 """Functions that make buttons."""
 
+import re
+import sys
 from typing import TypeVar
 
 from PySide6.QtCore import Qt
@@ -54,6 +56,8 @@ def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> 
 
 def _filled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
     made.setText(text)
+    if sys.platform == "darwin" and (letter := re.search(r"(?<!&)&(\w)", text)):
+        made.setShortcut(f"Alt+{letter[1]}")  # as tips say; macOS has no mnemonics
     set_tip(made, tip)
     if name:
         made.setAccessibleName(name)
