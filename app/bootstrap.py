@@ -40,7 +40,7 @@ from typing import NoReturn
 
 from app import modules
 from app.held_lock import HeldLock, lock, log
-from app.python_packages import Requirement, are_importable, requirements, unmet
+from app.python_packages import Requirement, are_importable, pins, requirements, unmet
 from app.system_packages import (
     Need,
     SetupError,
@@ -241,17 +241,17 @@ class Environment:
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
         if os.path.exists(wheels := self.root / WHEELS):
             pip += ["--no-index", "--find-links", str(wheels)]
-        pins = self.constraints.read_text(encoding="utf-8").splitlines()
+        tested = pins(self.root)
         kept = self.folder / self.constraints.name
         while True:
-            kept.write_text("\n".join(pins), encoding="utf-8")
+            kept.write_text("\n".join(tested), encoding="utf-8")
             status, output = self._pip(held, [*pip, "-c", str(kept), *wanted])
             names = {_plain(name) for name in re.findall(_PIN, "\n".join(output))}
-            others = [pin for pin in pins if _plain(re.split("[= ]", pin)[0]) not in names]
-            if status == 0 or len(others) == len(pins) or _shows(output, _NO_ANSWER):
+            others = [pin for pin in tested if _plain(re.split("[= ]", pin)[0]) not in names]
+            if status == 0 or len(others) == len(tested) or _shows(output, _NO_ANSWER):
                 break
             held.show(f"no tested version of {', '.join(sorted(names))} here: trying others")
-            pins = others
+            tested = others
         if status != 0:
             why = last_line(output, "ERROR:") or f"exit status {status}"
             what = "the Python packages could not be installed"

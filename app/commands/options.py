@@ -500,14 +500,18 @@ def _talk() -> Parser:
 
 def _bundle() -> Parser:
     text = (
-        "the folder for the program and all that it needs, without Python, for machines of this "
-        "kind, and for the same as one archive; needs PyInstaller"
+        "where to put the folder frustum-lab, with the program and all that it needs, for machines "
+        "like this one without Python; and an archive of it"
     )
     parser = Parser("bundle", "OUT", text)
     parser.add_flag("--wheels", "instead: the code and its packages, for machines with Python")
     parser.add_choice(
         "--platform", WHEEL_PLATFORMS, "of --wheels; may be repeated (default: all of them)",
         action="append",
+    )  # fmt: skip
+    parser.add(
+        "--python", "VERSION", "of --wheels, such as 3.12; may be repeated (default: this one's)",
+        action="append", default=[],
     )  # fmt: skip
     return parser
 

@@ -873,7 +873,7 @@ def test_what_the_command_line_changes_is_unsaved(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     write(Document("cube", Projection()), Path("my.json"))
-    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     given: list[Any] = []
     monkeypatch.setattr(application, "run_window", lambda *found: given.extend(found) or 0)
     assert main(arguments) == 0
