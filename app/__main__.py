@@ -9,8 +9,7 @@ from collections.abc import Sequence
 if not __package__ and not hasattr(sys, "frozen"):  # started by the path of its folder
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
-TYPE_CHECKING = False
-"""As in `typing`, which is not imported here: Ctrl-C could interrupt that."""
+TYPE_CHECKING = False  # as in `typing`, which is not imported here: Ctrl-C could interrupt that
 if TYPE_CHECKING:
     from app import system_packages
 

@@ -10,8 +10,7 @@ import re
 import stat
 from typing import BinaryIO
 
-LARGEST_FILE = 2 * 2**30
-"""Most bytes of a file that is opened."""
+LARGEST_FILE = 2 * 2**30  # most bytes of a file that is opened
 LATIN_1 = "is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong"
 DAMAGED = "is damaged UTF-16 or UTF-32 text; what cannot be read is shown as \ufffd"
 

@@ -2,6 +2,8 @@
 
 Timing is never a test: these machines, and yours, are shared and noisy. Every figure that is a
 time is a ratio of two things done in turn in the same process. ``--json FILE`` keeps the figures.
+``--check`` says which claims of docs/measurements.md are not true in this run, and ``--write``
+writes the run's figures into that page.
 """
 
 from __future__ import annotations
@@ -13,16 +15,19 @@ import itertools
 import json
 import math
 import os
+import re
+import signal
 import statistics
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from app import bootstrap, python_packages
+from tests import claims
 from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
@@ -35,14 +40,17 @@ def main() -> int:
     parser.add_argument("--json", metavar="FILE", help="write the figures to a file as well")
     parser.add_argument("--only", choices=sorted(PARTS), help="run one part only")
     parser.add_argument("--quick", action="store_true", help="a tenth of the repetitions")
+    parser.add_argument("--check", action="store_true", help="compare the page's claims with it")
+    parser.add_argument("--write", action="store_true", help="write the figures into the page")
+    parser.add_argument("--from", dest="kept", metavar="FILE", help="take the figures from --json")
     parser.add_argument("--inside", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.inside:
         print(json.dumps(PARTS[options.inside](0.1 if options.quick else 1.0)))
         return 0
-    figures: dict[str, Any] = {}
-    with at_home() as environment:
-        for part in [options.only] if options.only else PARTS:
+    figures = json.loads(Path(options.kept).read_text("utf-8")) if options.kept else {}
+    with at_home() if not options.kept else contextlib.nullcontext({}) as environment:
+        for part in () if options.kept else [options.only] if options.only else PARTS:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]
             command += ["--quick"] if options.quick else []
             run = subprocess.run(
@@ -55,7 +63,13 @@ def main() -> int:
                 print(f"  {name:58} {figure}")
     if options.json:
         Path(options.json).write_text(json.dumps(figures, indent=1) + "\n", encoding="utf-8")
-    return 0
+    page = claims.PAGE.read_text(encoding="utf-8")
+    faults = claims.untrue(page, figures) if options.check else []
+    for fault in faults:
+        print(f"no longer true: {fault}")
+    if options.write:
+        claims.PAGE.write_text(claims.written(page, figures), encoding="utf-8")
+    return 1 if faults else 0
 
 
 # --------------------------------------------------------------------------- the window
@@ -549,10 +563,9 @@ def first_frame(scale: float) -> dict[str, Any]:
     start on.
     """
     times: dict[str, list[tuple[float, float]]] = {name: [] for name in FIRST_FRAME}
-    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
     for turn in range(1 + max(3, round(10 * scale))):
         for name, seconds in times.items():
-            taken = until_seen([sys.executable, *FIRST_FRAME[name]], environment)
+            taken = until_seen(start_command(name), compiled())
             if turn:
                 seconds.append(taken)
     found: dict[str, Any] = {}
@@ -567,9 +580,29 @@ def first_frame(scale: float) -> dict[str, Any]:
     return found | {"empty window (ms, median)": ms(p50(empty))}
 
 
+def compiled() -> dict[str, str]:
+    """The environment of a program that keeps its compiled modules, as a user's does."""
+    return {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+
+
+def start_command(name: str) -> list[str]:
+    """The command of one of `FIRST_FRAME`; without the start card it opens a document."""
+    command = [sys.executable, *FIRST_FRAME[name]]
+    if name in ("ours", "ours with OpenGL"):
+        from app.document.document import Document
+        from app.document.files import write
+        from app.document.settings import set_values
+        from app.scenes.scene import load
+
+        path = Path(os.environ["HOME"]) / "own.json"
+        document = Document("letter-f", load("letter-f").start)
+        write(set_values(document, ["lens.near=3.9"]), path)
+        command.append(str(path))
+    return command
+
+
 WINDOW = (1366, 768)
-# With a value of one's own: the start card, whose pictures come one by one, has a row of its own.
-OURS = ("-m", "app", "--size", f"{WINDOW[0]}x{WINDOW[1]}", "--set", "lens.near=3.9")
+OURS = ("-m", "app", "--size", f"{WINDOW[0]}x{WINDOW[1]}")
 FIRST_FRAME = {
     "empty": (
         "-c",
@@ -591,7 +624,7 @@ app.exec()
     ),
     "ours": OURS,
     "ours with OpenGL": (*OURS, "--canvas", "opengl"),
-    "ours with the start card": OURS[:-2],
+    "ours with the start card": OURS,
 }  # fmt: skip
 DOCK = slice(1090, 1340)
 """Columns of the screen where nothing but our dock is, without what scrolls it."""
@@ -627,7 +660,8 @@ def until_seen(command: list[str], environment: dict[str, str]) -> tuple[float, 
                 time.sleep(0.005)
                 look()
         finally:
-            program.terminate()
+            # Ours closes its window, and keeps what it keeps for the next start.
+            program.send_signal(signal.SIGINT if "app" in command else signal.SIGTERM)
     final = seen[-1][1]
     whole, dock = (
         next(at for at, pixels in seen[1:] if (pixels == final)[:, part].mean() > 0.995) - began
@@ -701,7 +735,156 @@ def talks(scale: float) -> dict[str, Any]:
     return figures
 
 
+class Felt(NamedTuple):
+    """One act: the wall time and the processor time until the window has nothing left to paint."""
+
+    wall: float
+    processor: float
+
+
+def until_idle() -> float:
+    """Let Qt work until it has nothing to do; return when it last had."""
+    app = application()
+    end, quiet = time.perf_counter(), 0
+    while quiet < 3:
+        began = time.perf_counter()
+        app.processEvents()
+        app.sendPostedEvents()
+        quiet = quiet + 1 if time.perf_counter() - began < 0.0008 else 0
+        end = end if quiet else time.perf_counter()
+    return end
+
+
+def feel(act: Callable[[], object], pause: float = 1.2) -> Felt:
+    rest(pause)
+    began, processor = time.perf_counter(), time.process_time()
+    act()
+    return Felt(until_idle() - began, time.process_time() - processor)
+
+
+def summed_up(acts: Sequence[Felt]) -> list[float]:
+    """Median and largest wall time, and the median of the processor time, in ms."""
+    walls = [each.wall for each in acts]
+    return ms(p50(walls), max(walls), p50([each.processor for each in acts]))
+
+
+FELT_SCENES = (
+    "clipping", "far-plane-popping", "focus", "letter-f", "similar-triangles", "off-axis-window",
+    "view-volumes", "letter-f",
+)  # fmt: skip
+
+
+def felt(scale: float) -> dict[str, Any]:
+    """What a hand feels: ms from an act until the window has nothing left to paint.
+
+    Under load only the processor time says anything.
+    """
+    figures: dict[str, Any] = {}
+    what = "(ms: median, largest, processor)"
+    window = open_window(size=WINDOW)
+    rest(2.0)
+    figures[f"Matrices opened, first time {what}"] = summed_up(
+        [feel(partial(window.panels.open, window.matrices))]
+    )
+    window.panels.open(None)
+    taken = [
+        feel(partial(window.guide.choose, scene))
+        for scene in FELT_SCENES * max(1, round(2 * scale))
+    ]
+    figures[f"another scene {what}"] = summed_up(taken)
+    taken = [feel(window.menus.present.trigger) for _ in range(2 * max(2, round(5 * scale)))]
+    figures[f"F5 and back, each {what}"] = summed_up(taken)
+    close_window(window)
+    figures |= felt_steps(what) | felt_turns(what) | felt_beside_a_hog(scale)
+    return figures | {"memory at rest (PSS, MB)": [memory_at_rest()]}
+
+
+def felt_steps(what: str) -> dict[str, Any]:
+    """The first picture of each step of a lesson, and of a talk that is presented."""
+    figures: dict[str, Any] = {}
+    for name in ("l05-similar-triangles", "talk-003"):
+        window = open_window(size=WINDOW)
+        window.settings.speaker_window = False
+        rest(1.0)
+        assert window.lessons.open(bootstrap.ROOT / "app/lessons/content" / f"{name}.md")
+        if name.startswith("talk"):
+            window.present.begin()
+        until_idle()
+        taken: dict[str, list[Felt]] = {"same scene": [], "another scene": []}
+        for place in range(1, len(window.lessons.course.lesson.steps)):
+            rest(2.3)  # what is made ahead is made then
+            before = window.store.document.scene
+            began, processor = time.perf_counter(), time.process_time()
+            window.lessons.go(place)
+            application().processEvents()
+            kind = "same scene" if window.store.document.scene == before else "another scene"
+            taken[kind].append(Felt(time.perf_counter() - began, time.process_time() - processor))
+        for kind, acts in taken.items():
+            if acts:
+                key = f"first picture of a step, {name}, {kind} {what}"
+                figures[key] = summed_up(acts)
+        window.present.end()
+        window.lessons.close()
+        close_window(window)
+    return figures
+
+
+def felt_turns(what: str) -> dict[str, Any]:
+    """Moves that turn one's own view of the world."""
+    from PySide6.QtCore import QPoint, Qt
+    from PySide6.QtTest import QTest
+
+    figures: dict[str, Any] = {}
+    left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
+    for vertices in (100_000, 1_000_000):
+        window = open_window(sphere(vertices), WINDOW)
+        rest(3.0)
+        canvas = window.panes["world"].canvas
+        at = QPoint(canvas.width() // 6, canvas.height() // 5)
+        QTest.mousePress(canvas, left, none, at)
+        until_idle()
+        taken = [
+            feel(partial(QTest.mouseMove, canvas, at + QPoint(3 * move, move)), 0.0)
+            for move in range(1, 13)
+        ]
+        QTest.mouseRelease(canvas, left, none, at)
+        figures[f"own view turned, {vertices} vertices {what}"] = summed_up(taken[1:])
+        close_window(window)
+    return figures
+
+
+def felt_beside_a_hog(scale: float) -> dict[str, Any]:
+    """A slider step of the letter F, in turn alone and beside a program that takes one core."""
+    window = open_window(size=WINDOWS[1])
+    step, count = stepping(window.controls.rows["azimuth_deg"]), max(10, round(40 * scale))
+    times: dict[str, list[float]] = {"alone": [], "beside a hog": []}
+    rest(1.0)
+    for _ in range(3):
+        for where, taken in times.items():
+            hog = [sys.executable, "-c", "while True: pass"] if "hog" in where else ["true"]
+            with subprocess.Popen(hog) as running, dragging(window):
+                taken += [timed(step) for _ in range(count + 3)][3:]
+                running.kill()
+            until_idle()
+    close_window(window)
+    return {
+        f"a slider step at 1920 x 1080, {where} (ms: p50, p95)": ms(p50(taken), p95(taken))
+        for where, taken in times.items()
+    }
+
+
+def memory_at_rest() -> float:
+    """The program's share of memory, PSS, 8 s after its start."""
+    with subprocess.Popen(start_command("ours"), cwd=bootstrap.ROOT, env=compiled()) as program:
+        time.sleep(8.0)
+        rollup = Path(f"/proc/{program.pid}/smaps_rollup").read_text(encoding="ascii")
+        program.send_signal(signal.SIGINT)
+    (kib,) = re.findall(r"^Pss: +(\d+) kB", rollup, re.MULTILINE)
+    return round(int(kib) * 1024 / 1e6, 1)
+
+
 PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
+    "felt": felt,
     "step": step_over_repaint,
     "canvases": canvases,
     "peers": peers,

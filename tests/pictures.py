@@ -3,7 +3,8 @@
 ``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
 command for each. The charts are drawn from the recorded ``app/measure/content/letter-f.json``.
 ``--measure`` records them again, and draws the charts and the captions of ``docs/measurements.md``.
-``--labels`` sets the letter F's labels, which come with the program, again.
+``--labels`` sets the letter F's labels, which come with the program, again, and ``--tiles`` draws
+the start card's pictures.
 """
 
 from __future__ import annotations
@@ -24,15 +25,20 @@ from PIL import Image
 
 from app.bootstrap import ROOT
 from app.commands import cli
+from app.document.document import Document
+from app.document.view import View
 from app.drawings import kept_labels, label
+from app.drawings.figure import Figure
 from app.drawings.style import LIGHT
 from app.lecture import typesetting
 from app.measure.meaning import bargain, meaning
 from app.measure.single import SHIPPED, read_results
 from app.model.formula import ARROW
 from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import BUILT_IN, load
 from tests.support.commands import run
 from widgets.parts.chart_picture import picture
+from widgets.window.start_card import THUMBNAIL_PX, tile_path
 
 DOCS = Path(ROOT) / "docs"
 MOST_DIFFERENT = 0.001
@@ -152,6 +158,21 @@ def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
                 label.tile(name, is_tex, size * em, label.HALO_EM * em, part)
 
 
+def draw_tile(name: str, path: Path, *, dark: bool) -> None:
+    """Draw a scene's picture for the start card, without labels, for screens of the scale 2.
+
+    It is drawn twice as large once more, so that its lines do not hide the scene.
+    """
+    scene, (width, height) = load(name), (2 * side for side in THUMBNAIL_PX)
+    document = Document(name, scene.start, view=View(layers=frozenset({"labels"})))
+    palette = "dark" if dark else "screen"
+    figure = Figure(document, scene, (scene.leading,), (width, height), scale=2.0, palette=palette)
+    image = Image.fromarray(figure.pixels()).resize((width, height), Image.Resampling.BOX)
+    image.quantize(256, Image.Quantize.FASTOCTREE, dither=Image.Dither.NONE).save(
+        path, optimize=True
+    )
+
+
 def compare(names: Iterable[str], folder: Path) -> dict[str, float]:
     """The pictures that differ now, drawn into a folder, and the share that differs."""
     found = {}
@@ -168,7 +189,13 @@ def main() -> int:
     parser.add_argument("--write", action="store_true", help="draw them anew")
     parser.add_argument("--measure", action="store_true", help="measure and draw the charts anew")
     parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
+    parser.add_argument("--tiles", action="store_true", help="draw the start card's pictures anew")
     found = parser.parse_args()
+    if found.tiles:
+        for name in found.names or BUILT_IN:
+            for dark in (False, True):
+                draw_tile(name, tile_path(name, dark=dark), dark=dark)
+        return 0
     if found.labels:
         set_labels()
         content = json.dumps(kept_labels.tree_of(set())).encode()

@@ -13,7 +13,7 @@ import json
 from pathlib import Path
 
 from app.lecture.kinds import KINDS
-from app.model.content_file import texts_of
+from app.model.parameter import texts_of
 from app.model.parameters import PARAMETERS
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA

@@ -23,13 +23,10 @@ from numpy.typing import NDArray
 
 Array: TypeAlias = NDArray[np.float64]
 
-BITS = 256
-"""Significant bits of an irrational scalar."""
-RELATIVE_ERROR = 2.0**-100
-"""Bound of the relative error of each operation on double-doubles."""
+BITS = 256  # significant bits of an irrational scalar
+RELATIVE_ERROR = 2.0**-100  # bound of the relative error of each operation on double-doubles
 
-UNDERFLOW = 1e-300
-"""Upper bound of the loss of a product near the smallest float64."""
+UNDERFLOW = 1e-300  # upper bound of the loss of a product near the smallest float64
 
 _SPLITTER = 2.0**27 + 1.0
 

@@ -4,7 +4,8 @@ A format rounds to the nearest of its numbers, and to the even one half-way (IEE
 One operation in a format is the float64 operation, rounded: for up to 24 digits the second rounding
 changes nothing (Figueroa, "When is double rounding innocuous?", 1995), and the products of 16.16
 numbers that stay in range are exact in float64. There is no infinity: a result that is out of range
-is NaN, and so is all that is computed from it.
+is NaN, and so is all that is computed from it. Arrays of rationals are divided to the nearest
+float64; they are not reduced to lowest terms, because the chain of operations of a point is short.
 
 ==========  ======  ======================  =====================================================
 format      digits  step near 0             source
@@ -19,8 +20,10 @@ bfloat16    8       2^-133                  Intel, "BFLOAT16: Hardware Numerics 
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
-from typing import NamedTuple
+from fractions import Fraction
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -37,10 +40,8 @@ class Format:
     """Numbers of limited size with a limited number of digits."""
 
     name: str
-    bits: int
-    """Stored bits of one number."""
-    digits: int | None
-    """Significant bits of a number of ordinary size; None for fixed point."""
+    bits: int  # stored bits of one number
+    digits: int | None  # significant bits of a number of ordinary size; None for fixed point
     step: float
     """The distance between neighbours near 0, and for fixed point everywhere; a power of 2."""
     largest: float
@@ -90,10 +91,8 @@ class Grid(NamedTuple):
     as normalised integers and puts lower corner and step into the node's matrix.
     """
 
-    bits: int
-    """Of one coordinate."""
-    lower: Array
-    """The box's lower corner, (3,)."""
+    bits: int  # of one coordinate
+    lower: Array  # the box's lower corner, (3,)
     step: float
 
     @classmethod
@@ -173,3 +172,87 @@ def reciprocal(divisors: Array, numbers: Format, steps: int) -> tuple[Array, Arr
         left = error**2 + (1.0 + error) * ((1.0 + error) * unit + half)
         error = (1.0 + left) * (1.0 + unit) ** 2 - 1.0 + divisors * half
     return inverse, error
+
+
+_MANTISSA = 53
+
+
+class Quotients:
+    """An array ``above / below`` that computes like a number, also with scalar rationals.
+
+    `above` (n,) holds ints, `below` is one for all or (n,). A quotient by 0 is NaN as a float.
+    """
+
+    __slots__ = ("above", "below")
+    __array_ufunc__ = None
+
+    def __init__(self, above: Any, below: Any) -> None:
+        self.above, self.below = above, below
+
+    @classmethod
+    def of(cls, values: Array) -> Quotients:
+        """The exact values of finite float64, (n,)."""
+        mantissas, exponents = np.frexp(values)
+        exponents = exponents - _MANTISSA
+        least = int(exponents.min(initial=0, where=values != 0.0))
+        whole = (mantissas * 2.0**_MANTISSA).astype(np.int64).astype(object)
+        shifts = np.where(values != 0.0, exponents - least, 0).astype(object)
+        return cls(whole << shifts, 1 << -least)
+
+    def _on_common_base(self, other: Any) -> tuple[Any, Any, Any]:
+        """Return both numerators over a common denominator, and that denominator."""
+        above, below = _parts(other)
+        if below is self.below:
+            return self.above, above, below
+        if isinstance(below, int) and isinstance(self.below, int):
+            common = math.lcm(below, self.below)
+            return self.above * (common // self.below), above * (common // below), common
+        return self.above * below, above * self.below, below * self.below
+
+    def __neg__(self) -> Quotients:
+        return Quotients(-self.above, self.below)
+
+    def __add__(self, other: Any) -> Quotients:
+        mine, its, below = self._on_common_base(other)
+        return Quotients(mine + its, below)
+
+    def __sub__(self, other: Any) -> Quotients:
+        return self.__add__(-other)
+
+    def __mul__(self, other: Any) -> Quotients:
+        above, below = _parts(other)
+        return Quotients(self.above * above, self.below * below)
+
+    def __truediv__(self, other: Any) -> Quotients:
+        above, below = _parts(other)
+        return Quotients(self.above * below, self.below * above)
+
+    __radd__, __rmul__ = __add__, __mul__
+
+    def is_negative(self) -> Any:
+        """Whether each quotient is below 0, (n,)."""
+        is_one = isinstance(self.below, int)  # no product, which is long
+        signed = self.above * (int(self.below > 0) * 2 - 1) if is_one else self.above * self.below
+        return np.asarray(signed < 0, dtype=bool)
+
+    def floats(self) -> Array:
+        """The nearest float64, (n,): infinite beyond the largest one."""
+        return np.asarray(_nearest(self.above, self.below).astype(np.float64))
+
+
+def _parts(number: Any) -> tuple[Any, Any]:
+    if isinstance(number, Quotients):
+        return number.above, number.below
+    return Fraction(number).as_integer_ratio()
+
+
+def _quotient(above: int, below: int) -> float:
+    try:
+        return above / below  # Python rounds it correctly
+    except OverflowError:
+        return math.inf if (above > 0) == (below > 0) else -math.inf
+    except ZeroDivisionError:
+        return math.nan
+
+
+_nearest: Any = np.frompyfunc(_quotient, 2, 1)

@@ -33,8 +33,7 @@ from app.lessons.lesson import is_lesson
 from app.model.refusal import Refusal, nearest, shown_name
 from app.strangers import decode, open_regular, printable
 
-LARGEST_LIST = 2**20
-"""Most bytes of a list: some ten thousand figures."""
+LARGEST_LIST = 2**20  # most bytes of a list: some ten thousand figures
 INDEX = "index.html"
 _NOT_OF_A_LINE = (
     "batch", "resume", "format", "sweep", "orbit", "stages", "transition", "frames", "fps", "loop",

@@ -20,8 +20,7 @@ if TYPE_CHECKING:
 
 SLIDE_PX, SLIDE_HIGH_PX = (1920, 1080), 910
 """A screen of a class, and the height that title and formula leave of it for the picture."""
-BESIDE_EQUATION = 0.3
-"""Width of a picture beside an equation, relative to the screen's."""
+BESIDE_EQUATION = 0.3  # width of a picture beside an equation, relative to the screen's
 SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
 PANE_PX, PANE_EM_PX = (580, 660), 15.5
 """The large pane of a window of 1366 by 768 pixels, and the letters there."""
@@ -34,8 +33,7 @@ class Composed:
     """How many steps were drawn, and what is wrong with their pictures, a line each."""
 
     steps: int = 0
-    faulty: Counter[str] = field(default_factory=Counter)
-    """How many steps have each kind of fault."""
+    faulty: Counter[str] = field(default_factory=Counter)  # how many steps have each kind of fault
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:

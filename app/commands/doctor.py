@@ -18,8 +18,7 @@ from app.commands.options import parser_of
 from app.commands.terminal import CANNOT_DRAW, write_out
 from app.python_packages import requirements
 
-LONGEST_TRIAL_S = 60.0
-"""Longest time for a driver to answer."""
+LONGEST_TRIAL_S = 60.0  # longest time for a driver to answer
 
 
 class Finding(NamedTuple):

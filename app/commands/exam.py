@@ -19,8 +19,7 @@ from app.lessons.practice import PlacedExercise, exercises_of
 if TYPE_CHECKING:
     from widgets.program.exam import Numbered
 
-MOST_TESTS = 500
-"""More would fill a disk by mistake."""
+MOST_TESTS = 500  # more would fill a disk by mistake
 
 
 def print_tests(options: argparse.Namespace) -> int:

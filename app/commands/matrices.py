@@ -10,20 +10,19 @@ from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
 from app.commands.options import parser_of
 from app.commands.terminal import CliError, write_out
-from app.document.fields import CAMERA_P
+from app.document.document import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.letters import Letters
 from app.lecture.notation import matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
-from app.model.calibration import taken_apart
+from app.model.camera import taken_apart
 from app.model.matrix_text import read_matrix
 from app.model.projection import Array, Projection
 from app.model.refusal import format_value
 
 _DIGITS = 4
-NOTICED_PX = 1e-9
-"""Least skew that is no rounding of float64."""
+NOTICED_PX = 1e-9  # least skew that is no rounding of float64
 
 
 def run(arguments: Sequence[str]) -> int:

@@ -42,11 +42,9 @@ CONVENTIONS = ("opengl", "direct3d", "vulkan", "unity", "opencv")
 MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
 WHEEL_PLATFORMS = ("linux-x86_64", "linux-arm64", "macos-x86_64", "macos-arm64", "windows-x86_64")
-FULL_TURN = 360.0
-"""Of an orbit, in degrees."""
+FULL_TURN = 360.0  # of an orbit, in degrees
 TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
-WIDTHS_PT = 200.0, 1500.0
-"""Of a text or a column, for LaTeX; 72.27 of its points are an inch."""
+WIDTHS_PT = 200.0, 1500.0  # of a text or a column, for LaTeX; 72.27 of its points are an inch
 LOOPS = ("repeat", "once", "back-and-forth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")

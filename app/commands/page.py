@@ -19,14 +19,13 @@ from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
 from app.lessons.text import in_line
 from app.model.parameters import TITLES
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
     from app.scenes.scene import Scene
 
-FRAMES = 21
-"""States under the slider, unless another number is asked for."""
+FRAMES = 21  # states under the slider, unless another number is asked for
 
 
 def check(options: Namespace) -> None:

@@ -21,8 +21,7 @@ from app.model.projection import FINITE_NUMBER, LARGEST
 from app.model.refusal import Refusal, counted
 from app.strangers import decode
 
-LARGEST_INPUT = 2**30
-"""Most bytes read as points."""
+LARGEST_INPUT = 2**30  # most bytes read as points
 
 
 class Columns(NamedTuple):
@@ -57,10 +56,8 @@ def check_typed(arguments: Sequence[str]) -> None:
 class Read(NamedTuple):
     """The content of a file of points."""
 
-    points: list[Row]
-    """Each point has w: 1, or 0 at infinity."""
-    has_w: bool
-    """Whether the file has a column for w."""
+    points: list[Row]  # each point has w: 1, or 0 at infinity
+    has_w: bool  # whether the file has a column for w
     columns: Columns
 
 
@@ -149,10 +146,8 @@ def _lines(text: str, separator: str) -> Iterator[str]:
 class _Layout(NamedTuple):
     """Where the coordinates stand in a row."""
 
-    places: tuple[int, ...]
-    """The columns of x, y, z and perhaps w."""
-    names: list[str]
-    """The names of all columns; empty if the first row holds a point."""
+    places: tuple[int, ...]  # the columns of x, y, z and perhaps w
+    names: list[str]  # the names of all columns; empty if the first row holds a point
 
     @classmethod
     def of(cls, cells: list[str], where: str) -> Self:

@@ -17,10 +17,8 @@ from app.lessons.results import Marker, RemarkedAnswer, StudentResults, read
 from app.model.refusal import Refusal, counted
 from app.strangers import printable
 
-MOST_LISTED = 40
-"""Most answers without an idea that are listed."""
-LONGEST_RESPONSE = 70
-"""Most characters of a lesson's response to an idea of its own."""
+MOST_LISTED = 40  # most answers without an idea that are listed
+LONGEST_RESPONSE = 70  # most characters of a lesson's response to an idea of its own
 COLUMNS = (
     "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
     "right", "note",

@@ -36,12 +36,10 @@ if TYPE_CHECKING:
 MOTIONS = ("sweep", "orbit", "stages", "transition")
 """The options that make a picture move; one at a time."""
 FRAMES = {"sweep": 48, "orbit": 48, "stages": 120, "transition": 24}
-FPS = 12.0
-"""Frames, and frames a second, unless others are asked for."""
+FPS = 12.0  # frames, and frames a second, unless others are asked for
 _RESTING = 0.5  # of the time, at the stops of the stages
 MOST_FRAMES = 1000
-FASTEST = 50
-"""Most frames a second: players slow a GIF down that asks for more."""
+FASTEST = 50  # most frames a second: players slow a GIF down that asks for more
 _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 

@@ -15,8 +15,7 @@ from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal, counted
 from app.strangers import printable
 
-READERS = ("teacher", "students")
-"""Of a handout; the first ones unless others are asked for."""
+READERS = ("teacher", "students")  # of a handout; the first ones unless others are asked for
 
 
 def run(arguments: Sequence[str]) -> int:

@@ -20,8 +20,8 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from app.document.codec import MISSING, TOO_DEEP, Path, tree_of
-from app.document.fields import Tree
-from app.model.calibration import (
+from app.document.document import Tree
+from app.model.camera import (
     rotation_from_quaternion,
     rotation_from_vector,
     taken_apart,

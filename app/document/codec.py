@@ -1,7 +1,7 @@
 """Documents as JSON text: `parse` reads one, `to_json` writes one.
 
 Text from outside is checked here, and every fault is refused in one sentence. The table
-`app.document.fields` says which fields there are; the classes that hold the values check their
+`app.document.document` says which fields there are; the classes that hold the values check their
 bounds.
 """
 
@@ -24,15 +24,17 @@ from app.document.compare import (
     ComparedPicture,
     Held,
 )
-from app.document.document import SCENE_NAME, Document, is_mesh
-from app.document.fields import (
+from app.document.document import (
     CAMERA,
     IMAGE,
     OBJECT,
     QUALITY,
+    SCENE_NAME,
     VIEW,
+    Document,
     Field,
     Tree,
+    is_mesh,
     lens_fields,
     model_paths,
     unknown,
@@ -58,8 +60,7 @@ def _with_view(tree: Tree) -> Tree:
 
 MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view,)
 """Step i turns a document of version i + 1 into one of version i + 2."""
-VERSION = len(MIGRATIONS) + 1
-"""Version of the documents that are written."""
+VERSION = len(MIGRATIONS) + 1  # version of the documents that are written
 
 MOST_VALUES = 100_000
 """Most values in a document, estimated from its commas and brackets: one takes microseconds."""
@@ -67,8 +68,7 @@ SHORTEST = 1e-100
 """Shortest distance and shortest up vector of a pane's own camera: VTK squares them."""
 DEEPEST = 50
 """Most levels of brackets in a document, far below what Python's recursion can write again."""
-LONGEST_SHOWN = 60
-"""Most characters of a key in a refusal."""
+LONGEST_SHOWN = 60  # most characters of a key in a refusal
 
 MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")

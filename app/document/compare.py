@@ -15,8 +15,8 @@ from typing import Any
 from app.model.parameter import Parameter
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.readout import FEW, digits_apart
 from app.scenes.phenomena.settings import Settings
+from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4
 """As many as the lectures show side by side: the four cases of an edge and the eye plane."""
@@ -33,8 +33,7 @@ ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
 )
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
-NAME_ENDS = ": "
-"""Separates the name of a picture from its values."""
+NAME_ENDS = ": "  # separates the name of a picture from its values
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
 """The parts of a document that a picture shows and may override."""
 ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "off")
@@ -61,15 +60,12 @@ class ComparedPicture:
     Raises a `Refusal` for changes to values that no picture shows.
     """
 
-    name: str = ""
-    """Translatable if it comes from a phenomenon."""
+    name: str = ""  # translatable if it comes from a phenomenon
     changes: tuple[str, ...] = ()
     """The values that differ from the document's, in the form of ``--set``: ``"lens.keep=x"``. For
     the document's own picture, the values that its name describes."""
-    held: Held | None = None
-    """The state that it shows instead of following the document."""
-    live: bool = False
-    """Whether it is the document's own."""
+    held: Held | None = None  # the state that it shows instead of following the document
+    live: bool = False  # whether it is the document's own
 
     def __post_init__(self) -> None:
         for change in self.changes:

@@ -1,20 +1,37 @@
 """The document: a scene with its settings, seen through a projection.
 
 A document is a frozen value. `app.document.codec` turns it into text and back, `app.document.files`
-keeps it in files, and `app.document.settings` sets its values by their paths.
+keeps it in files, and `app.document.settings` sets its values by their paths. All follow one table
+of fields: the section of each, how a person types it, and whether a file must have it. The classes
+that hold the values check their bounds, once for the whole program.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+import math
+import re
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field, fields, replace
 from types import MappingProxyType
-from typing import Any
+from typing import Any, NamedTuple, TypeAlias
 
 from app.document.compare import Held
-from app.document.fields import Tree, unknown
 from app.document.view import View
-from app.model.projection import Projection
+from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.matrix_text import read_matrix
+from app.model.numerals import number, numbers
+from app.model.object_transform import ObjectTransform
+from app.model.parameters import FOCAL_LENGTH, FOV_X, HEIGHT, WIDTH
+from app.model.projection import (
+    LARGEST_IMAGE_PX,
+    LENSES,
+    Camera,
+    FreeMatrix,
+    Intrinsics,
+    Orbit,
+    Projection,
+    kinds,
+)
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
@@ -100,3 +117,229 @@ class Document:
     def state(self) -> Held:
         """The part of the document that can be held and compared with later states."""
         return Held(self.projection, self.settings)
+
+
+Tree: TypeAlias = dict[str, Any]
+
+_UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
+
+THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
+THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
+POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
+LOOKS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or"
+    " ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)",
+)
+SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
+
+
+class FieldKind(NamedTuple):
+    """How a value is typed after ``--set``."""
+
+    read: Callable[[str], Any]
+    """Converts the text to the JSON value; returns None or raises a `Refusal` if it cannot."""
+    bound: tuple[Any, ...] = ()  # the bound that an invalid text violates, and the bound's limits
+
+
+class Field(NamedTuple):
+    """One value of a document."""
+
+    section: str
+    name: str  # the field's section and name; the top level is section ``""``
+    kind: FieldKind | None  # None if ``--set`` cannot set the field
+    required: bool = False  # whether its section must have it
+    unit: str = ""  # may be typed after each of its numbers, as the window shows it
+
+    @property
+    def path(self) -> str:
+        return f"{self.section}.{self.name}" if self.section else self.name
+
+    def read(self, text: str) -> Any:
+        """Convert a text to the field's JSON value; return None if that is impossible."""
+        assert self.kind is not None
+        if self.unit and self.kind in (NUMBER, VECTOR, PIXELS, NUMBER_OR_WORD):
+            text = _UNIT.sub(lambda match: "" if match[1] == self.unit else match[0], text)
+        return self.kind.read(text)
+
+
+# --------------------------------------------------------------------------- how values are typed
+
+
+def _rows(text: str, width: int, least: int, most: float) -> list[list[float]] | None:
+    """Parse rows of equal width; return None unless the numbers fill an allowed number of rows."""
+    values = numbers(text)
+    if values is None or len(values) % width or not least <= len(values) // width <= most:
+        return None
+    return [values[i : i + width] for i in range(0, len(values), width)]
+
+
+def _looks(text: str) -> dict[str, Any] | None:
+    """Parse where panes look from: ``ndc: 1.3,0.2,0.3``, the panes separated by ``|``."""
+    looks = {}
+    for part in text.split("|") if text else ():
+        pane, _, places = (word.strip() for word in part.partition(":"))
+        rows = _rows(places, 3, 1, 2)
+        if pane not in ("world", "ndc") or rows is None:
+            return None
+        eye, target = (*rows, [0.0, 0.0, 0.0])[:2]
+        looks[pane] = {"eye": eye, "target": target, "up": [0.0, 1.0, 0.0]}
+    return looks
+
+
+def _matrix(text: str) -> list[list[float]] | None:
+    """Read a 4x4 matrix, or a 3x4 one to which the row 0 0 0 1 is added; None for 3x3."""
+    rows = read_matrix(text)
+    if len(rows[0]) == 3:
+        rows = [list(column) for column in zip(*rows, strict=True)]
+    if len(rows[0]) == 3:
+        return None
+    return rows if len(rows) == 4 else [*rows, [0.0, 0.0, 0.0, 1.0]]
+
+
+def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
+    """Read a matrix of this size; None for another one."""
+    rows = read_matrix(text, sizes=[height * width])
+    return rows if (len(rows), len(rows[0])) == (height, width) else None
+
+
+def _number_or_word(text: str) -> float | str:
+    value = number(text)
+    word = "inf" if text.lower() in ("∞", "infinity") else text
+    return word if value is None else value
+
+
+TEXT = FieldKind(str)
+NUMBER = FieldKind(number, (FINITE_NUMBER,))
+NUMBER_OR_WORD = FieldKind(_number_or_word)
+PIXELS = FieldKind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
+SWITCH = FieldKind(lambda text: {"true": True, "false": False}.get(text, text))
+VECTOR = FieldKind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
+MATRIX = FieldKind(_matrix, (FOUR_BY_FOUR,))
+PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
+PANES = FieldKind(_looks, (LOOKS,))
+NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
+
+
+# --------------------------------------------------------------------------- the table
+
+_BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
+_BY_DEFAULT = {bool: SWITCH, str: TEXT, tuple: VECTOR}
+
+
+def _fields(
+    section: str, owner: type, required: bool, **kinds: FieldKind | None
+) -> tuple[Field, ...]:
+    """Return the fields of a section that is a dataclass; texts and options are never required."""
+    described = []
+    for each in fields(owner):
+        kind = _BY_TYPE.get(str(each.type).removesuffix(" | None"), TEXT)
+        needed = required and each.type in _BY_TYPE
+        unit = "°" if each.name.endswith("_deg") else "units"
+        described.append(Field(section, each.name, kinds.get(each.name, kind), needed, unit))
+    return tuple(described)
+
+
+TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
+OBJECT = _fields("object", ObjectTransform, required=False)
+CAMERA = _fields("camera", Camera, required=True)
+IMAGE = tuple(Field("image", side.name, PIXELS, True, "px") for side in (WIDTH, HEIGHT))
+QUALITY = _fields("quality", Quality, required=False)
+VIEW = _fields(
+    "view", View, required=False,
+    stage=NUMBER_OR_WORD, layers=NAMES, names=NAMES, slide=NAMES, controls=NAMES, probes=PROBES,
+    pinned=None, panes=PANES,
+)  # fmt: skip
+
+
+def lens_fields(kind: object) -> tuple[Field, ...]:
+    """Return the fields of a kind of lens, without the kind itself; none for an unknown kind."""
+    if not isinstance(kind, str) or kind not in kinds():
+        return ()
+    owner = LENSES.get(kind, FreeMatrix)
+    return _fields("lens", owner, required=True, far=NUMBER_OR_WORD, former=None)
+
+
+def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
+    """Return the fields of a document with this scene and this kind of lens."""
+    settings = PHENOMENA[scene].settings if scene in PHENOMENA else ()
+    return (
+        *TOP,
+        *(
+            Field(
+                "settings", each.name, _BY_DEFAULT.get(type(each.default), NUMBER), False, each.unit
+            )
+            for each in settings
+        ),
+        *OBJECT,
+        *CAMERA,
+        Field("lens", "kind", TEXT, required=True),
+        *lens_fields(kind),
+        *IMAGE,
+        *QUALITY,
+        *VIEW,
+    )
+
+
+CAMERA_P = Field("camera", "P", FieldKind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
+CALIBRATED = (
+    Field("lens", "K", FieldKind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
+    *(
+        Field("lens", name, NUMBER)
+        for name in (*Intrinsics._fields, "focal_mm", "sensor_width_mm", "sensor_height_mm")
+    ),
+)
+ANGLES = tuple(Field("lens", each.name, NUMBER) for each in (FOV_X, FOCAL_LENGTH))
+"""Other measures of a lens, which ``--set`` knows: they are computed, and no document has them."""
+
+
+def controls_of(scene: str) -> tuple[str, ...]:
+    """Return the paths of the values for which there are controls, of any lens."""
+    paths = {
+        field.path: None
+        for kind in kinds()
+        for field in fields_of(scene, kind)
+        if field.section in ("settings", "object", "camera", "lens", "image")
+    }
+    computed = *(f"camera.{name}" for name in Orbit._fields), *(field.path for field in ANGLES)
+    return (*paths, *computed, "depth")
+
+
+def model_paths() -> dict[str, str]:
+    """Return the document paths of those model fields whose path differs from their name."""
+    model = ("camera", "object", "lens", "image")
+    return {
+        field.name: field.path
+        for kind in kinds()
+        for field in fields_of("", kind)
+        if field.section in model
+    }
+
+
+def unknown(tree: Tree, scene: str, kind: object, panes: Iterable[str]) -> Tree:
+    """Return the part of a document's tree whose keys this program does not know.
+
+    `kind` is that of the lens. The document has the cameras of `panes`; unknown keys of the other
+    panes are dropped with their cameras.
+    """
+    known: Tree = {"format": None, "version": None, **{section: {} for section in SECTIONS}}
+    for each in fields_of(scene, kind):
+        (known[each.section] if each.section else known)[each.name] = None
+    former = tree.get("lens", {}).get("former")
+    if "former" in known["lens"] and isinstance(former, dict):
+        names = ["kind", *(field.name for field in lens_fields(former.get("kind")))]
+        known["lens"]["former"] = dict.fromkeys(names)
+    camera = {field.name: None for field in CAMERA}
+    labelled = tree.get("view", {}).get("panes", {})
+    known["view"]["panes"] = dict.fromkeys(labelled) | dict.fromkeys(panes, camera)
+    return _without(tree, known)
+
+
+def _without(tree: Tree, known: Tree) -> Tree:
+    """Return a tree without the known keys; those of a nested tree form a nested tree too."""
+    left = {key: value for key, value in tree.items() if key not in known}
+    for key, inner in known.items():
+        if inner is not None and isinstance(part := tree.get(key), dict):
+            inside = _without(part, inner)
+            left |= {key: inside} if inside else {}
+    return left

@@ -33,10 +33,8 @@ LARGEST_DOCUMENT = 2**20
 """Most bytes read as a document; one with a thousand unknown keys has 100 000."""
 LARGEST_CAMERAS = 2**26
 """Most bytes read as cameras; a thousand images of COLMAP, with their points, may have that."""
-MOST_NAMED = 12
-"""Most views that a refusal names."""
-LARGEST_PICTURE = 2**30
-"""Most bytes read as a PNG picture."""
+MOST_NAMED = 12  # most views that a refusal names
+LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
 STALE_S = 60.0
 """On Windows, the age at which an unfinished file is considered left by a killed program."""
 

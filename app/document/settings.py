@@ -10,11 +10,11 @@ from typing import Any, TypeAlias
 
 from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
 from app.document.compare import NAME_ENDS, SOME_DIVIDERS, ComparedPicture
-from app.document.document import Document
-from app.document.fields import (
+from app.document.document import (
     ANGLES,
     CALIBRATED,
     CAMERA_P,
+    Document,
     Field,
     controls_of,
     fields_of,

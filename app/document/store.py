@@ -14,8 +14,7 @@ from app.document.view import View
 from app.model.projection import Projection
 
 UNDO_LIMIT = 1000
-OPENED_LIMIT = 3
-"""How many openings can be undone: their scenes stay in memory."""
+OPENED_LIMIT = 3  # how many openings can be undone: their scenes stay in memory
 
 
 @dataclass(eq=False)
@@ -24,12 +23,9 @@ class Origin:
 
     saved: Document | None
     """The document as in its file, or as it was opened; None if it is in no file."""
-    path: Path | None = None
-    """The path of its file."""
-    written: object = None
-    """The state of that file when it was last read or written here."""
-    is_work: bool = True
-    """Whether it must not get lost. A student's trials at a lesson's step may."""
+    path: Path | None = None  # the path of its file
+    written: object = None  # the state of that file when it was last read or written here
+    is_work: bool = True  # whether it must not get lost. A student's trials at a lesson's step may.
 
 
 class _UndoStep(NamedTuple):
@@ -53,14 +49,10 @@ class Store(QObject):
     If the document's file has another content, `saved`, undo returns to it in the same scene.
     """
 
-    changed = Signal(object)
-    """The new `Document`, once per change."""
-    history_changed = Signal()
-    """Undo, redo or the unsaved mark may have changed."""
-    view_changed = Signal(object)
-    """The `Document`; only its view has changed."""
-    leaving = Signal()
-    """A document of another origin is about to be shown."""
+    changed = Signal(object)  # the new `Document`, once per change
+    history_changed = Signal()  # undo, redo or the unsaved mark may have changed
+    view_changed = Signal(object)  # the `Document`; only its view has changed
+    leaving = Signal()  # a document of another origin is about to be shown
 
     def __init__(
         self,

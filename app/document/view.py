@@ -27,30 +27,21 @@ from app.model.projection import Camera
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 from app.picking.picking import Probe
 
-LAYOUTS = ("pictures", "columns")
-"""One large pane and two small ones, or three side by side."""
-PANES = ("world", "ndc", "image")
-"""The panes, from left to right."""
+LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
+PANES = ("world", "ndc", "image")  # the panes, from left to right
 STAGES = ("world", "view", "pyramid", "box", "ndc", "image")
 """The stops of the stage strip, as a document names them."""
-PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")
-"""The panels of the drawer."""
+PANELS = ("matrices", "frame", "kinds", "probe", "scene", "measure")  # the panels of the drawer
 LAYERS = ("labels", "handles", "grid", "frustum", "camera", "near-picture")
 """The layers of the world that can be hidden."""
-FIXED = ("side", "top", "axis", "eye")
-"""The fixed viewpoints of the world."""
+FIXED = ("side", "top", "axis", "eye")  # the fixed viewpoints of the world
 SLIDES = (*PANES, "equation", "kinds")
 """What can be the slide that a class sees: panes, an equation, the tree of projections."""
-STRIP = "stage"
-"""The name of the stage strip among the controls of a slide."""
-MOST_ON_SLIDE = 2
-"""Most pictures of a slide, and most controls below it."""
-MOST_PROBES = 6
-"""Most probes: more cannot be compared at a glance."""
-MOST_NAMES = 7
-"""Most names of a view: a picture with more of them has no point."""
-EVERYTHING = ("*",)
-"""The names of a view that names everything."""
+STRIP = "stage"  # the name of the stage strip among the controls of a slide
+MOST_ON_SLIDE = 2  # most pictures of a slide, and most controls below it
+MOST_PROBES = 6  # most probes: more cannot be compared at a glance
+MOST_NAMES = 7  # most names of a view: a picture with more of them has no point
+EVERYTHING = ("*",)  # the names of a view that names everything
 
 A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
@@ -75,27 +66,20 @@ class View:
     """The view of a document; an invalid value raises a `Refusal`."""
 
     layout: str = "pictures"
-    large: str = ""
-    """The pane in the large slot; empty for the one that the scene chooses."""
-    stage: float = float(NDC)
-    """Position on the stage strip; a whole number at each of `STAGES`."""
-    frame_step: str = STEPS[0]
-    """The step up to which the camera's frame is built."""
+    large: str = ""  # the pane in the large slot; empty for the one that the scene chooses
+    stage: float = float(NDC)  # position on the stage strip; a whole number at each of `STAGES`
+    frame_step: str = STEPS[0]  # the step up to which the camera's frame is built
     panel: str | None = None
     """The open panel of the drawer; empty for none, None for the scene's default."""
-    letters: Letters = LETTERS[0]
-    """The lecture whose letters the formulas use."""
-    layers: frozenset[str] = frozenset()
-    """The hidden `LAYERS`."""
+    letters: Letters = LETTERS[0]  # the lecture whose letters the formulas use
+    layers: frozenset[str] = frozenset()  # the hidden `LAYERS`
     fixed: str | None = None
     """The viewpoint of the world; empty for a free one, None for the scene's own."""
     names: tuple[str, ...] | None = None
     """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
     list."""
-    probes: tuple[Probe, ...] = ()
-    """The probes, in the order of their numbers."""
-    pinned: frozenset[int] = frozenset()
-    """Numbers of the probes that the next click does not move."""
+    probes: tuple[Probe, ...] = ()  # the probes, in the order of their numbers
+    pinned: frozenset[int] = frozenset()  # numbers of the probes that the next click does not move
     compare: tuple[ComparedPicture, ...] = ()
     """The compared pictures from left to right, one of them the document's own; or none."""
     dividers: tuple[float, ...] = ()
@@ -105,8 +89,7 @@ class View:
     """The `SLIDES` that a class sees: one, or two beside each other; empty for the large pane."""
     controls: tuple[str, ...] = ()
     """The values that a class sees being changed, by their paths, or `STRIP`."""
-    equation: str = ""
-    """The matrices of an equation that is a slide; see `app.lecture.equation`."""
+    equation: str = ""  # the matrices of an equation that is a slide; see `app.lecture.equation`
     panes: dict[str, Camera] = field(default_factory=dict, hash=False)
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
@@ -182,8 +165,7 @@ def _check_names(names: tuple[str, ...] | None) -> None:
         raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
 
 
-AS_EVER = View()
-"""The default view."""
+AS_EVER = View()  # the default view
 
 
 # --------------------------------------------------------------------------- as JSON

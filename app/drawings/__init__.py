@@ -45,5 +45,4 @@ class DrawingWords(dict[str, str]):
 
 WORDS: Mapping[str, str] = DrawingWords()
 
-AXES = "axes"
-"""A layer that no document names: the pixel axes, which compared pictures hide."""
+AXES = "axes"  # a layer that no document names: the pixel axes, which compared pictures hide

@@ -72,8 +72,7 @@ _IN_PLANE = """
   gl_FragDepth = 0.5 + 0.5 * (abovePlaneVSOutput * gl_FragCoord.w
     + dot(slope, 2.0 * gl_FragCoord.xy / windowSize - 1.0));"""
 _ROUND = "if (distance(gl_PointCoord, vec2(0.5)) > 0.5) discard;"
-PAPER = 0.7
-"""Share of the paper's colour in a pale silhouette."""
+PAPER = 0.7  # share of the paper's colour in a pale silhouette
 _DOTS_PER = 100.0  # the diameter of a dot in widths of a line, times the root of their number
 _ROUND_PX = 1.5  # a smaller dot is a square, which takes half the time
 _LIFT = 2e-3  # of the distance

@@ -30,10 +30,8 @@ from app.scenes.phenomena.marks import Aperture, Eyes
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
-MOST = 64
-"""Pictures that are averaged."""
-FIRST = 4
-"""Fewer are not shown: they look like so many ghosts."""
+MOST = 64  # pictures that are averaged
+FIRST = 4  # fewer are not shown: they look like so many ghosts
 _ROOT = 1.1673039782614187  # of x^5 = x + 1: its powers fill four dimensions evenly
 
 

@@ -80,8 +80,7 @@ class CameraDrawing(Layer):
         self._target_parts = rim, target
         self.steps: FrameSteps | None = None
         self._named: frozenset[str] = frozenset()
-        self.axes_lead = False
-        """Whether the axes are what the picture is about."""
+        self.axes_lead = False  # whether the axes are what the picture is about
         self._show_parts()
         self._placed: object = None
         self._make_emphasis()

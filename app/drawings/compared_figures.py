@@ -19,7 +19,7 @@ from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, withi
 from app.lecture.typesetting import font_file
 from app.model.parameters import TITLES
 from app.model.projection import Array
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
 
 LINE_EM = 1.5
@@ -30,14 +30,12 @@ _MOST_WORDS = 0.25  # of a figure's height, for the differences in words
 class Compared:
     """Several pictures that a pane shows: side by side, or as strips of one picture."""
 
-    pictures: list[PanePicture]
-    """Each has its name as its caption."""
+    pictures: list[PanePicture]  # each has its name as its caption
     places: list[tuple[int, int, int, int]]
     """Left, top, width and height of each, if they are side by side."""
     dividers: tuple[float, ...]
     live: int
-    size: tuple[int, int]
-    """Without the lines of words below."""
+    size: tuple[int, int]  # without the lines of words below
     lines: list[str]
 
     @property

@@ -31,16 +31,14 @@ from app.model.projection import Array
 from app.scenes.scene import Scene
 
 MOST_LABELS = 7
-LEAST_FILL = 0.6
-"""Of a pane's width or height: what the box round everything named covers at least."""
+LEAST_FILL = 0.6  # of a pane's width or height: what the box round everything named covers at least
 LEAST_AREA, FULL = 0.35, 0.75
 """Of a pane's area, what that box covers at least, unless it has `FULL` of the width or height:
 then it is as large as its shape allows, such as a low triangle in a high pane. It is not asked of
 flat views, which leave room for rows of lengths, and of a construction that has only begun."""
 LETTERS = 0.022, 0.03
 """Height of the capitals of words, relative to the height of a screen that a class looks at."""
-CAPITAL = 0.729
-"""Height of a capital of DejaVu Sans, in em."""
+CAPITAL = 0.729  # height of a capital of DejaVu Sans, in em
 _INK = 60  # difference of a colour from the ground from which it is ink: a pale tint hides nothing
 _LEAVES = frozenset({"grid", "frustum"})
 """Layers that decide only by what has to be inside whether they fill the pane."""
@@ -74,12 +72,10 @@ class ComposedPicture(NamedTuple):
     fill: tuple[float, float]
     """Of the pane's width and height: the box round what is drawn, without grid and frustum, and
     round the labels."""
-    left_out: tuple[str, ...] = ()
-    """The labels that are wanted, and have no place."""
+    left_out: tuple[str, ...] = ()  # the labels that are wanted, and have no place
     points: tuple[tuple[str, tuple[float, float]], ...] = ()
     """The labels of points, with the points in pixels from the left and the bottom."""
-    needs_area: bool = True
-    """Whether `LEAST_AREA` holds for the picture."""
+    needs_area: bool = True  # whether `LEAST_AREA` holds for the picture
     outside: tuple[tuple[str, float], ...] = ()
     """What has to be inside the pane and is not, and by which part of the pane's height."""
 

@@ -6,8 +6,7 @@ import numpy as np
 
 from app.drawings.label_placement import Floats, Ground, Wish, around, overlap, place
 
-GAP_PX = 3.0
-"""Between a curve and its name."""
+GAP_PX = 3.0  # between a curve and its name
 
 
 def beside(

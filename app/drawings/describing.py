@@ -17,11 +17,10 @@ from app.model.projection import Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
-Translate = Callable[[str, str], str]
-"""From a text and its context to the text in another language."""
+Translate = Callable[[str, str], str]  # from a text and its context to the text in another language
 
 CONTENT = QT_TRANSLATE_NOOP(
     "Description", "The file is drawn with triangles: {0}, lines: {1}, points: {2}."

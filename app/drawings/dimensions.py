@@ -29,7 +29,7 @@ from app.drawings.lengths import Half, distances, half_of, has_interval, lengths
 from app.drawings.pane_view import Spot
 from app.drawings.world_state import WorldState
 from app.model.projection import Array
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 
 _SEGMENTS = 64  # capacity
 _ARC = 12  # pieces of the angle's arc

@@ -13,7 +13,7 @@ from app.picking.picking import Probe
 from app.picking.sight import Sight
 from app.precision.levels import Precision
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.words import Phrase
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
@@ -25,8 +25,7 @@ if TYPE_CHECKING:
     from app.drawings.stage_view import StageView
 
 
-LABELS_FROM = 0.6
-"""Part of a way from which on labels fade in."""
+LABELS_FROM = 0.6  # part of a way from which on labels fade in
 
 
 def light_of_labels(part: float) -> float:
@@ -89,8 +88,7 @@ class Drawing:
     A new drawing names what its scene names (`app.document.naming`).
     """
 
-    pane: ClassVar[str]
-    """One of `app.document.view.PANES`."""
+    pane: ClassVar[str]  # one of `app.document.view.PANES`
     board: Board
     names: Names
     handles = Handles()

@@ -40,20 +40,15 @@ if TYPE_CHECKING:
     from app.drawings.vectors import Shape
 
 ENDINGS = (".png", ".svg", ".pdf", ".tex")
-HIDDEN = ("none", "dashed", "grey")
-"""What becomes of lines that faces hide."""
-LARGEST_PX = LARGEST_IMAGE_PX
-"""Largest side of a figure."""
-PANE_PX = 640
-"""Default side of a pane."""
-SMALLEST_PANE_PX = 32
-"""Smallest side of a pane with labels."""
+HIDDEN = ("none", "dashed", "grey")  # what becomes of lines that faces hide
+LARGEST_PX = LARGEST_IMAGE_PX  # largest side of a figure
+PANE_PX = 640  # default side of a pane
+SMALLEST_PANE_PX = 32  # smallest side of a pane with labels
 USUAL_TEXT = 7.0 * DPI / 72.0 / PANE_PX
 """Of the shorter side of a pane: the height of an em where nobody asks for another. In three panes
 of `PANE_PX`, across a page, that is 7 points, which can be read there and on a slide (13 pixels, as
 in the window, would be 3); other figures look alike."""
-CROP_PX = 2.0 * PX_PER["mm"]
-"""Margin of a figure that is cropped."""
+CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0

@@ -23,8 +23,7 @@ TIPS = {"v": (0.0, 2.0, 0.0), "n": (0.0, 0.0, 2.6), "u": (2.0, 0.0, 0.0)}
 LARGER = 3.2
 """How much larger they are while they are built step by step: a third of the pane, to be seen from
 the back row."""
-DIMMED = 0.22
-"""Opacity of everything else meanwhile."""
+DIMMED = 0.22  # opacity of everything else meanwhile
 
 PART_OF_PANE = 1.0 / 12.0  # share of the shorter side for the camera's body
 SIX_WAYS = np.vstack([np.eye(3), -np.eye(3)])

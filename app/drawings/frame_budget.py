@@ -8,8 +8,7 @@ from collections import deque
 from collections.abc import Sequence
 from typing import NamedTuple
 
-FRAME_MS = 33.0
-"""Default limit of a frame: thirty a second."""
+FRAME_MS = 33.0  # default limit of a frame: thirty a second
 LARGEST_FRAME_MS = 1000.0
 
 _WINDOW = 40  # a level is judged by this many frames

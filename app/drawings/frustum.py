@@ -30,7 +30,7 @@ from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolum
 from app.lecture.highlight import ENDS, SIDES, WINDOW
 from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Lens, Projection
-from app.scenes.phenomena.readout import digits_apart
+from app.scenes.phenomena.words import digits_apart
 
 CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 """The corners of the reversed range's cube: near face at z = 1, far face at z = 0."""

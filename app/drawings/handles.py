@@ -43,10 +43,8 @@ from app.picking.handles import (
 )
 from app.picking.picking import Lines
 
-APART_EM = 0.95
-"""Least distance of a plane's grip from the others, if there is room."""
-POINT_EM, EDGE_EM = 0.65, 0.42
-"""Greatest distance at which a point and an edge are taken."""
+APART_EM = 0.95  # least distance of a plane's grip from the others, if there is room
+POINT_EM, EDGE_EM = 0.65, 0.42  # greatest distance at which a point and an edge are taken
 
 _RADIUS_EM, _RING_EM = 0.34, 0.1
 _LAYERS = 2  # ring and fill

@@ -32,7 +32,7 @@ from app.model.refusal import Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Rendering
-from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.words import Phrase
 from app.scenes.scene import RASTERISED, Scene
 
 

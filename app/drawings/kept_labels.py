@@ -28,8 +28,7 @@ from app.lecture import typesetting
 from app.lecture.typesetting import Outline
 
 SHIPPED = Path(__file__).parent / "content" / "labels.json.z"
-LARGEST_BYTES = 2**23
-"""A larger file is not read."""
+LARGEST_BYTES = 2**23  # a larger file is not read
 _log = logging.getLogger(__name__)
 KEYS_SHIPPED: set[str] = set()
 

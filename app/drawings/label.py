@@ -27,15 +27,12 @@ Tile: TypeAlias = tuple[Pixels, Pixels, int, int]
 """The coverage of a piece's letters and of their halo, from the top; how far its first column is
 from the pixel where it begins, and its first row above the line."""
 
-TILES: dict[str, Tile] = {}
-"""The tiles that have been drawn, at most `MOST_TILES`."""
+TILES: dict[str, Tile] = {}  # the tiles that have been drawn, at most `MOST_TILES`
 MOST_TILES = 600
 HALO_EM = 0.14
-HALO_OPACITY = 0.8
-"""The tint of a plane shows through."""
+HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
-PARTS = 4
-"""Of a pixel, to which a piece is placed."""
+PARTS = 4  # of a pixel, to which a piece is placed
 
 
 def drawn(

@@ -22,10 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
-SQUARE_EM = 1.0 / 3.0
-"""Side of the squares in which ink is counted."""
-LEADER_FROM_EM = 1.2
-"""Beyond this distance a leader joins a label to its mark."""
+SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
+LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
 _PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a border even back
     [
@@ -241,8 +239,7 @@ class Ground:
         self._draw: Callable[[Ground], None] | None = draw
         left, low, right, high = map(float, frame)
         self.limits, self.em = (left, low, right, high), em
-        self.taken: list[tuple[float, float, float, float]] = []
-        """Boxes that no label may overlap."""
+        self.taken: list[tuple[float, float, float, float]] = []  # boxes that no label may overlap
         self._square = SQUARE_EM * em
         self._ink: NDArray[np.bool_] | None = None
         self._counted: NDArray[np.int64] | None = None
@@ -486,8 +483,7 @@ def _solve(
     unplaced = [_UNPLACED - 10.0 * rank for rank in ranks]
     free = [list(range(start, start + count)) for start, count in zip(first, counts, strict=True)]
     state: list[int | None] = [None] * len(ranks)
-    placed = 0
-    """The bits of the candidates in `state`."""
+    placed = 0  # the bits of the candidates in `state`
 
     def cost_of(label: int, at: int | None) -> float:
         if at is None:

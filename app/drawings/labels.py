@@ -30,14 +30,12 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.style import rgb
 from app.model.formula import ARROW
 from app.model.projection import Array
-from app.scenes.phenomena.readout import FEW
+from app.scenes.phenomena.words import FEW
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
-MARGIN_EM = 0.3
-"""Between labels and the pane's border."""
-DOT_EM = 0.4
-"""Half the width of the square at a point that labels keep free."""
+MARGIN_EM = 0.3  # between labels and the pane's border
+DOT_EM = 0.4  # half the width of the square at a point that labels keep free
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
 _AWAY_PX = -1e4
@@ -69,8 +67,7 @@ class Board:
         """The labels whose places are not free, and for how many seconds."""
         self._fades: dict[Hashable, tuple[float, KeptSpot | None]] = {}
         """The labels on the way to other places, and for how many seconds."""
-        self.left_out: list[str] = []
-        """The texts of the labels that were wanted, and have no place."""
+        self.left_out: list[str] = []  # the texts of the labels that were wanted, and have no place
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
 

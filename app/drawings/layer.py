@@ -69,12 +69,10 @@ class Placing(NamedTuple):
 class PaneState:
     """What the layers of one pane share: where they draw, and what the pane shows."""
 
-    pane: ClassVar[str]
-    """One of `app.document.view.PANES`."""
+    pane: ClassVar[str]  # one of `app.document.view.PANES`
     objects = NO_POINTS
     """The corners of the box round the objects, in the coordinates of the pane's actors."""
-    written: frozenset[str] = frozenset()
-    """The names that lengths write, and no other layer has to."""
+    written: frozenset[str] = frozenset()  # the names that lengths write, and no other layer has to
 
     def __init__(
         self, canvas: PropGroup, scene: Scene, words: Mapping[str, str], renderer: Any = None

@@ -51,8 +51,7 @@ from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
 from app.scenes.poly_mesh import PolyMesh, cells_from
 from app.scenes.scene import Scene
 
-DOT = 3.75
-"""Diameter of an ordinary dot, in widths of a line."""
+DOT = 3.75  # diameter of an ordinary dot, in widths of a line
 COPY_LIFT = 0.5
 """How far copies come forward, as a multiple of what the scene's own lines do: a shadow hides the
 ground and not the grid that is drawn on it."""

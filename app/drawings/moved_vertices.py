@@ -17,8 +17,7 @@ from app.scenes.phenomena.marks import Vertices
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
-PLACE = "place"
-"""The point data with the scene's own vertices, scene-local."""
+PLACE = "place"  # the point data with the scene's own vertices, scene-local
 
 
 class MovedVertices:

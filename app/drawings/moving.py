@@ -19,8 +19,7 @@ from app.drawings.figure_files import png_bytes
 from app.drawings.mp4 import mp4
 from app.drawings.off_screen import Pixels
 
-WEBP_PX = 16383
-"""Largest side of a WebP picture."""
+WEBP_PX = 16383  # largest side of a WebP picture
 _GIF_COLOURS = 256
 
 

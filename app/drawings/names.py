@@ -3,10 +3,8 @@
 from app.lecture.highlight import NOTHING, Highlight
 from app.picking.handles import Handle
 
-QUIET = 0.6
-"""How much of the paper is mixed into the colour of a thing that is not named."""
-QUIET_WIDTH = 0.5
-"""Of the width of its lines."""
+QUIET = 0.6  # how much of the paper is mixed into the colour of a thing that is not named
+QUIET_WIDTH = 0.5  # of the width of its lines
 
 
 class Names:

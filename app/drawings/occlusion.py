@@ -11,13 +11,11 @@ import numpy as np
 from app.model.projection import Array
 
 _OPAQUE = 0.995
-SAME_DEPTH = 1e-9
-"""Of NDC; a line that lies in a face is drawn."""
+SAME_DEPTH = 1e-9  # of NDC; a line that lies in a face is drawn
 BORDER_PX = 1e-3
 _LEAST_PX = 0.25  # of a part of a line between two borders of faces; less is not drawn
 
-Colour: TypeAlias = tuple[float, float, float]
-"""Red, green and blue, 0 to 1."""
+Colour: TypeAlias = tuple[float, float, float]  # red, green and blue, 0 to 1
 Points: TypeAlias = list[tuple[float, float]]
 
 
@@ -31,8 +29,7 @@ class ScreenCell:
     place: tuple[int, int]
     """The places of its actor and of itself there: what is drawn later covers what is as near."""
     width: float = 0.0
-    is_thin: bool = False
-    """Whether it is a line of a ground or of a drawing on a plane."""
+    is_thin: bool = False  # whether it is a line of a ground or of a drawing on a plane
     plane: tuple[float, float, float] = (0.0, 0.0, 0.0)
     low: tuple[float, float, float] = (0.0, 0.0, 0.0)
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)

@@ -29,10 +29,8 @@ from app.drawings.vectors import TOO_MANY, PixelShape, Shape
 from app.model.refusal import Refusal
 from app.strangers import printable
 
-LARGEST = 500_000
-"""Most bytes of a page that opens at once where the network is slow."""
-TEXT_PT = 6.0
-"""Of letters in a pane of 640 pixels, which a phone shows as wide as itself."""
+LARGEST = 500_000  # most bytes of a page that opens at once where the network is slow
+TEXT_PT = 6.0  # of letters in a pane of 640 pixels, which a phone shows as wide as itself
 _SHARPER = 2.0  # of pixels, for the screens of phones
 
 _PART = re.compile(r'<path[^<>]* d="|M[^M"<]*|"/>|<[^<>]*>|[^<]+')
@@ -105,13 +103,10 @@ class PagePane(NamedTuple):
 class SliderPosition(NamedTuple):
     """One position of the slider."""
 
-    value: str
-    """With its name and unit."""
+    value: str  # with its name and unit
     panes: Sequence[PagePane]
-    general: Sequence[str]
-    """Sentences that a screen reader reads on demand."""
-    announced: Sequence[str]
-    """Sentences that it reads as soon as one of them changes."""
+    general: Sequence[str]  # sentences that a screen reader reads on demand
+    announced: Sequence[str]  # sentences that it reads as soon as one of them changes
 
 
 def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> bytes:

@@ -177,13 +177,10 @@ class Pose(NamedTuple):
     """Where a pane's own camera stands: what two states of a drawing have between them."""
 
     focus: Array
-    axes: Array
-    """Right, up and toward what is looked at, the rows of a (3, 3)."""
-    half_height: float
-    """Half of the height that is seen at the focus."""
+    axes: Array  # right, up and toward what is looked at, the rows of a (3, 3)
+    half_height: float  # half of the height that is seen at the focus
     distance: float
-    slope: float
-    """Tangent of half the angle of view; 0 for a parallel camera."""
+    slope: float  # tangent of half the angle of view; 0 for a parallel camera
 
     def is_near(self, other: Pose) -> bool:
         """Whether another pose shows the same, but for rounding."""
@@ -230,8 +227,7 @@ class PaneCamera:
         self._window, self._em = canvas.window, canvas.style.font_size
         self._placed: tuple[float, ...] | None = None
         self._goal = vtkCamera()
-        self.is_turned = False
-        """Whether the way ends where the user has turned the camera."""
+        self.is_turned = False  # whether the way ends where the user has turned the camera
 
     @property
     def size_px(self) -> tuple[int, int]:

@@ -25,11 +25,9 @@ class PropGroup:
         self._props: list[tuple[Any, vtkProp]] = []
         self._layers: dict[vtkProp, str] = {}
         self._unwanted: set[vtkProp] = set()
-        self.hidden: frozenset[str] = frozenset()
-        """The layers that are switched off."""
+        self.hidden: frozenset[str] = frozenset()  # the layers that are switched off
         self._labels: list[SceneLabel] = []
-        self.labels_light = 1.0
-        """Part of the labels' opacity that is shown."""
+        self.labels_light = 1.0  # part of the labels' opacity that is shown
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)

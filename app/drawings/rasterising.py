@@ -44,7 +44,7 @@ from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
 from app.scenes.phenomena.marks import DetailLevel, Fog, Rendering, Texture
-from app.scenes.phenomena.readout import Phrase
+from app.scenes.phenomena.words import Phrase
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 
@@ -58,8 +58,7 @@ TOO_FINE = QT_TRANSLATE_NOOP(
     "{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts",
 )
 MOST_TRIANGLES = 1_000_000
-LEAST_COUNTED = 20
-"""The fewest pixels of which a share is counted: each is 5 points then."""
+LEAST_COUNTED = 20  # the fewest pixels of which a share is counted: each is 5 points then
 
 _Uniforms: TypeAlias = dict[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)

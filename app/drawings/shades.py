@@ -14,8 +14,7 @@ from app.scenes.own_mesh import cells_of
 from app.scenes.scene import Scene
 from app.scenes.shapes import DRAWN_RGB, EDGE_RGB, OUTLINE_RGB, SIDE_RGB, distinct_rows
 
-LEAST_STEP = 15.0
-"""Difference in L* of two faces that meet and are not of one hue."""
+LEAST_STEP = 15.0  # difference in L* of two faces that meet and are not of one hue
 _STEP = LEAST_STEP + 0.5  # colours are rounded to whole levels
 _SIDES = 48.0, 36.0, 84.0, 94.0, 69.0, 63.0  # L* from +x to -z
 _WANTED = dict(zip(map(tuple, SIDE_RGB.tolist()), _SIDES, strict=True))

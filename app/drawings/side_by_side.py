@@ -6,8 +6,7 @@ from itertools import accumulate, pairwise
 
 from app.drawings.style import TITLE_EM
 
-BARE_EM = 0.4
-"""Margin of a picture without axes; its title is above it."""
+BARE_EM = 0.4  # margin of a picture without axes; its title is above it
 _LEAST_PX = 24.0
 _HARDLY = 0.15  # of the largest height: fewer rows are worth it
 _BETWEEN_EM = 0.3

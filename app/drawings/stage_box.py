@@ -59,7 +59,7 @@ from app.model.parameters import FAR, NEAR
 from app.model.projection import Array, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.readout import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 

@@ -16,12 +16,10 @@ from app.drawings.style import TITLE_EM
 from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW
 from app.model.projection import Array, Camera, Projection
 
-AXES_LENGTH = 0.35
-"""Of the axes at the stops of world and view."""
+AXES_LENGTH = 0.35  # of the axes at the stops of world and view
 CANONICAL_AXES = np.array([[0.0, 0.0, 0.5], [0.75, 0.0, 0.5], [0.0, 0.75, 0.5], [0.0, 0.0, 0.85]])
 """Start and tips of the axes in the canonical volumes: x and y short of the sides' words."""
-OVERSHOOT = 0.28
-"""Of the axes beyond the cube, and beyond the picture."""
+OVERSHOOT = 0.28  # of the axes beyond the cube, and beyond the picture
 
 _DISTANCE = 10.0  # of the camera; for a parallel one it affects only the clipping range
 _REACH = 2.5  # everything drawn lies within this of the cube's centre, at any orbit

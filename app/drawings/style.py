@@ -10,8 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cache
 
-TITLE_EM = 1.5
-"""Height of a pane's title, which lies on the picture, in ems."""
+TITLE_EM = 1.5  # height of a pane's title, which lies on the picture, in ems
 BLACK, WHITE = "#000000", "#ffffff"
 
 

@@ -20,8 +20,7 @@ WORDS_FONT = "DejaVu Sans, Verdana, sans-serif"
 OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'
 """The attributes that elements inherit, here and on a page."""
 SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
-SEAM_PX = 0.4
-"""Of an opaque face's own colour round it: no seam shows between neighbours."""
+SEAM_PX = 0.4  # of an opaque face's own colour round it: no seam shows between neighbours
 _LOWER_EM, _LOWERED = 0.22, 0.7  # a subscript: how far below the line, and its size
 TEX = re.compile(
     r"(?P<arrow>\\vec\{)?(?:\\mathrm\{(?P<word>\w+)\}|\\(?P<sign>[a-z]+) ?|(?P<letter>[^\W\d_]))"

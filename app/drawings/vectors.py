@@ -31,8 +31,7 @@ from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
-MOST_CELLS = 50_000
-"""Most cells of a figure: viewers become slow above this."""
+MOST_CELLS = 50_000  # most cells of a figure: viewers become slow above this
 TOO_MANY = QT_TRANSLATE_NOOP(
     "Refusal",
     "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
@@ -66,8 +65,7 @@ class LineShape(NamedTuple):
     colour: Colour
     opacity: float
     width: float
-    dash: tuple[float, float] | None = None
-    """Length of a dash and of a gap in pixels."""
+    dash: tuple[float, float] | None = None  # length of a dash and of a gap in pixels
 
 
 class Disc(NamedTuple):

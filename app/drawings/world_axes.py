@@ -29,8 +29,7 @@ class WorldAxes(Layer):
         self._object: ObjectAxes | None = None
         self._world: ObjectAxes | None = None
         self._placed: object = None
-        self.is_wanted = False
-        """Whether the object shows its axes although it is not moved."""
+        self.is_wanted = False  # whether the object shows its axes although it is not moved
 
     def show(self) -> None:
         if self._state.local_from_object is not self._placed:

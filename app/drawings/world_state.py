@@ -21,8 +21,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 
 _FARTHEST_MARK = 1e3  # of the extent: where lines toward infinity end
-WIDEST = 1e35
-"""Larger than any scene, and a float32."""
+WIDEST = 1e35  # larger than any scene, and a float32
 
 
 class CameraPose(NamedTuple):
@@ -85,8 +84,7 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.nearest = 0.0
-        """The depth from which on the pane's own camera sees."""
+        self.nearest = 0.0  # the depth from which on the pane's own camera sees
         self._place(scene.start.placement)
         self.standing = self._stand(scene.start.camera)
         self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)

@@ -111,8 +111,7 @@ def _call(name: str, arguments: Sequence[Ratio]) -> Ratio:
     return letter(f"{name}({', '.join(part.text for part in arguments)})")
 
 
-SYMBOLS = Arithmetic(number, _call)
-"""The arithmetic in which letters stand for themselves."""
+SYMBOLS = Arithmetic(number, _call)  # the arithmetic in which letters stand for themselves
 
 
 class Letters(dict[str, Ratio]):

@@ -26,13 +26,10 @@ STEPS = ("eye", "look", "up", "n", "u", "v", "view")
 class UpAndView(NamedTuple):
     """The angle between up and the view direction, and its consequences."""
 
-    angle_deg: float
-    """0 to 180."""
-    cross: Vector
-    """up x n; `length` is its length."""
+    angle_deg: float  # 0 to 180
+    cross: Vector  # up x n; `length` is its length
     length: float
-    magnified: float
-    """The factor by which an error in the direction of up grows in u and v: 1/sine."""
+    magnified: float  # the factor by which an error in the direction of up grows in u and v: 1/sine
 
 
 @lru_cache(maxsize=8)

@@ -7,8 +7,7 @@ from app.lecture.notation import WrittenMatrix
 from app.model.formula import ARROW
 from app.model.refusal import format_value
 
-EVERY_DIGIT = 17
-"""As many significant digits tell every number of float64 from its neighbours."""
+EVERY_DIGIT = 17  # as many significant digits tell every number of float64 from its neighbours
 
 
 def as_text(matrix: WrittenMatrix, letters: Letters = "own", *, formulas: bool = False) -> str:

@@ -42,12 +42,9 @@ _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 class ProjectionState(NamedTuple):
     """The facts about a projection that decide which of its numbers matter; see `state_of`."""
 
-    keep: str
-    """The lens' proportions; empty for a lens without a window."""
-    zeros: frozenset[str]
-    """The names, and the sums and calls of names, that are 0."""
-    fits: bool
-    """Whether the lens' window already has the image's proportions."""
+    keep: str  # the lens' proportions; empty for a lens without a window
+    zeros: frozenset[str]  # the names, and the sums and calls of names, that are 0
+    fits: bool  # whether the lens' window already has the image's proportions
     letters: tuple[tuple[str, tuple[str, ...]], ...]
     """Letters that only this lens has, and the fields of the document that they depend on."""
     held: tuple[tuple[str, tuple[str, ...]], ...]

@@ -49,8 +49,7 @@ ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
     ),
 }
 """The projection onto a plane at the distance d, and the same times d: names and cells."""
-NUMBERS = "numbers"
-"""The last word of an equation whose cells are numbers."""
+NUMBERS = "numbers"  # the last word of an equation whose cells are numbers
 MOST_FACTORS = 4
 OF_ONE_LECTURE = QT_TRANSLATE_NOOP("Refusal", "must name matrices that one lecture has together")
 SHORTER = QT_TRANSLATE_NOOP(

@@ -22,13 +22,11 @@ from typing import TypeAlias
 
 from app.model.parameters import BOTTOM, FAR, LEFT, NEAR, RIGHT, TOP
 
-Highlight: TypeAlias = frozenset[str]
-"""The highlighted things; empty for none."""
+Highlight: TypeAlias = frozenset[str]  # the highlighted things; empty for none
 
 NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
-ENDS = NEAR.name, FAR.name
-"""The planes across the view direction."""
+ENDS = NEAR.name, FAR.name  # the planes across the view direction
 OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
 """The columns of `world_from_object`."""
 CORNERS = tuple(
@@ -37,8 +35,7 @@ CORNERS = tuple(
     for corner in ("left_bottom", "right_bottom", "right_top", "left_top")
 )
 """Corners in the order of the drawings."""
-SIDES = (BOTTOM.name, RIGHT.name, TOP.name, LEFT.name)
-"""The sides between consecutive corners."""
+SIDES = (BOTTOM.name, RIGHT.name, TOP.name, LEFT.name)  # the sides between consecutive corners
 WINDOW = {side.letter: side.name for side in (LEFT, RIGHT, BOTTOM, TOP)}
 """The letters of the near plane's sides, in the order of `Projection.window`."""
 

@@ -9,8 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from app.model.content_file import read_sections, section_of
 from app.model.infinity import trace_at_infinity
+from app.model.parameter import read_sections, section_of
 from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
 
 TOLERANCE = 1e-4
@@ -25,15 +25,13 @@ class ProjectionKind(NamedTuple):
     """A node of the tree."""
 
     name: str
-    parent: str
-    """Empty for the root."""
+    parent: str  # empty for the root
     title: str
     condition: str
     """Its name, and its condition in addition to the parent's; marked for translation."""
     orbit: Orbit | None = None
     """The camera's place, with distance 1 for the present distance. None for any camera."""
-    receding: float | None = None
-    """The scale of edges along the view in an oblique drawing."""
+    receding: float | None = None  # the scale of edges along the view in an oblique drawing
 
 
 def _degrees(tangent: float) -> float:
@@ -78,8 +76,7 @@ KINDS: dict[str, ProjectionKind] = {
 }  # fmt: skip
 """Every node, by name; parents first, children from left to right."""
 
-RECEDING_DEG = 45.0
-"""The receding direction of the cavalier and the cabinet drawing."""
+RECEDING_DEG = 45.0  # the receding direction of the cavalier and the cabinet drawing
 
 
 def path(kind: str) -> tuple[str, ...]:

@@ -92,24 +92,18 @@ def steps_of_a_point(
 class WrittenMatrix(NamedTuple):
     """One matrix for display."""
 
-    name: str
-    """``target_from_source``, or the name of a factor."""
-    values: Numbers
-    """Each rounded once; no minus zero."""
-    formulas: Formulas
-    """In our own names; see `written`."""
+    name: str  # ``target_from_source``, or the name of a factor
+    values: Numbers  # each rounded once; no minus zero
+    formulas: Formulas  # in our own names; see `written`
     fields: tuple[tuple[tuple[str, ...], ...], ...]
     """The fields of the document that change the cell (`app.lecture.dependence`)."""
     factors: tuple[WrittenMatrix, ...] = ()
     """In the order of the product; empty if there is only one."""
     product: tuple[str, ...] = ()
     """The stages whose product this matrix is, in the order of the product."""
-    note: str = ""
-    """As in `Stage`."""
-    called: str = ""
-    """The lecture's name and chain: ``P_obl = P_ort H``; empty if it has none."""
-    chain: tuple[str, ...] = ()
-    """`product` with the lecture's name of each stage that has one."""
+    note: str = ""  # as in `Stage`
+    called: str = ""  # the lecture's name and chain: ``P_obl = P_ort H``; empty if it has none
+    chain: tuple[str, ...] = ()  # `product` with the lecture's name of each stage that has one
 
 
 def matrices(

@@ -12,8 +12,7 @@ from app.lecture.equation import latex_cell
 from app.lecture.letters import Letters
 from app.lecture.notation import WrittenMatrix
 
-TEXT_WIDTH_PT = 345.0
-"""Of a line in LaTeX's classes, in 10 points."""
+TEXT_WIDTH_PT = 345.0  # of a line in LaTeX's classes, in 10 points
 _SIZES = {
     "": (1.0, 1.0), r"\small": (0.93, 0.95), r"\footnotesize": (0.86, 0.92),
     r"\scriptsize": (0.81, 0.9), r"\tiny": (0.7, 0.87),

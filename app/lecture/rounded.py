@@ -63,8 +63,7 @@ class NearRotation(NamedTuple):
 
     rows: Array
     rounding: Rounding
-    apart: float
-    """Largest deviation of the given rows from length 1 and right angles."""
+    apart: float  # largest deviation of the given rows from length 1 and right angles
 
 
 def nearest_rotation(rows: Array) -> NearRotation | None:

@@ -50,10 +50,8 @@ REACHED_BY = (
     ("image_from_ndc",),
 )
 """The matrix that leads to each stop: the first of these that the lens has."""
-RADIUS = 1.3
-"""Radius of the ball around the framed points at the first two stops, in display space."""
-CLOSED_AT = VIEW + 0.5
-"""Position at which the planes of the view volume are closed."""
+RADIUS = 1.3  # radius of the ball around the framed points at the first two stops, in display space
+CLOSED_AT = VIEW + 0.5  # position at which the planes of the view volume are closed
 
 _OPEN = 1.5 * RADIUS  # a plane at this distance from the middle clips nothing
 _FARTHEST = 1e6  # an offset that stands for infinity

@@ -27,10 +27,8 @@ from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Proje
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import evaluated
 
-Write: TypeAlias = Callable[[float], str]
-"""Writes a number in a sentence."""
-EDITABLE = ("view_from_world", "clip_from_view")
-"""The matrices with editable cells."""
+Write: TypeAlias = Callable[[float], str]  # writes a number in a sentence
+EDITABLE = ("view_from_world", "clip_from_view")  # the matrices with editable cells
 
 _RIGID = 2.0**-46
 """Tolerance of a rotation's rows for length 1 and right angles.
@@ -195,7 +193,7 @@ def _planes(lens: Lens, exact: Rationals, projection: Projection) -> tuple[float
 def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals | None) -> bool:
     """Whether a lens has the matrix, cell by cell, up to the rounding of its fields or `units`."""
     try:
-        own = replace(projection, lens=lens).direct_stages[0].exact
+        own = replace(projection, lens=lens).exact_clip_from_view
     except Refusal:  # the image makes this window impossible
         return False
     for i, (mine, typed) in enumerate(zip(own, exact, strict=True)):
@@ -213,15 +211,13 @@ def _has(lens: Lens, exact: Rationals, projection: Projection, units: Rationals 
 class MatrixReading(NamedTuple):
     """What a projection matrix of any convention does: our lens, and how its spaces differ."""
 
-    lens: Lens
-    """It looks along -z of a view space with y up."""
+    lens: Lens  # it looks along -z of a view space with y up
     depth: DepthRange
     y: int
     z: int
     """The factors, 1 or -1, that turn its view space into ours: -1 means that y of the picture
     points down, and that it looks along +z."""
-    is_transposed: bool
-    """Whether the cells are read as columns."""
+    is_transposed: bool  # whether the cells are read as columns
 
     @property
     def digits(self) -> int:
@@ -419,7 +415,7 @@ def properties(projection: Projection, name: str, write: Write = few) -> list[Ma
     if lens.has_steps:
         return []
     if name == "clip_from_view":
-        return _of_clip(projection, projection.direct_stages[0].exact, write)
+        return _of_clip(projection, projection.exact_clip_from_view, write)
     if name == "view_from_world" and lens.own_view is not None:
         return _of_view(projection, lens.own_view, write)
     return []

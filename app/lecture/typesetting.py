@@ -24,16 +24,11 @@ from numpy.typing import NDArray
 from app.model.formula import ARROW
 from app.model.limits import Array
 
-FONT = "stix"
-"""A font of mathtext that goes with any text."""
-DEEPEST = 12
-"""Most levels of braces in a formula: each needs many nested Python calls."""
-ALONE = 1.3
-"""Size of a label that is only a letter, relative to a word."""
-AMONG_WORDS = 1.12
-"""Size of a letter beside words: STIX looks smaller than DejaVu Sans."""
-WIDEST = 400
-"""Largest width of a formula, in em."""
+FONT = "stix"  # a font of mathtext that goes with any text
+DEEPEST = 12  # most levels of braces in a formula: each needs many nested Python calls
+ALONE = 1.3  # size of a label that is only a letter, relative to a word
+AMONG_WORDS = 1.12  # size of a letter beside words: STIX looks smaller than DejaVu Sans
+WIDEST = 400  # largest width of a formula, in em
 _EM = 100.0
 SET: dict[str, Outline] = {}
 """What has been set: formulas by their TeX, words behind a line feed. At most `MOST_SET`."""

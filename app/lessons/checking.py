@@ -11,17 +11,15 @@ from pathlib import Path
 
 from app.document.view import PANES
 from app.lecture.typesetting import outline
-from app.lessons.blocks.block import Asked, Here, Trial
+from app.lessons.blocks.block import Asked, Here, Trial, path_of
 from app.lessons.course import Course, unnameable
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
-from app.lessons.state import path_of
 from app.lessons.text import MATH, formulas_in
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
 from app.scenes.mesh import Progress, report
 
-MOST_STEPS, MOST_PRACTICE = 7, 3
-"""Most steps of a lesson without an exercise, and most with one."""
+MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
 MOST_WORDS = 150
 """Most words of a step's text or of a note, because the reader also looks at the pictures."""
 

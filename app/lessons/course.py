@@ -18,11 +18,10 @@ from app.document.document import Document, is_mesh
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
-from app.lessons.blocks.block import Asked, Idea
+from app.lessons.blocks.block import BESIDE, Asked, Idea, State, path_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
 from app.lessons.quantities import Quantities
-from app.lessons.state import BESIDE, State, path_of
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 

@@ -39,14 +39,10 @@ from app.strangers import decode, log_warning, open_regular
 if TYPE_CHECKING:
     from markdown_it.token import Token
 
-ENDINGS = (".md", ".markdown")
-"""Endings of lesson files."""
-VERSION = 1
-"""Version of the format; a file may state the one it needs (``version: 1``)."""
-LARGEST = 2 * 2**20
-"""Largest file in bytes."""
-MOST_STEPS = 500
-"""Most steps of a talk."""
+ENDINGS = (".md", ".markdown")  # endings of lesson files
+VERSION = 1  # version of the format; a file may state the one it needs (``version: 1``)
+LARGEST = 2 * 2**20  # largest file in bytes
+MOST_STEPS = 500  # most steps of a talk
 _MOST_READ = 20_000
 """Most lines of a block whose faults are all found; of a longer block only the first is."""
 
@@ -121,13 +117,11 @@ class Lesson:
     title: str
     steps: tuple[Step, ...]
     lecture: str = ""
-    topics: tuple[str, ...] = ()
-    """``L1`` to ``L27``."""
+    topics: tuple[str, ...] = ()  # ``L1`` to ``L27``
     language: str = "en"
     letters: Letters | None = None
     """The lecture whose letters the formulas use; None for the window's choice."""
-    minutes: float = 0.0
-    """Planned duration of the talk."""
+    minutes: float = 0.0  # planned duration of the talk
 
     @property
     def is_talk(self) -> bool:

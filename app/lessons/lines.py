@@ -29,11 +29,9 @@ LONG_VALUE = QT_TRANSLATE_NOOP(
     "Refusal", "has {0} characters, with the indented lines below; the limit is {1}"
 )
 
-LONGEST_LINE = 4000
-"""Most characters of a line, also with the indented lines that continue it."""
+LONGEST_LINE = 4000  # most characters of a line, also with the indented lines that continue it
 
-Lines = Sequence[tuple[int, str]]
-"""Lines of a file with their numbers, from 1."""
+Lines = Sequence[tuple[int, str]]  # lines of a file with their numbers, from 1
 
 
 def refused(line: int, bound: Bound, *limits: object, value: object = ...) -> Refusal:

@@ -21,8 +21,7 @@ from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product
 from app.model.limits import LARGEST
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-DIGITS = 3
-"""Significant digits required of an inexact number."""
+DIGITS = 3  # significant digits required of an inexact number
 EXACT = Fraction(1, 10**9)
 """Relative difference up to which a number is the exact value, which was computed in float64."""
 _ZERO = 1e-12  # a computed value below this is 0
@@ -151,8 +150,7 @@ _UNITS: dict[str, tuple[str, Fraction]] = {
     "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
 }  # fmt: skip
 """What each unit measures, and how much of it one is."""
-UNITS = tuple(_UNITS)
-"""The units of questions; those of answers are converted."""
+UNITS = tuple(_UNITS)  # the units of questions; those of answers are converted
 _UNITS |= {"times": _UNITS["×"], **dict.fromkeys(("percent", "per cent"), _UNITS["%"])}
 for _prefix, _name in (("", "m"), ("kilo", "km"), ("centi", "cm"), ("milli", "mm")):
     _words = (f"{_prefix}{word}" for word in ("metre", "metres", "meter", "meters"))

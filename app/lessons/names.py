@@ -2,8 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from app.document.document import Document
-from app.document.fields import fields_of
+from app.document.document import Document, fields_of
 from app.document.naming import nameable
 from app.document.view import PANES
 from app.lessons.quantities import FUNCTIONS, Quantities

@@ -18,13 +18,12 @@ from typing import Any
 
 from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View
-from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, Variant, Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, State, Variant, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.course import AtStep, Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
-from app.lessons.state import State
 from app.lessons.strokes import answer_picture
 from app.lessons.writing import changes
 from app.model.projection import Camera
@@ -58,8 +57,7 @@ class PlayedBlock:
         """The question with its numbers; None before an exercise begins."""
         self.hints_read, self.answer = 0, ""
         """As in a sample, or `REVEALED` or `DONE`; empty while it is open."""
-        self.now = at.document
-        """The window's current state, with its view."""
+        self.now = at.document  # the window's current state, with its view
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""
         self._restore(player.progress.answers.get(self._key, ""))
@@ -204,20 +202,17 @@ class Player:
     """An open lesson: where the student or the class is, what is answered, and what comes next."""
 
     def __init__(self, course: Course, place: int = 0) -> None:
-        self.course, self.place = course, place
-        """`place` is the current step, from 0."""
+        self.course, self.place = course, place  # `place` is the current step, from 0
         self.progress = Progress()
         self.log: Callable[[Attempt], object] = lambda _attempt: None
         self.keep: Callable[[Progress], object] = lambda _progress: None
         """Takes the progress whenever it changes, as `log` takes each answer for the record."""
-        self.blocks: list[PlayedBlock] = []
-        """The questions of the step that are shown so far."""
+        self.blocks: list[PlayedBlock] = []  # the questions of the step that are shown so far
         self._rest: list[ReadBlock] = []  # the parts of the step that are not shown yet
         self.revealed = 0
         """A class's progress: the step's picture alone, then each question asked, and answered."""
         self._reached: dict[int, int] = {}  # how far each step was revealed when it was left
-        self.arrived: Mapping[str, Camera] = {}
-        """The panes' cameras when the step was shown."""
+        self.arrived: Mapping[str, Camera] = {}  # the panes' cameras when the step was shown
         self.posed: Document | None = None
         """The state of the step's exercise, shown in place of the step's own."""
         self._beside: dict[str, tuple[Any, Any]] = {}

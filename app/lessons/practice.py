@@ -22,8 +22,7 @@ from app.lessons.lesson import Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
 from app.model.refusal import Refusal
 
-MOST = 12
-"""Most exercises of a test, and of what is reviewed at once."""
+MOST = 12  # most exercises of a test, and of what is reviewed at once
 _DRAWS = 20  # how many seeds are tried until the numbers of an exercise suit
 
 
@@ -204,10 +203,8 @@ class Waiting(NamedTuple):
 
     due: tuple[PlacedExercise, ...]
     """The exercises that have come back, the longest waiting ones first."""
-    minutes: int
-    """How long a review of them will take, of `MOST` at once."""
-    following: date | None
-    """When the next ones come back."""
+    minutes: int  # how long a review of them will take, of `MOST` at once
+    following: date | None  # when the next ones come back
 
 
 def find_waiting(attempts: Sequence[Attempt], today: date | None = None) -> Waiting:
@@ -249,10 +246,8 @@ class ExerciseMark(NamedTuple):
     """An exercise of a test, and how it was answered."""
 
     item: SheetItem
-    typed: str
-    """Empty without an answer."""
-    word: str
-    """`RIGHT`, the name of a wrong idea, or `WRONG`."""
+    typed: str  # empty without an answer
+    word: str  # `RIGHT`, the name of a wrong idea, or `WRONG`
 
 
 def marked(sheet: Sheet, answers: Mapping[str, str]) -> list[ExerciseMark]:

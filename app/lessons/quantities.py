@@ -136,8 +136,7 @@ def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
 RATIONAL = Arithmetic(Fraction, _rational)
 """Rationals, with the functions in float64; a `KeyError` names an unknown one."""
 
-NEGLIGIBLE = 1.0 / LARGEST
-"""A number nearer to 0 counts as 0."""
+NEGLIGIBLE = 1.0 / LARGEST  # a number nearer to 0 counts as 0
 _LARGEST, _NEGLIGIBLE = Fraction(LARGEST), Fraction(NEGLIGIBLE)
 _CONSTANTS = {"pi": math.pi, "infinity": math.inf}
 

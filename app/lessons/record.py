@@ -28,21 +28,16 @@ from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.strangers import decode, open_regular
 
-RIGHT, WRONG, SHOWN = "right", "wrong", "shown"
-"""The verdicts."""
+RIGHT, WRONG, SHOWN = "right", "wrong", "shown"  # the verdicts
 ALONE, HELPED = "alone", "helped"
 """How an exercise was solved, besides `SHOWN`: at the first try without a hint, or otherwise."""
-MINUTES_EACH = 2.0
-"""How long an exercise takes, until the record has `TIMED` of them."""
+MINUTES_EACH = 2.0  # how long an exercise takes, until the record has `TIMED` of them
 TIMED, PAUSE_S = 5, 600
 """Least number of timed exercises, and what is no work any more but a pause, in seconds."""
-AGAIN_AFTER_DAYS = 1, 3, 7
-"""After how many days an exercise that was not solved alone comes back."""
-LARGEST = 2 * 2**20
-"""Size in bytes from which the file becomes the old one; about 10 000 answers."""
+AGAIN_AFTER_DAYS = 1, 3, 7  # after how many days an exercise that was not solved alone comes back
+LARGEST = 2 * 2**20  # size in bytes from which the file becomes the old one; about 10 000 answers
 LONGEST_TYPED, LONGEST_NAME = 2000, 1000
-LATEST = 2**34
-"""In seconds since 1970; a later time is a mistake."""
+LATEST = 2**34  # in seconds since 1970; a later time is a mistake
 
 A_WHOLE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from {0} to {1}")
 A_TEXT = QT_TRANSLATE_NOOP("Refusal", "must be one line of at most {0} characters")
@@ -53,22 +48,14 @@ DAMAGED = QT_TRANSLATE_NOOP("Refusal", "has unreadable lines ({0}), which are le
 class Attempt(NamedTuple):
     """An answer to a question of a lesson."""
 
-    when: int
-    """Seconds since 1970."""
-    lesson: str
-    """A lesson's own name, or the path of its file."""
-    exercise: str
-    """``step/block``."""
-    seed: int
-    """The variant of an exercise; 0 for a question whose numbers never change."""
-    typed: str
-    """The answer, as a sample in a ``test`` block."""
-    verdict: str
-    """`RIGHT`, `WRONG` or `SHOWN`."""
-    idea: str = ""
-    """Name of the wrong idea behind it; empty if it has none."""
-    hints: int = 0
-    """The number of hints that were read before."""
+    when: int  # seconds since 1970
+    lesson: str  # a lesson's own name, or the path of its file
+    exercise: str  # ``step/block``
+    seed: int  # the variant of an exercise; 0 for a question whose numbers never change
+    typed: str  # the answer, as a sample in a ``test`` block
+    verdict: str  # `RIGHT`, `WRONG` or `SHOWN`
+    idea: str = ""  # name of the wrong idea behind it; empty if it has none
+    hints: int = 0  # the number of hints that were read before
     is_test: bool | None = None
     """Whether it was given in a test, which has no hints; None if an older program wrote it."""
 
@@ -132,8 +119,7 @@ class Record:
 
     def __init__(self, path: Path) -> None:
         self._path, self._old = path, path.with_name(f"old-{path.name}")
-        self.problem: Refusal | None = None
-        """Why a part of it could not be read the last time."""
+        self.problem: Refusal | None = None  # why a part of it could not be read the last time
 
     def add(self, attempt: Attempt) -> None:
         """Add a line; a `Refusal` if it cannot be written."""
@@ -231,12 +217,9 @@ def corrected(
 class Standing(NamedTuple):
     """How a question was last solved."""
 
-    outcome: str = ""
-    """`ALONE`, `HELPED` or `SHOWN`; empty if it is not solved yet."""
-    due: date | None = None
-    """The day on which the exercise comes back, unless it never does."""
-    seeds: frozenset[int] = frozenset()
-    """The variants that the student has seen."""
+    outcome: str = ""  # `ALONE`, `HELPED` or `SHOWN`; empty if it is not solved yet
+    due: date | None = None  # the day on which the exercise comes back, unless it never does
+    seeds: frozenset[int] = frozenset()  # the variants that the student has seen
 
 
 @dataclass
@@ -245,8 +228,7 @@ class _QuestionHistory:
 
     outcome: str = ""
     due: date | None = None
-    passed: int = 0
-    """How often it was solved alone when it had come back."""
+    passed: int = 0  # how often it was solved alone when it had come back
     tried: set[int] = field(default_factory=set)
     solved: set[int] = field(default_factory=set)
 

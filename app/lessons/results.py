@@ -22,10 +22,8 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.strangers import decode, log_warning
 
 FORMAT, VERSION = "frustum-lab-results", 1
-LARGEST = 4 * 2**20
-"""Largest file in bytes."""
-MOST = 5000
-"""Most answers of a file; the newest are exported."""
+LARGEST = 4 * 2**20  # largest file in bytes
+MOST = 5000  # most answers of a file; the newest are exported
 LONGEST_STUDENT = 100
 _DIGITS = 16
 
@@ -39,8 +37,7 @@ TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
 class StudentResults(NamedTuple):
     """The answers of a student."""
 
-    student: str
-    """As typed by the student; empty if nothing was."""
+    student: str  # as typed by the student; empty if nothing was
     digests: Mapping[str, object]
     """By the name of a lesson: a digest of its file as the student had it."""
     attempts: Sequence[Attempt]
@@ -52,10 +49,8 @@ class RemarkedAnswer(NamedTuple):
     attempt: Attempt
     word: str
     """`RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there."""
-    right: str
-    """The right answer, as in a sample."""
-    says: str = ""
-    """Of a wrong idea that only its lesson names: what the lesson says to it."""
+    right: str  # the right answer, as in a sample
+    says: str = ""  # of a wrong idea that only its lesson names: what the lesson says to it
 
 
 # --------------------------------------------------------------------------- the file

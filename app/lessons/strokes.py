@@ -10,8 +10,7 @@ from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, wr
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.strangers import decode
 
-LARGEST = 8 * 2**20
-"""Most bytes of a file."""
+LARGEST = 8 * 2**20  # most bytes of a file
 COLOURS = ("ink", "u", "v", "n")
 """Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
 _READABLE = (*COLOURS, "accent", "near")  # colours of strokes in files

@@ -21,9 +21,9 @@ from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomica
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
 from app.lecture.letters import Letters
+from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
-from app.lessons.state import BESIDE
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode
@@ -33,8 +33,7 @@ OURS = QT_TRANSLATE_NOOP(
     "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
 )
 A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
-NEW_TALK_MINUTES = 2
-"""Planned minutes for the first step of a talk, until the teacher changes them."""
+NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
 
 # --------------------------------------------------------------------------- state to text

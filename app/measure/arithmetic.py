@@ -30,8 +30,7 @@ from app.scenes.phenomena.cheap_arithmetic import hardware_of
 Rows: TypeAlias = NDArray[Any]
 """(3, n): x and y in pixels, depth in [0, 1]; NaN or infinite where there is no answer."""
 
-MOST_POINTS = 16384
-"""Number of points that are projected: every way does them in one block."""
+MOST_POINTS = 16384  # number of points that are projected: every way does them in one block
 PRECISIONS: dict[str, Precision] = {
     "float32": "float32",
     "float64, every stage": "float64",

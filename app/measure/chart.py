@@ -32,8 +32,7 @@ from app.model import parameters
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 
-ENDINGS = (".png", ".pdf")
-"""The formats of `widgets.parts.chart_picture`."""
+ENDINGS = (".png", ".pdf")  # the formats of `widgets.parts.chart_picture`
 TITLES = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),

@@ -20,10 +20,8 @@ from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.precision.levels import Prediction
 
-PAIRS = 10_000
-"""Number of pairs of neighbours at even distances from near to far (N. Reed, 2015)."""
-FARTHEST = 1e4
-"""The pairs' largest distance for an infinite far, in units of near."""
+PAIRS = 10_000  # number of pairs of neighbours at even distances from near to far (N. Reed, 2015).
+FARTHEST = 1e4  # the pairs' largest distance for an infinite far, in units of near
 _EDGES = 4
 """Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
 

@@ -29,8 +29,7 @@ from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
-Pieces: TypeAlias = Array
-"""Straight parts of an outline, (n, 2, 2): begin and end in px."""
+Pieces: TypeAlias = Array  # straight parts of an outline, (n, 2, 2): begin and end in px
 
 _PIECE_PX = 0.5
 _BESIDE_PX = 1e-3

@@ -27,8 +27,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.interpolation import TEXELS, edge_error
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
-SAMPLES_A_PIXEL = 16
-"""Sampling density: the largest error may lie between the centres of pixels."""
+SAMPLES_A_PIXEL = 16  # sampling density: the largest error may lie between the centres of pixels
 
 AFFINE_BYTES, CORRECT_BYTES = 16.0, 20.0
 """Of a vertex on the screen in float32: x, y, depth and t; correct interpolation adds 1/w."""

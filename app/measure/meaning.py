@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from app.measure.results import STEADY, ChartPoint, Trade, named, plain
+from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
 
 GOOD_ENOUGH = {
@@ -21,7 +21,7 @@ GOOD_ENOUGH = {
 """An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
 FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
-    "Measure", "No choice is cheaper ({1}) or more exact ({2}) than {0}: there is nothing to trade."
+    "Measure", "No choice is cheaper ({1}) or more exact ({2}) than {0}."
 )
 TRADE_OFF = QT_TRANSLATE_NOOP(
     "Measure",
@@ -90,8 +90,7 @@ SHOWN = {
 }  # fmt: skip
 """How a trade is shown, in the form of `ChartPoint.use`; without a scene, every scene shows it. If
 it is missing, the scene of the trade's own name does."""
-ANY_SCENE = "letter-f"
-"""The scene of a trade that every scene shows."""
+ANY_SCENE = "letter-f"  # the scene of a trade that every scene shows
 _BARGAINS = {
     ("time", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times faster, {3}."),
     ("time", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times slower, {3}."),
@@ -102,7 +101,9 @@ _AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.
 _PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
 _MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
 _SEPARATES = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
-_EQUAL = QT_TRANSLATE_NOOP("Measure", "Equal in cost to {0}: {1}.")
+_EQUAL_TIME = QT_TRANSLATE_NOOP("Measure", "Equal in time to {0}: {1}.")
+_EQUAL_BYTES = QT_TRANSLATE_NOOP("Measure", "Equal in bytes to {0}: {1}.")
+_COSTS_ELSEWHERE = QT_TRANSLATE_NOOP("Measure", "Its price is in {0}: {1}, against {2} for {3}.")
 _DOUBTFUL = QT_TRANSLATE_NOOP("Measure", "Not certain: {0}.")
 NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
@@ -112,14 +113,37 @@ def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
     parts = [_template_and_values(trade)]
     if trade.frontier and trade.name != "depth":
         cheapest_one = trade.frontier[0]
+        if len(trade.frontier) == 1:
+            parts += _costs_elsewhere(trade, cheapest_one)
         if equal := trade.as_cheap(cheapest_one):
-            others = "; ".join(named(each.name, translate) for each in equal)
-            parts.append((_EQUAL, (cheapest_one.name, others)))
+            others = "; ".join(
+                named(each.name, translate)
+                + (f" ({_plain(each.bytes)} B)" if each.bytes != cheapest_one.bytes else "")
+                for each in equal
+            )
+            equal_in = _EQUAL_BYTES if trade.cost_unit == "B" else _EQUAL_TIME
+            parts.append((equal_in, (cheapest_one.name, others)))
         parts += [(_DOUBTFUL, (doubt,)) for doubt in trade.doubts]
     return " ".join(
         translate(template).format(*(named(value, translate) for value in values))
         for template, values in parts
     )
+
+
+def _costs_elsewhere(trade: Trade, best: ChartPoint) -> list[tuple[str, tuple[str, ...]]]:
+    """Name the further columns in which another choice is better than the best of the trade."""
+    prices = []
+    for column in trade.columns:
+        if column in best.values and "predicted" not in column:
+            other = min(
+                (each for each in trade.choices if column in each.values),
+                key=lambda each: each.values[column],
+            )
+            values = (best.values[column], other.values[column])
+            if values[0] > values[1]:
+                texts = (COLUMNS.get(column, column), *map(_plain, values), other.name)
+                prices.append((_COSTS_ELSEWHERE, texts))
+    return prices
 
 
 def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:

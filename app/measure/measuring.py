@@ -53,12 +53,9 @@ TRADES: dict[str, Callable[[Scene, Projection, float, Watch], Trade]] = {
     ),
 }
 """Every trade, in the order of measurement."""
-NEED_OPENGL = ("smoothing", "detail")
-"""The trades that render pictures."""
-SECONDS, QUICK_SECONDS = 30.0, 2.0
-"""Timing budget of one trade."""
-STEPS, QUICK_STEPS = 49, 13
-"""Number of values of one sweep."""
+NEED_OPENGL = ("smoothing", "detail")  # the trades that render pictures
+SECONDS, QUICK_SECONDS = 30.0, 2.0  # timing budget of one trade
+STEPS, QUICK_STEPS = 49, 13  # number of values of one sweep
 
 
 def measure_all(

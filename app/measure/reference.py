@@ -13,8 +13,7 @@ from app.model.parameters import ALPHA, BETA
 from app.model.projection import Array, Projection
 
 DIGITS = 200
-SAMPLE = 64
-"""Largest number of points that are compared."""
+SAMPLE = 64  # largest number of points that are compared
 
 
 class Truth(NamedTuple):

@@ -56,8 +56,7 @@ IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says 
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
 _BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
-STEADY = 0.05
-"""Least times that differ by a smaller part are equal: rounds repeat them no better."""
+STEADY = 0.05  # least times that differ by a smaller part are equal: rounds repeat them no better
 COLUMNS = {
     "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
     "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
@@ -84,8 +83,7 @@ GAPS = (NEAR.formula, FAR.formula, OVER_DISTANCE)
 _JUDGED = QT_TRANSLATE_NOOP(
     "Measure", "the largest of up to {0} points against 200 digits of mpmath"
 )
-JUDGED = _JUDGED.format(64)
-"""The definition of the errors of trade 1 and of the sweeps."""
+JUDGED = _JUDGED.format(64)  # the definition of the errors of trade 1 and of the sweeps
 _SWEPT_FIELDS = {each.formula: each.path for each in (NEAR, FAR, FOV_Y)}
 _DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
 BUFFERS = {
@@ -487,8 +485,7 @@ def _note(choice: ChartPoint) -> str:
     return ", ".join(filter(None, (choice.note, choice.doubt)))
 
 
-CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")
-"""The note of a choice that was not timed."""
+CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")  # the note of a choice that was not timed
 
 
 def named(name: str, translate: Callable[[str], str] = str) -> str:

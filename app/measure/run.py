@@ -16,8 +16,7 @@ from app.measure.results import STEADY, Trade
 from app.model.refusal import Cancelled
 
 _SHORTEST = 1e-3  # least duration of one timing in seconds; shorter runs are repeated and averaged
-LEAST_ROUNDS = 7
-"""Also the number of rounds whose least time must repeat that of all before."""
+LEAST_ROUNDS = 7  # also the number of rounds whose least time must repeat that of all before
 MOST_ROUNDS = 2000
 _LEAST_PART = 0.2
 """Of the time that is given: load that lasts for less than that is no part of the result."""

@@ -21,10 +21,8 @@ from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Projection
 from app.scenes.scene import Scene
 
-REFERENCE = 4
-"""Sixteen samples per pixel, by far the finest picture here."""
-LARGEST_PX = 640
-"""Longer side of the timed picture, about that of a pane."""
+REFERENCE = 4  # sixteen samples per pixel, by far the finest picture here
+LARGEST_PX = 640  # longer side of the timed picture, about that of a pane
 
 OTHER_SAMPLES = "this OpenGL gives {0} samples"
 SAME_PICTURE = "the same picture"

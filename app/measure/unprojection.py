@@ -21,8 +21,7 @@ from app.precision.unprojecting import WAYS, exact_points, float32_pixels, follo
 from app.scenes.phenomena.unprojection import origin_away
 
 AWAY = 1e5
-NEARER = {"error_1": 1.0, "error_1000": 1e3}
-"""The distances of the origin in further columns."""
+NEARER = {"error_1": 1.0, "error_1000": 1e3}  # the distances of the origin in further columns
 _NAMES = "inverse of P V", "inverses of P and of V", "ray times depth"
 NAMES = dict(zip(WAYS, _NAMES, strict=True))
 

@@ -31,11 +31,9 @@ from app.model.limits import DISTINCT, NOT_ZERO, within
 from app.model.projection import AT_LEAST, DEPTH_RANGES, FINITE_NUMBER, ONE_OF, PLANES, Array
 from app.model.refusal import Refusal
 
-LARGEST_CLIP = 1e307
-"""Largest clip coordinate: sums and differences of four of them stay finite."""
+LARGEST_CLIP = 1e307  # largest clip coordinate: sums and differences of four of them stay finite
 
-NOT_CUT = -1
-"""In `ClippedSegments.planes`: the end is the segment's own."""
+NOT_CUT = -1  # in `ClippedSegments.planes`: the end is the segment's own
 
 EYE_Z = -0.01
 """z of lecture 004's cut in view space: "a near negative number" instead of the eye plane's 0."""
@@ -61,15 +59,13 @@ class ClippedSegments(NamedTuple):
     planes: NDArray[np.intp]
     """(..., 2): index in `PLANES` of the plane that cut each end, or `NOT_CUT`. For a segment that
     passes an edge of the volume outside (`outside` all false), the two planes that meet there."""
-    outside: NDArray[np.bool_]
-    """(..., 6): whether the whole segment lies beyond each of `PLANES`."""
+    outside: NDArray[np.bool_]  # (..., 6): whether the whole segment lies beyond each of `PLANES`
 
 
 class ClippedPolygon(NamedTuple):
     """The visible part of a convex polygon, in the original order."""
 
-    points_clip: Array
-    """Its corners, (m, 4); m is 0 if no area is left."""
+    points_clip: Array  # its corners, (m, 4); m is 0 if no area is left
     edges: tuple[str | None, ...]
     """The plane that made the edge from each corner to the next; None for an original edge."""
 
@@ -79,8 +75,7 @@ class EyeCut(NamedTuple):
 
     case: NDArray[np.intp]
     """(...), lecture 004's: 1 in front, 2 behind, 3 from behind to the front, 4 to behind."""
-    points_view: Array
-    """(..., 2, 3): the drawn part; NaN in case 2."""
+    points_view: Array  # (..., 2, 3): the drawn part; NaN in case 2
 
 
 # --------------------------------------------------------------------------- checks

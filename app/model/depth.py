@@ -38,16 +38,12 @@ Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 class DepthFormat(NamedTuple):
     """How a depth in [0, 1] is stored."""
 
-    bits: int
-    """Size of one pixel."""
-    largest: int
-    """The code of depth 1; codes start at 0."""
-    code_type: DTypeLike
-    """Unsigned type of the codes."""
+    bits: int  # size of one pixel
+    largest: int  # the code of depth 1; codes start at 0
+    code_type: DTypeLike  # unsigned type of the codes
     float_type: DTypeLike | None = None
     """The float type whose bit patterns are the codes; None for unsigned normalised integers."""
-    digits: int = 0
-    """Significant bits of the float, 0 for an integer."""
+    digits: int = 0  # significant bits of the float, 0 for an integer
 
 
 FORMATS: dict[str, DepthFormat] = {
@@ -73,8 +69,7 @@ class DepthBuffer:
     """
 
     format: str = "fixed24"
-    mapping: str = "opengl"
-    """How a distance becomes a depth."""
+    mapping: str = "opengl"  # how a distance becomes a depth
     lens: Lens = Perspective()  # noqa: RUF009
 
     def __post_init__(self) -> None:

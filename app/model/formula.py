@@ -28,12 +28,9 @@ from typing import Any, ClassVar, NamedTuple, TypeAlias
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 
-LONGEST = 400
-"""Characters."""
-DEEPEST = 30
-"""Nested brackets, signs and functions."""
-LARGEST_DEGREE = 100
-"""Factors of the largest product, with all powers multiplied out."""
+LONGEST = 400  # characters
+DEEPEST = 30  # nested brackets, signs and functions
+LARGEST_DEGREE = 100  # factors of the largest product, with all powers multiplied out
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
 TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} nested brackets (character {1})")
@@ -427,11 +424,9 @@ def _degree(formula: Formula, text: str) -> int:
 # --------------------------------------------------------------------------- writing
 
 
-IN_SUM, IN_PRODUCT, FACTOR, BASE = 1, 2, 3, 4
-"""How tightly the surrounding formula binds."""
+IN_SUM, IN_PRODUCT, FACTOR, BASE = 1, 2, 3, 4  # how tightly the surrounding formula binds
 
-ARROW = "\u20d7"
-"""Follows the letter of a vector: n is near, and n\u20d7 an axis."""
+ARROW = "\u20d7"  # follows the letter of a vector: n is near, and n⃗ an axis
 
 
 class FormulaWriter:

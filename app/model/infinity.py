@@ -76,7 +76,7 @@ def trace_at_infinity(projection: Projection, direction: Sequence[float | Fracti
         view = [*projection.camera.exact_along(world[:3]), Fraction(0)]
     else:
         view = [dot(row, world) for row in rationals(own_view)]
-    clip = [dot(row, view) for row in projection.direct_stages[0].exact]
+    clip = [dot(row, view) for row in projection.exact_clip_from_view]
     x, y, z, w = clip
     z_near, z_far = map(Fraction, projection.depth_range)
     sign = 1 if z_far > z_near else -1

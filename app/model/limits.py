@@ -37,20 +37,17 @@ PLANES = (
 
 LARGEST = 1e100
 """Largest coordinate or distance: together with `SMALLEST`, no matrix overflows (2e205 * 1e100)."""
-SMALLEST = 1e-205
-"""Smallest near distance, and smallest depth range of a parallel lens."""
+SMALLEST = 1e-205  # smallest near distance, and smallest depth range of a parallel lens
 SMALLEST_WINDOW = 1e-200
 """Smallest side of a parallel lens's window: points beside it have pixels below 1e305."""
-LARGEST_IMAGE_PX = 16384
-"""Largest image side: the texture limit of every current OpenGL driver."""
+LARGEST_IMAGE_PX = 16384  # largest image side: the texture limit of every current OpenGL driver
 SMALLEST_FIELD = 1e-90
 """Smallest field of view in degrees; its inverse is the steepest ray to the edge of a window."""
 SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near; less than that of `SMALLEST_FIELD`."""
 SMALLEST_CELL = 1e-75
 """Smallest nonzero cell of a typed matrix: a product of two is far from underflow."""
-LARGEST_INVERSE = 10**150
-"""Largest cell of the inverse of a typed matrix, for the same reason."""
+LARGEST_INVERSE = 10**150  # largest cell of the inverse of a typed matrix, for the same reason
 BEYOND = 1e250
 """Coordinates from which a point counts as infinitely far: double-double would overflow."""
 LARGEST_SHEAR = 1e6

@@ -13,11 +13,9 @@ from collections.abc import Sequence
 
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_name
 
-SIZES = (9, 12, 16)
-"""How many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4."""
+SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4
 
-LONGEST = 20_000
-"""Most characters of a text that may be a matrix."""
+LONGEST = 20_000  # most characters of a text that may be a matrix
 
 LONG = QT_TRANSLATE_NOOP("Refusal", "must be the text of one matrix, up to {0} characters long")
 COUNT_OF = QT_TRANSLATE_NOOP("Refusal", "must be {0} numbers, but has {1}")
@@ -170,8 +168,7 @@ class _MatrixTextReader:
     def __init__(self) -> None:
         self.lines: list[list[float]] = [[]]
         self.count = 0
-        self.places: list[str] = []
-        """The indices in the labels of numbers: ``00`` of ``m00 = 1``."""
+        self.places: list[str] = []  # the indices in the labels of numbers: ``00`` of ``m00 = 1``
         self.open: list[tuple[str, int]] = []
         """The name before each open bracket, and how many numbers were read before it."""
 

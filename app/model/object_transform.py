@@ -26,8 +26,7 @@ Order: TypeAlias = Literal["trs", "rts"]
 ORDERS: tuple[Order, ...] = ("trs", "rts")
 """The factors from left to right; the rightmost one is applied first."""
 Space: TypeAlias = Literal["world", "object"]
-SPACES: tuple[Space, ...] = ("world", "object")
-"""The space in which points are given."""
+SPACES: tuple[Space, ...] = ("world", "object")  # the space in which points are given
 
 NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in world coordinates")
 FLATTENED = QT_TRANSLATE_NOOP(
@@ -42,12 +41,9 @@ _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 class WorldPoints(NamedTuple):
     """Points in the world with twice the digits of float64."""
 
-    world: Array
-    """The nearest float64, (n, 3)."""
-    rest: Array | None
-    """The rounding error, (n, 3); None if there is none."""
-    lost: Array
-    """Bound on the error of their sum, added over the three coordinates, (n,)."""
+    world: Array  # the nearest float64, (n, 3)
+    rest: Array | None  # the rounding error, (n, 3); None if there is none
+    lost: Array  # bound on the error of their sum, added over the three coordinates, (n,)
 
     @classmethod
     def at(cls, world: Array) -> WorldPoints:

@@ -1,14 +1,24 @@
 """A value of a document, as every place that reads, shows, finds or changes it knows it.
 
 `app.model.parameters` lists those of camera, lens, image and object. A scene lists its settings in
-its phenomenon.
+its phenomenon. Their texts are in content files: Markdown with a heading for each parameter,
+setting or kind of projection::
+
+    ## Near {#near}
+    The tooltip.
+    - also: n plane zNear
+    - value: label of this choice | its explanation
+
+lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from app.model.limits import ONE_OF, Vector, finite, finite_vector, within
@@ -16,10 +26,8 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
-Read: TypeAlias = Callable[[Any], Any]
-"""Returns a value of a `Projection`."""
-Write: TypeAlias = Callable[[Any, Any], Any]
-"""Returns the `Projection` with another value."""
+Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
+Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
 CLOSE = 1e-7
 """Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
@@ -34,12 +42,9 @@ PARTS: dict[str, Part] = {
 class Computed(NamedTuple):
     """Numbers that the model computes together from a part of a projection and does not keep."""
 
-    source: Read
-    """Returns the part of a projection that the numbers are computed from."""
-    compute: Read
-    """Returns a named tuple of the numbers of a projection."""
-    apply: Write
-    """Returns a projection with other numbers."""
+    source: Read  # returns the part of a projection that the numbers are computed from
+    compute: Read  # returns a named tuple of the numbers of a projection
+    apply: Write  # returns a projection with other numbers
 
 
 @dataclass(frozen=True)
@@ -51,49 +56,35 @@ class Parameter:
     """
 
     name: str
-    default: Value | None = None
-    """None if the scene's camera and lens have it."""
+    default: Value | None = None  # None if the scene's camera and lens have it
     low: float = -math.inf
-    high: float = math.inf
-    """Bounds of a number, included. Camera and lens check their own."""
+    high: float = math.inf  # bounds of a number, included. Camera and lens check their own.
     span: tuple[float, float] | None = None
     """The range of the slider within the bounds; all of it if not given."""
     unit: str = ""
     logarithmic: bool = False
-    whole: bool = False
-    """Of a number: its slider is logarithmic; it is an integer."""
-    per_second: float = 0.0
-    """How fast a number moves while it is played; 0 if it cannot be played."""
+    whole: bool = False  # of a number: its slider is logarithmic; it is an integer
+    per_second: float = 0.0  # how fast a number moves while it is played; 0 if it cannot be played
     only_with: tuple[str, Value] | None = None
     """The name of another setting, and the only value of it with which this one has an effect."""
     title: str = ""
     tip: str = ""
     """Its name and its tooltip. A content file has them, and `choices`, `tips`, `row`, `also`
-    and `drag` (`app.model.content_file`)."""
-    choices: tuple[tuple[str, str], ...] = ()
-    """The values of a choice and their texts."""
-    section: str = "settings"
-    """Its path in the document is ``SECTION.NAME``."""
-    step: float = 0.0
-    """Of the slider's arrow keys; 0 for about a 500th of its range."""
-    tips: tuple[str, ...] = ()
-    """The explanation of each choice, if there are any."""
-    row: str = ""
-    """The name of its row, if that is not its title."""
-    said: str = ""
-    """Its unit in words, if they are its own."""
-    other: str = ""
-    """What a choice shows when it is none of its choices."""
-    buttons: bool = False
-    """Whether the choices stand side by side."""
-    also: str = ""
-    """Other names, by which the finder finds it."""
+    and `drag` (`app.model.parameter`)."""
+    choices: tuple[tuple[str, str], ...] = ()  # the values of a choice and their texts
+    section: str = "settings"  # its path in the document is ``SECTION.NAME``
+    step: float = 0.0  # of the slider's arrow keys; 0 for about a 500th of its range
+    tips: tuple[str, ...] = ()  # the explanation of each choice, if there are any
+    row: str = ""  # the name of its row, if that is not its title
+    said: str = ""  # its unit in words, if they are its own
+    other: str = ""  # what a choice shows when it is none of its choices
+    buttons: bool = False  # whether the choices stand side by side
+    also: str = ""  # other names, by which the finder finds it
     letter: str = ""
     """In the formulas of the matrices; `app.lecture.letters` has the letter of each lecture."""
     formula: str = ""
     """In the formulas of lessons; ``_x``, ``_y`` and ``_z`` follow for a vector's components."""
-    place: str = ""
-    """The part of the dock with its row; empty if it has none."""
+    place: str = ""  # the part of the dock with its row; empty if it has none
     needs: str = ""
     """The property or field of the lenses that have it; by default the field of its own name."""
     changes: tuple[str, ...] = ()
@@ -103,15 +94,11 @@ class Parameter:
     makes: tuple[str, ...] = ()
     """Other things computed from it; highlighting these marks its row too."""
     handle: str = ""
-    drag: str = ""
-    """The handle of the world pane that changes it, and what a drag of it does."""
-    vector: bool = False
-    """Whether it has three components."""
-    computed: Computed | None = None
-    """The numbers of which it is one."""
+    drag: str = ""  # the handle of the world pane that changes it, and what a drag of it does
+    vector: bool = False  # whether it has three components
+    computed: Computed | None = None  # the numbers of which it is one
     read: Read | None = None
-    write: Write | None = None
-    """Read and change it in a `Projection`, if it is no field there."""
+    write: Write | None = None  # read and change it in a `Projection`, if it is no field there
 
     @property
     def path(self) -> str:
@@ -205,3 +192,77 @@ class Parameter:
         if math.isclose(value, chosen, rel_tol=CLOSE, abs_tol=slack):
             return chosen
         return float(f"{value:.12g}")
+
+
+_EXPLAINED = " | "
+_OWN = ("row", "said", "other", "also", "drag")
+"""Items that are no choices, but texts of the parameter with the same name."""
+
+
+class ContentSection(NamedTuple):
+    """What stands below one heading: lines of text, and the items of a list."""
+
+    text: list[str]
+    items: list[str]
+
+    @property
+    def named(self) -> dict[str, str]:
+        return dict(item.split(": ", 1) for item in self.items)
+
+
+def sections_of(text: str) -> dict[str, ContentSection]:
+    """Return the sections of a content file's text by their headings."""
+    sections: dict[str, ContentSection] = {}
+    for line in filter(None, text.splitlines()):
+        if line.startswith("#"):
+            section = sections.setdefault(line.lstrip("# "), ContentSection([], []))
+        elif line.startswith("- "):
+            section.items.append(line[2:])
+        else:
+            section.text.append(line)
+    return sections
+
+
+def section_of(name: str, sections: Mapping[str, ContentSection]) -> tuple[str, ContentSection]:
+    """Return the heading of a thing, and what stands below it."""
+    ending = f" {{#{name}}}"
+    heading = next(each for each in sections if each.endswith(ending))
+    return heading.removesuffix(ending), sections[heading]
+
+
+def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Parameter:
+    """Return a parameter with the texts below its heading."""
+    title, section = section_of(parameter.name, sections)
+    items = section.named
+    own: dict[str, Any] = {name: items.pop(name) for name in _OWN if name in items}
+    choices = {name: text.partition(_EXPLAINED) for name, text in items.items()}
+    return replace(
+        parameter,
+        title=title,
+        tip=section.text[0],
+        choices=tuple((name, text) for name, (text, _, _) in choices.items()),
+        tips=tuple(tip for _, _, tip in choices.values()),
+        **own,
+    )
+
+
+def read_sections(path: Path) -> dict[str, ContentSection]:
+    """Return the sections of a content file by their headings."""
+    return sections_of(path.read_text(encoding="utf-8"))
+
+
+@cache
+def _sections() -> dict[str, ContentSection]:
+    return read_sections(Path(__file__).with_name("content") / "parameters.md")
+
+
+def stated(name: str, **columns: Any) -> Parameter:
+    """Return a parameter of the model with its texts."""
+    return worded(Parameter(name, **columns), _sections())
+
+
+def texts_of(parameter: Parameter) -> set[str]:
+    """Return every text of a parameter that can be translated."""
+    labels = (text for _, text in parameter.choices)
+    own = (getattr(parameter, name) for name in ("title", "tip", *_OWN))
+    return {text for text in (*own, *labels, *parameter.tips) if text}

@@ -14,13 +14,12 @@ from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from app.model.content_file import stated
 from app.model.lenses.lens import FAR as FAR
 from app.model.lenses.lens import NEAR as NEAR
 from app.model.lenses.oblique import ALPHA as ALPHA
 from app.model.lenses.oblique import BETA as BETA
 from app.model.lenses.perspective import FOV_Y as FOV_Y
-from app.model.parameter import Computed, Parameter
+from app.model.parameter import Computed, Parameter, stated
 from app.model.projection import (
     AT_LEAST,
     AT_MOST,

@@ -6,7 +6,7 @@ import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, reduce
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -108,9 +108,7 @@ class Stage(NamedTuple):
 
 
 def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
-    whole = _diagonal(1, 1, 1, 1)
-    for _, factor in factors:
-        whole = product(whole, factor)
+    whole = reduce(product, [factor for _, factor in factors] or [_diagonal(1, 1, 1, 1)])
     return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
 
 
@@ -286,7 +284,12 @@ class Pipeline:
             view = self._exact_rotation
         else:
             view = product(rationals(self.lens.own_view), _shift(*map(Fraction, self.camera.eye)))
-        return view, product(self.direct_stages[0].exact, view)
+        return view, product(self.exact_clip_from_view, view)
+
+    @cached_property
+    def exact_clip_from_view(self) -> Rationals:
+        """The clip matrix from view space in rationals: the product of `lens_stages`."""
+        return evaluated(self.lens.table.clip_from_view, self.exact_letters)
 
     @property
     def _exact_rotation(self) -> Rationals:
@@ -314,7 +317,7 @@ class Pipeline:
     @cached_property
     def eye_from_clip(self) -> Rationals:
         """The inverse of the clip matrix of `exact_from_eye`, or a `Refusal`."""
-        view_from_clip = inverse("clip_from_view", self.direct_stages[0].exact)
+        view_from_clip = inverse("clip_from_view", self.exact_clip_from_view)
         whole = product(inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
         if max(abs(part) for row in whole for part in row) > LARGEST_INVERSE:
             raise Refusal("clip_from_view", self.clip_from_view.tolist(), SMALL_INVERSE)
@@ -360,15 +363,11 @@ class Pipeline:
     @cached_property
     def direct_stages(self) -> tuple[Stage, Stage]:
         """`clip_from_view` and `clip_from_world` as products of `stages`, rounded once."""
-        view, *steps = self.stages[1:-1]
-        if steps:
-            in_order = [(stage.name, stage.exact) for stage in reversed(steps)]
-            direct = _product("clip_from_view", in_order)
-        else:
-            exact = evaluated(self.lens.table.clip_from_view, self.exact_letters)
-            direct = Stage("clip_from_view", exact, (), "")
-            in_order = [(direct.name, exact)]
-        return direct, _product("clip_from_world", [*in_order, (view.name, view.exact)])
+        view, exact = self._view_stage, self.exact_clip_from_view
+        steps = tuple((stage.name, stage.matrix) for stage in reversed(self.lens_stages))
+        direct = Stage("clip_from_view", exact, steps, "")
+        all_steps = *(steps or [(direct.name, direct.matrix)]), (view.name, view.matrix)
+        return direct, Stage("clip_from_world", product(exact, view.exact), all_steps, "")
 
     @property
     def all_stages(self) -> tuple[Stage, ...]:

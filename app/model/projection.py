@@ -36,8 +36,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from app.arithmetic.rationals import Rationals
-from app.model.calibration import checked_intrinsics
-from app.model.camera import Camera, Orbit
+from app.model.camera import Camera, Orbit, checked_intrinsics
 from app.model.eye_first import EyeFirst
 from app.model.formula import FLOAT64
 from app.model.lenses import (

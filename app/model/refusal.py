@@ -29,8 +29,7 @@ def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
 
 
 THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
-SHOWN_DIGITS = 6
-"""Displayed digits of a bound, and of a dragged value."""
+SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
 _DEEPEST = 4

@@ -14,8 +14,7 @@ from app.model.formula import EXACT, Arithmetic, Formula, parse
 from app.model.limits import INVERTIBLE, Array, read_only
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-Table: TypeAlias = tuple[tuple[Formula, ...], ...]
-"""A (4, 4) matrix of formulas."""
+Table: TypeAlias = tuple[tuple[Formula, ...], ...]  # a (4, 4) matrix of formulas
 
 
 def matrix(text: str, **parts: str) -> Table:

@@ -16,8 +16,7 @@ from app.model.pipeline import HalfSpaces, Pipeline, Trace, checked_pixels, chec
 from app.model.refusal import Refusal
 from app.model.tables import rounded
 
-RAY_REACH = 10.0
-"""Length of a drawn ray to infinity, in units of the target's distance."""
+RAY_REACH = 10.0  # length of a drawn ray to infinity, in units of the target's distance
 
 
 class TypedCells:

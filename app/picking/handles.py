@@ -43,8 +43,7 @@ from app.picking.sight import Sight
 
 Change: TypeAlias = dict[str, "float | Vector"]
 """New values for fields of the camera, the lens or the object."""
-Spot: TypeAlias = tuple[float, float]
-"""A position in a pane, in pixels from its top left."""
+Spot: TypeAlias = tuple[float, float]  # a position in a pane, in pixels from its top left
 
 
 class Handle(NamedTuple):

@@ -31,8 +31,7 @@ VERTEX_WITHIN_PX = 6.0
 LINE_WITHIN_PX = 3.0
 """A visible line within this distance of the pixel is preferred to the face under it."""
 _COVERS_PX = 0.25  # half the drawn width of a line, which hides the points behind it
-CHUNK = 128
-"""Lines that follow one another in a file, and are near one another."""
+CHUNK = 128  # lines that follow one another in a file, and are near one another
 
 _BLOCK = 16_384  # triangles: arrays of this size stay in the processor's cache
 _CELLS = 32  # along each axis at most: cell numbers then fit 16 bits, which numpy sorts by radix

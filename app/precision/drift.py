@@ -26,8 +26,7 @@ from numpy.typing import NDArray
 from app.arithmetic import double_double as dd
 from app.model.projection import Array, Projection
 
-Cells: TypeAlias = NDArray[Any]
-"""Matrices (3, 3, ...) in the numbers of a format."""
+Cells: TypeAlias = NDArray[Any]  # matrices (3, 3, ...) in the numbers of a format
 
 AXIS = Fraction(1, 3), Fraction(2, 3), Fraction(2, 3)
 """The axis of the turns, of length 1, along u, v and n."""

@@ -26,7 +26,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.quotients import Quotients
+from app.arithmetic.formats import Quotients
 from app.model.infinity import trace_at_infinity
 from app.model.pipeline import empty_trace
 from app.model.projection import ONE_OF, Array, Projection, Space, Trace, Vector, WorldPoints
@@ -38,8 +38,7 @@ PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")
 
 DRAWING_TOLERANCE_PX = 0.01
 """Default of the error up to which `float32` draws; above it, `float64` does."""
-LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0
-"""Limits of this setting."""
+LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0  # limits of this setting
 READING_TOLERANCE_PX = 1e-9
 """Error of float64 above which displayed numbers come from the exact precision."""
 READING_TOLERANCE_DEPTH = 1e-12

@@ -21,8 +21,7 @@ SMOOTHINGS = (
     AUTO, "none", "half resolution", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8",
     "supersampling 2 x 2", "supersampling 3 x 3",
 )  # fmt: skip
-LEAST_DETAIL = 0.01
-"""Least share of the triangles."""
+LEAST_DETAIL = 0.01  # least share of the triangles
 _CHOICES = {
     "rung": PRECISIONS,
     "smoothing": SMOOTHINGS,

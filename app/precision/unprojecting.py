@@ -29,11 +29,9 @@ from app.model.tables import inverse
 from app.precision.cheap import BoundedNumbers, applied, divided, off_rationals
 
 WAYS = ("inverse", "inverses", "ray")
-THERE = ("one", "two")
-"""The ways to the picture: by P V as one matrix, or by V and then by P."""
+THERE = ("one", "two")  # the ways to the picture: by P V as one matrix, or by V and then by P
 
-Steps: TypeAlias = list[tuple[Rationals, bool]]
-"""Matrices, and whether w divides after each."""
+Steps: TypeAlias = list[tuple[Rationals, bool]]  # matrices, and whether w divides after each
 
 
 def float32_pixels(image: Array, depth: Array) -> Array:
@@ -59,7 +57,7 @@ def steps(projection: Projection, way: str, origin: Vector) -> Steps:
         to_eye = _moved([-part for part in offset])
         if way == "one":
             return [(product(clip, to_eye), True)]
-        return [(product(view, to_eye), False), (projection.direct_stages[0].exact, True)]
+        return [(product(view, to_eye), False), (projection.exact_clip_from_view, True)]
     from_eye, from_clip = _moved(offset), _short(projection)
     if way == "inverse":
         return [(product(from_eye, from_clip), True)]

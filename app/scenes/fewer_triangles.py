@@ -23,10 +23,8 @@ from app.scenes.shapes import distinct_rows
 if TYPE_CHECKING:
     from app.scenes.poly_mesh import PolyMesh
 
-SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)
-"""Shares of the triangles that are kept, from fine to coarse."""
-LEAST_TRIANGLES = 1_000
-"""A smaller mesh is never reduced."""
+SHARES = (0.5, 0.2, 0.1, 0.05, 0.01)  # shares of the triangles that are kept, from fine to coarse
+LEAST_TRIANGLES = 1_000  # a smaller mesh is never reduced
 _DRAGGED = (*SHARES, 0.005, 0.002, 0.001, 0.0005)
 _LEAST_DRAGGED = 500  # triangles: with fewer a frame is hardly faster, and the shape is lost
 QUADRIC_TRIANGLES, QUADRIC_VALENCE = 100_000, 500

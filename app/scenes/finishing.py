@@ -33,13 +33,11 @@ TOO_FAR = QT_TRANSLATE_NOOP(
 )
 FARTHEST = 1e12
 """Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
-DIVIDING = 0.9
-"""Progress from which only faces are divided."""
+DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000
 """Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser
 than the pixels."""
-FLAT_DOTS = 1_000
-"""Most dots that have one colour."""
+FLAT_DOTS = 1_000  # most dots that have one colour
 _BLOCK = 100_000  # faces that are computed at once, between two reports of progress
 _SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angle are drawn
 

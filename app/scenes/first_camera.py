@@ -9,8 +9,7 @@ from app.model.limits import vector
 from app.model.projection import Camera, Perspective, Projection, Vector
 from app.scenes.shapes import box_corners
 
-FRAMED_FROM = (0.6, 0.45, 0.9)
-"""Direction from a box to the eye of `frame_camera`; any length."""
+FRAMED_FROM = (0.6, 0.45, 0.9)  # direction from a box to the eye of `frame_camera`; any length
 _FOV_DEG = 38.0
 
 

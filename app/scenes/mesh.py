@@ -28,8 +28,7 @@ LARGEST = 20_000_000, 2 * 2**30
 """Most triangles of a mesh, and most bytes of its triangles and vertices."""
 MOST_CORNERS = 100_000
 """Most corners of a face: such a face takes some seconds to divide into triangles."""
-PAINT_RGB = (184, 194, 208)
-"""Colour of a surface whose file has no colours."""
+PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
 # Whole sentences, so that they can be translated. Words of a file format stay as they are.
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: there is no such file; check its name and folder.")

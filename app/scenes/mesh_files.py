@@ -41,8 +41,7 @@ from app.scenes.ply import read_ply
 from app.scenes.shapes import distinct_rows
 
 _MARK, _NO_BREAK = codecs.BOM_UTF8, "\xa0".encode()
-BLOCK = 1 << 24
-"""Bytes of text in a block; progress is reported after each block."""
+BLOCK = 1 << 24  # bytes of text in a block; progress is reported after each block
 
 
 def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] = LARGEST) -> Mesh:
@@ -321,5 +320,4 @@ _READERS: dict[str, Callable[[MeshSource], Mesh]] = {
     ".gltf": read_gltf,
     ".glb": read_gltf,
 }
-ENDINGS = tuple(_READERS)
-"""Endings of the mesh files that `load` reads."""
+ENDINGS = tuple(_READERS)  # endings of the mesh files that `load` reads

@@ -72,15 +72,13 @@ NO_SURFACE = QT_TRANSLATE_NOOP(
     "mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; "
     "open the file as a scene of its own.",
 )
-SAMPLE = 100_000
-"""Number of vertices with which speed is measured for a larger mesh."""
+SAMPLE = 100_000  # number of vertices with which speed is measured for a larger mesh
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
 """Features of the image's `Rasteriser` that a scene can require."""
 SUBJECT_SAMPLE = 2_000
 """Number of vertices of a larger subject with which a phenomenon computes at each step."""
-MOST_IN_BOXES = 50_000
-"""Most cells of a mesh with several boxes; a larger one gets one box."""
+MOST_IN_BOXES = 50_000  # most cells of a mesh with several boxes; a larger one gets one box
 
 
 class Boxes(NamedTuple):

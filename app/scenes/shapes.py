@@ -18,8 +18,7 @@ Floats: TypeAlias = NDArray[np.float64]
 Colours: TypeAlias = NDArray[np.uint8]
 Coloured: TypeAlias = tuple[Floats, Colours]
 
-SIZES = 4
-"""Size classes of cells with their own boxes: as large as the scene, half as large, ..."""
+SIZES = 4  # size classes of cells with their own boxes: as large as the scene, half as large, ...
 
 # --------------------------------------------------------------------------- colours
 

@@ -10,7 +10,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from app.arithmetic.quotients import Quotients
+from app.arithmetic.formats import Quotients
 from app.arithmetic.rationals import nearest
 
 FLOATS = st.floats(allow_nan=False, allow_infinity=False)

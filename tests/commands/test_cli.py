@@ -1018,7 +1018,7 @@ def test_output_begins_with_the_lens_as_it_is_used(typed: str, line: str) -> Non
 def test_the_help_names_what_exists() -> None:
     """The names are written twice, because help must work before anything is installed."""
     from app.document import view
-    from app.document.fields import model_paths
+    from app.document.document import model_paths
     from app.document.settings import MEASURES
     from app.measure import measuring
     from app.measure.sweeps import SWEEPS

@@ -11,7 +11,7 @@ import pytest
 
 from app.document.document import Document
 from app.document.settings import set_values
-from app.model.calibration import taken_apart
+from app.model.camera import taken_apart
 from app.model.projection import Camera, Frustum, Orthographic, Perspective, Projection
 from app.model.refusal import Refusal
 from tests.support.commands import run_here

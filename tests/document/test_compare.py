@@ -19,7 +19,7 @@ from app.model.projection import FreeMatrix
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.words import figure
 from app.scenes.scene import load
 
 LIVE = ComparedPicture(live=True)

@@ -20,7 +20,7 @@ from app.drawings.side_by_side import cells, places_of
 from app.drawings.style import LIGHT, rgb
 from app.model.parameters import TITLES
 from app.model.refusal import Refusal
-from app.scenes.phenomena.readout import figure as written_figure
+from app.scenes.phenomena.words import figure as written_figure
 from app.scenes.scene import load
 
 SIZE = 320, 180

@@ -35,7 +35,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena import depth_buffer, interpolation, popping
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
-from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.words import Reading
 from app.scenes.scene import Scene, load
 from tests.support.drawings import OffScreen, heard, rendered
 

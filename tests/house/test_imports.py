@@ -255,7 +255,7 @@ def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
         ("app/commands/cli.py", "class A:\n    import PySide6", "PySide6"),
         ("widgets/panes/pane.py", "import app.document.store", "app.document.store"),
         ("widgets/panels/matrix_view.py", "import widgets.panes.pane", "widgets.panes.pane"),
-        ("widgets/parts/note.py", "import widgets.window.files", "widgets.window.files"),
+        ("widgets/parts/icons.py", "import widgets.window.files", "widgets.window.files"),
         ("app/bootstrap.py", "import packaging", "packaging"),
         ("app/__init__.py", "import app.bootstrap", "app.bootstrap"),
         ("app/shadows.py", "", "app/shadows.py"),

@@ -437,7 +437,7 @@ def test_points_are_the_products_of_the_shown_matrices(projection: Projection) -
     """Products in rationals of the same cells; points behind the eye have no image."""
     points = np.random.default_rng(2).uniform(-6.0, 6.0, (40, 3))
     view, *_ = (rationals(stage.exact) for stage in projection.stages[1:2])
-    clip = product(projection.direct_stages[0].exact, view)
+    clip = product(projection.exact_clip_from_view, view)
     trace = precision.trace(projection, points, "exact")
     plain = projection.trace(points)
     for i, point in enumerate(points.tolist()):

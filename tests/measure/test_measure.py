@@ -559,9 +559,21 @@ def test_equal_times_are_called_equal_and_no_winner() -> None:
     trade = Trade("smoothing", "ms", "levels RMS", tuple(points), 20)
     said = meaning(trade)
     assert said.startswith("No choice is cheaper than FXAA (1 ms, 12 B, off by 8 levels RMS)")
-    assert said.endswith("Equal in cost to FXAA: none.")
+    assert said.endswith("Equal in time to FXAA: none (8 B).")
     apart = replace(trade, choices=(replace(points[0], cost=0.9), *points[1:]))
-    assert "Equal in cost" not in meaning(apart)
+    assert "Equal in time" not in meaning(apart)
+
+
+def test_a_price_in_a_further_column_is_named() -> None:
+    own = ChartPoint("16 bits, own boxes", 6.0, 6.0, 0.01, 0.02, {"moved_px": 0.0096}, bytes=6.0)
+    common = ChartPoint("8 bits, common grid", 3.0, 3.0, 0.0, 0.0, {"moved_px": 3.5}, bytes=3.0)
+    trade = Trade("cracks", "B", "px", (own, common), 1)
+    assert meaning(trade) == (
+        "No choice is cheaper (3 B) or more exact (0 px) than 8 bits, common grid. Its price is in "
+        "vertices moved by up to (px): 3.5, against 0.0096 for 16 bits, own boxes."
+    )
+    free = replace(trade, choices=(own, replace(common, values={"moved_px": 0.001})))
+    assert "price" not in meaning(free)
 
 
 def test_a_part_scales_its_progress() -> None:

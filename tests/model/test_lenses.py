@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 import numpy as np
@@ -145,7 +146,8 @@ def test_in_rationals_too_and_float64_is_close(
     z_near, z_far = map(Fraction, projection.depth_range)
     letters = {**lens.exact_letters(Fraction(width, height)), "z_n": z_near, "z_f": z_far}
     exact = evaluated(lens.table.clip_from_view, letters)
-    assert exact == projection.direct_stages[0].exact
+    assert exact == projection.exact_clip_from_view
+    assert exact == reduce(product, (stage.exact for stage in reversed(projection.lens_stages)))
     table = lens.table.view_from_clip
     assert table is not None
     identity = [[Fraction(i == j) for j in range(4)] for i in range(4)]

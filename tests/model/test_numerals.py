@@ -10,15 +10,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.document.codec import to_tree
-from app.document.document import Document
-from app.document.fields import NUMBER, NUMBER_OR_WORD, PIXELS, VECTOR, fields_of
+from app.document.document import NUMBER, NUMBER_OR_WORD, PIXELS, VECTOR, Document, fields_of
 from app.document.settings import set_values
 from app.drawings.labels import written_distance
 from app.model.numerals import number, numbers
 from app.model.projection import kinds
 from app.model.refusal import Refusal, format_value
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.readout import figure
+from app.scenes.phenomena.words import figure
 from widgets.parts.messages import figure_text, number_text
 from widgets.parts.number_text import short_text
 

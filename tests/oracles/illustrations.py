@@ -24,7 +24,7 @@ from app.model.projection import (
 )
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks
-from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.words import Reading
 
 
 def subject_of(phenomenon: Phenomenon) -> Subject:

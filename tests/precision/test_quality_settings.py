@@ -31,7 +31,7 @@ from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, canvas
 from widgets.panes.pane import REST_MS
-from widgets.parts.number_dialog import NumberDialog
+from widgets.parts.number_field import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 

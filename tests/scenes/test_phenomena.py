@@ -15,15 +15,15 @@ import numpy as np
 import pytest
 
 from app.bootstrap import ROOT
-from app.model.lenses import central, oblique, parallel
+from app.model.lenses import central, oblique, orthographic
 from app.model.limits import PLANES
 from app.model.parameter import Parameter
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
-from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.settings import Settings
+from app.scenes.phenomena.words import Phrase
 from tests.oracles.illustrations import assert_sound, projections, subject_of
 from tests.support.lenses import ONE_OF_EACH
 from tests.support.marked import marked
@@ -156,7 +156,7 @@ def test_no_projection_and_no_setting_shows_a_nan_or_a_text_without_translation(
                 raise
     assert (followed > 25) == (phenomenon.follow is not Phenomenon.follow)
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
-    marked_texts = content_texts() | marked(central, oblique, parallel, context="phenomena")
+    marked_texts = content_texts() | marked(central, oblique, orthographic, context="phenomena")
     assert not {text for text in shown - marked_texts if words.search(text)}
 
 
@@ -200,7 +200,11 @@ def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) ->
 def test_a_wheel_has_the_content_files() -> None:
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
     packed = project["tool"]["setuptools"]["package-data"]
-    folders = [folder.relative_to(ROOT) for folder in (ROOT / "app").rglob("content")]
+    folders = [
+        folder.relative_to(ROOT)
+        for part in ("app", "widgets")
+        for folder in (ROOT / part).rglob("content")
+    ]
     assert len(folders) > 1
     for folder in folders:
         assert packed[".".join(folder.parent.parts)] == ["content/*"], folder

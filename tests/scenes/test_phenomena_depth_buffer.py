@@ -19,8 +19,8 @@ from app.model.lenses import LENSES
 from app.model.projection import Array, Camera, Orthographic, Perspective, Projection
 from app.scenes.phenomena.depth_buffer import PHENOMENON, buffer_of, distances
 from app.scenes.phenomena.illustration import Subject
-from app.scenes.phenomena.readout import Phrase
 from app.scenes.phenomena.sampling import seen_distances
+from app.scenes.phenomena.words import Phrase
 from app.scenes.scene import load
 from app.scenes.shapes import box_faces
 from tests.oracles.illustrations import projections, showing

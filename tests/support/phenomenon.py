@@ -15,10 +15,9 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Text
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 
 BELOW_COUNT = "must be less than the count, which is {0}"
 

@@ -29,7 +29,7 @@ from tests.support.window import MakeWindow, activate, settle, show_scene
 from widgets.parts.diagram import DiagramView
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
-from widgets.window.self_test import SelfTestDialog
+from widgets.window.practice import SelfTestDialog
 from widgets.window.speaker import SpeakerWindow
 from widgets.window.talk_writing import TitleDialog
 

@@ -39,7 +39,7 @@ from tests.support.window import (
     settle,
     turn,
 )
-from widgets.parts.combo import Combo
+from widgets.parts.icons import Combo
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import data_folder

@@ -33,8 +33,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from app.document.document import Document
-from app.document.fields import IMAGE, lens_fields
+from app.document.document import IMAGE, Document, lens_fields
 from app.document.settings import set_values
 from app.drawings.figure import SCALED_WIDTH
 from app.model.limits import DISTINCT
@@ -83,11 +82,10 @@ from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.messages import A_NUMBER, sentence
+from widgets.parts.messages import A_NUMBER, all_digits, sentence
 from widgets.parts.number_rows import QUIET_MS, NumberRow
 from widgets.parts.number_text import parse_number, short_text
 from widgets.parts.scales import Doubling, Linear, Log
-from widgets.parts.writing import all_digits
 
 CLOSE = replace(START, lens=Perspective(45.0, 3.5, 5.0))
 """Near and far limit each other within the range of their sliders."""

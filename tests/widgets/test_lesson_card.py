@@ -61,8 +61,7 @@ from widgets.parts.lesson_text import LessonText
 from widgets.parts.progress import ReportProgress
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
-from widgets.window.lesson_blocks.click import ClickView
-from widgets.window.lesson_blocks.task import TaskView
+from widgets.window.lesson_blocks.marked import ClickView, TaskView
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow

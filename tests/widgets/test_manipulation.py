@@ -29,7 +29,7 @@ from app.model.projection import (
     Projection,
 )
 from app.picking.handles import EYE, TARGET, Handle
-from app.scenes.phenomena.readout import Reading
+from app.scenes.phenomena.words import Reading
 from app.scenes.scene import load
 from tests.support.drawings import OffScreen
 from tests.support.window import (

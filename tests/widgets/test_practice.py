@@ -42,10 +42,8 @@ from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyb
 from widgets.parts.icons import WarningLabel
 from widgets.window.lesson_blocks.view import Sign
 from widgets.window.main_window import RECORD, MainWindow
-from widgets.window.overview import Overview
-from widgets.window.practice import review_text
-from widgets.window.self_test import SelfTestDialog
-from widgets.window.self_test_marks import SelfTestMarks
+from widgets.window.overview import Overview, SelfTestMarks
+from widgets.window.practice import SelfTestDialog, review_text
 from widgets.window.settings import data_folder
 
 pytestmark = pytest.mark.undrawn

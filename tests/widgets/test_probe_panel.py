@@ -51,7 +51,7 @@ from tests.support.window import (
 )
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.probe_table import FORMULA
-from widgets.parts.readable import Readable
+from widgets.parts.panel import Readable
 from widgets.parts.typeset import typeset
 from widgets.window.drawer import REST_MS
 from widgets.window.main_window import MainWindow

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
-from widgets.parts.readable import READ_MS, STEPS, Readable
+from widgets.parts.panel import READ_MS, STEPS, Readable
 
 
 class Shown(QWidget):

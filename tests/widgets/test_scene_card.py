@@ -29,8 +29,8 @@ from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings
+from app.scenes.phenomena.words import Phrase, Reading
 from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.phenomenon import EVERYTHING, called
@@ -40,12 +40,10 @@ from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow
-from widgets.parts.messages import TranslatedWords, number_text
+from widgets.parts.messages import TranslatedWords, all_digits, number_text
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.panel import EVERYTHING as EVERY_CHANGE
-from widgets.parts.panel import ShownData
-from widgets.parts.readable import Readable
-from widgets.parts.writing import all_digits
+from widgets.parts.panel import Readable, ShownData
 from widgets.window.main_window import MainWindow
 
 TRIES = ("Drag this.", "What happens there?", "And here?")

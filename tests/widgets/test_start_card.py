@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QSize, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QToolButton
 
@@ -16,13 +15,13 @@ from app.lessons.course import contained
 from app.lessons.lesson import read
 from app.lessons.player import Progress
 from app.scenes.scene import BUILT_IN, load
-from tests import PATIENCE_MS
+from tests.pictures import MOST_DIFFERENT, different, draw_tile
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, click, settle
 from widgets.window import start_card
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
-from widgets.window.start_card import StartCard
+from widgets.window.start_card import TILES, StartCard, tile_path
 
 
 def opened(window: MainWindow) -> StartCard:
@@ -45,27 +44,37 @@ def is_gone(window: MainWindow) -> bool:
     )
 
 
-def is_drawn(tile: QToolButton) -> bool:
-    """Whether it has its picture, not only room for it."""
-    return tile.icon().pixmap(144, 81).toImage().pixelColor(2, 2).alpha() == 255
-
-
-def test_it_has_every_scene_as_a_picture(window: MainWindow, qtbot: Any) -> None:
+def test_it_has_every_scene_as_a_picture(window: MainWindow) -> None:
     card = opened(window)
     assert list(card.tiles) == list(BUILT_IN)
-    settle()
-    before = [tile.geometry() for tile in card.tiles.values()]
-    qtbot.waitUntil(
-        lambda: all(is_drawn(tile) for tile in card.tiles.values()), timeout=PATIENCE_MS
-    )
-    assert [tile.geometry() for tile in card.tiles.values()] == before, "none moves"
-    pictures = [tile.icon().pixmap(144, 81).toImage() for tile in card.tiles.values()]
-    assert len({bytes(picture.constBits()) for picture in pictures}) == len(BUILT_IN)
+    for ratio in (1.0, 2.0):
+        pictures = [t.icon().pixmap(QSize(144, 81), ratio).toImage() for t in card.tiles.values()]
+        assert {(p.width(), p.height()) for p in pictures} == {(144 * ratio, 81 * ratio)}
+        assert len({bytes(picture.constBits()) for picture in pictures}) == len(BUILT_IN)
     for size in ((1280, 720), (1366, 768)):
         window.resize(*size)
         settle()
         assert card.geometry() == window.rect()
         assert cut(card) == [] and overlapping(card) == []
+
+
+@pytest.mark.parametrize("dark", [False, True])
+def test_the_pictures_are_what_the_program_draws(dark: bool, tmp_path: Path) -> None:
+    known = {tile_path(name, dark=each) for name in BUILT_IN for each in (False, True)}
+    assert set(TILES.iterdir()) == known
+    for name in BUILT_IN:
+        drawn, shipped = tmp_path / "drawn.png", tile_path(name, dark=dark)
+        draw_tile(name, drawn, dark=dark)
+        assert different(shipped, drawn) <= MOST_DIFFERENT, f"tests.pictures --tiles {name}"
+
+
+def test_a_dark_window_has_dark_pictures(window: MainWindow) -> None:
+    corners = []
+    for theme in ("light", "dark"):
+        window.look.set_theme(theme)
+        tile = opened(window).tiles["letter-f"]
+        corners.append(tile.icon().pixmap(144, 81).toImage().pixelColor(2, 2).lightness())
+    assert corners[0] > 200 and corners[1] < 50
 
 
 @pytest.mark.undrawn
@@ -114,22 +123,12 @@ def test_the_switch_is_kept(make_window: MakeWindow, own_home: Path) -> None:
 
 
 @pytest.mark.undrawn
-def test_a_scene_that_cannot_be_drawn_is_there_by_its_name(
-    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, caplog: Any
+def test_a_scene_without_a_picture_is_there_by_its_name(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    whole = load
-
-    def broken(name: str) -> Any:
-        if name == "cube":
-            raise RuntimeError("no picture of it")
-        return whole(name)
-
-    monkeypatch.setattr(start_card, "load", broken)
+    monkeypatch.setattr(start_card, "TILES", tmp_path)
     card = opened(window)
-    last = card.tiles[BUILT_IN[-1]]
-    qtbot.waitUntil(lambda: is_drawn(last), timeout=PATIENCE_MS)
-    assert not is_drawn(card.tiles["cube"]) and "cube cannot be drawn" in caplog.text
-    QTest.mouseClick(card.tiles["cube"], Qt.MouseButton.LeftButton)
+    click(card.tiles["cube"])
     assert window.store.document.scene == "cube"
 
 

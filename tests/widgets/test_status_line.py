@@ -19,7 +19,7 @@ from app.scenes.scene import Scene, load
 from tests.support.bounds import drawing_bound_px
 from tests.support.shown import show
 from tests.support.window import MakeWindow
-from widgets.parts.number_dialog import NumberDialog
+from widgets.parts.number_field import NumberDialog
 from widgets.window import status_line
 from widgets.window.status_line import StatusLine
 

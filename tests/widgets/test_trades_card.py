@@ -72,6 +72,24 @@ def test_every_trade_is_a_picture_in_every_window(window: MainWindow, qtbot: Any
 
 
 @pytest.mark.undrawn
+def test_a_trade_that_cannot_be_drawn_is_there_by_its_name(
+    window: MainWindow, qtbot: Any, monkeypatch: pytest.MonkeyPatch, caplog: Any
+) -> None:
+    def broken(name: str) -> Any:
+        if name == "drift":
+            raise RuntimeError("no picture of it")
+        return load(name)
+
+    monkeypatch.setattr(trades_card, "load", broken)
+    card = opened(window)
+    others = [tile for name, tile in card.tiles.items() if name != "drift"]
+    qtbot.waitUntil(lambda: all(map(is_drawn, others)), timeout=PATIENCE_MS)
+    assert not is_drawn(card.tiles["drift"]) and "drift cannot be drawn" in caplog.text
+    click(card.tiles["drift"])
+    assert window.store.document.scene == "drift"
+
+
+@pytest.mark.undrawn
 def test_each_says_what_is_given_up_and_the_shipped_price(window: MainWindow) -> None:
     tiles = opened(window).tiles
     for name, tile in tiles.items():

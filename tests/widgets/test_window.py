@@ -92,15 +92,14 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panes.counting import Counting
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
-from widgets.parts.combo import Combo
-from widgets.parts.icons import WarningLabel
+from widgets.parts.icons import Combo, WarningLabel
 from widgets.parts.messages import number_text, sentence
-from widgets.window.autosave import Autosave
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
 from widgets.window.pictures import preview
 from widgets.window.probing import Probing
+from widgets.window.recovery import Autosave
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import Settings, data_folder
 from widgets.window.status_line import StatusLine
@@ -958,7 +957,7 @@ from pathlib import Path
 from PySide6.QtCore import QCoreApplication
 from app.document.document import Document
 from app.model.projection import Perspective
-from widgets.window.autosave import Autosave
+from widgets.window.recovery import Autosave
 application = QCoreApplication([])
 document = Document("posts")
 document = replace(document, projection=replace(document.projection, lens=Perspective(61, 2, 20)))
@@ -1034,7 +1033,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
 
     def on_a_full_disk(act: Callable[[], object]) -> None:
         with monkeypatch.context() as disk:
-            disk.setattr("widgets.window.autosave.write", full)
+            disk.setattr("widgets.window.recovery.write", full)
             act()
 
     edit(window)

@@ -17,11 +17,10 @@ from PySide6.QtWidgets import QWidget
 from app.model.limits import NOT_PARALLEL, within
 from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import limits_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear
@@ -29,12 +28,9 @@ from widgets.parts.scales import Linear
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
 
-STEP_S = 2.0
-"""The lecture's pause between two heights in steps."""
-STEPS_UP = 3
-"""Steps from the lowest height to the highest."""
-PERIOD_S = 2.0 * STEPS_UP * STEP_S
-"""Time for one cycle up and down, smoothly or in steps."""
+STEP_S = 2.0  # the lecture's pause between two heights in steps
+STEPS_UP = 3  # steps from the lowest height to the highest
+PERIOD_S = 2.0 * STEPS_UP * STEP_S  # time for one cycle up and down, smoothly or in steps
 FASTEST_DEG_S = 3600
 """Ten turns a second: above a sixth of a turn per frame, the direction is no longer visible."""
 
@@ -52,10 +48,8 @@ class Motion:
     look: LookMode = "target"
     """The camera looks at the target, or horizontally: the target gets the eye's y."""
     lowest: float = 0.0
-    highest: float = 10.0
-    """Limits of the eye's y, world units; in either order."""
-    clock_s: float = 0.0
-    """Phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest."""
+    highest: float = 10.0  # limits of the eye's y, world units; in either order
+    clock_s: float = 0.0  # phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest
 
     @property
     def _middle(self) -> float:
@@ -130,8 +124,7 @@ class AnimationBar(QWidget, Playing):
     If something else moves the camera meanwhile (a slider, undo), the walk continues from there.
     """
 
-    edited = Signal(object)
-    """The next `Camera`, once per frame."""
+    edited = Signal(object)  # the next `Camera`, once per frame
 
     def __init__(self) -> None:
         super().__init__()

@@ -37,8 +37,7 @@ from app.model.parameters import (
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
 from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
-from widgets.controls.dock import Dock
-from widgets.controls.finder import ControlTexts, find
+from widgets.controls.dock import ControlTexts, Dock, find
 from widgets.controls.lens_sliders import LensSliders
 from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
 from widgets.controls.scene_card import SceneCard
@@ -63,10 +62,8 @@ class Controls(Dock, RowHolder):
     """
 
     concerns = EVERYTHING
-    edited = Signal(object)
-    """The user made this `Projection`; emitted once per action."""
-    object_unfolded = Signal(bool)
-    """Whether the numbers of a movable object are unfolded."""
+    edited = Signal(object)  # the user made this `Projection`; emitted once per action
+    object_unfolded = Signal(bool)  # whether the numbers of a movable object are unfolded
     highlighted = Signal(str, object)
     """The key of the row under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
 

@@ -12,8 +12,7 @@ from widgets.controls.parameter_rows import Binding
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear, Log, Scale
 
-NEAR_RATIO = 40.0
-"""Ratio of the ends of near's slider: a pixel of 240 changes near by at most 2 %."""
+NEAR_RATIO = 40.0  # ratio of the ends of near's slider: a pixel of 240 changes near by at most 2 %
 
 
 class LensSliders(QObject):

@@ -13,9 +13,9 @@ from app.model.parameter import Computed, Parameter, Part
 from app.model.parameters import KIND, lenses_with, tidy
 from app.model.projection import LENSES, FreeMatrix, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import CheckRow, ChoiceRow, Option, Row
+from widgets.parts.layouts import tool_button
 from widgets.parts.messages import limits_text, of_phenomena, parameter_text, translated
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
@@ -81,15 +81,12 @@ class Binding(NamedTuple):
     """
 
     row: Row
-    rows: Rows
-    """The part of the dock with the row."""
+    rows: Rows  # the part of the dock with the row
     parameter: Parameter
     part: Part
     """The field of `Projection` that the value belongs to; only a change there removes an error."""
-    field: str
-    """The model's name of the value, of a component that of its vector."""
-    memory: TypedMemory | None
-    """Keeps an accepted edit."""
+    field: str  # the model's name of the value, of a component that of its vector
+    memory: TypedMemory | None  # keeps an accepted edit
     lenses: tuple[str, ...]
     """The kinds of lens that have this value; empty if it depends on no lens."""
 
@@ -190,8 +187,7 @@ class SettingMotion(Playing, QObject):
     something else changes the number meanwhile, the motion continues from there.
     """
 
-    stepped = Signal(float)
-    """The next value, once per frame."""
+    stepped = Signal(float)  # the next value, once per frame
 
     def __init__(self, setting: Parameter, parent: QObject | None = None) -> None:
         super().__init__(parent)

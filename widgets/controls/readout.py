@@ -9,26 +9,20 @@ from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from app.scenes.phenomena.readout import Reading
-from widgets.parts.buttons import tool_button
-from widgets.parts.icons import show_icon
-from widgets.parts.layouts import in_column
-from widgets.parts.messages import number_text, of_phenomena, read_text
-from widgets.parts.note import Balanced
+from app.scenes.phenomena.words import Reading
+from widgets.parts.icons import Balanced, show_icon
+from widgets.parts.layouts import in_column, tool_button
+from widgets.parts.messages import all_digits, lettering, number_text, of_phenomena, read_text
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
-from widgets.parts.writing import all_digits, lettering
 
-LARGE = 1.15
-"""Size of a reading's number, relative to ordinary text."""
+LARGE = 1.15  # size of a reading's number, relative to ordinary text
 BESIDE, ON_A_LINE = 13, 30
 """Characters of the longest value beside its label, and of the longest list on one line."""
 LABEL_EM, WORDS_EM = 6, 7
 """Widths in heights of a line, beyond which labels, and words as values, may wrap."""
-BETWEEN_EM = 0.35
-"""Gap between two readings."""
-NONE = "–"
-"""Shown for a missing reading."""
+BETWEEN_EM = 0.35  # gap between two readings
+NONE = "–"  # shown for a missing reading
 
 
 def full_sentence(sentence: str) -> str:
@@ -65,8 +59,7 @@ class _Value(TypesetLabel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.is_below = False
-        """Whether the value is below its label."""
+        self.is_below = False  # whether the value is below its label
         self.shrinks = True
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
@@ -78,8 +71,7 @@ class Readout(QWidget):
     unfolded. A sentence below says why values are missing.
     """
 
-    highlighted = Signal(object)
-    """The `Highlight` of the reading under the mouse."""
+    highlighted = Signal(object)  # the `Highlight` of the reading under the mouse
 
     def __init__(self) -> None:
         super().__init__()

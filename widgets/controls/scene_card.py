@@ -22,28 +22,21 @@ from app.model.parameter import Parameter, Value
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings
-from app.scenes.phenomena.words import Comparison
+from app.scenes.phenomena.words import Comparison, Phrase, Reading
 from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence
-from widgets.parts.buttons import tool_button
 from widgets.parts.fields import ChoiceRow, Row, RowHolder, report_highlight
-from widgets.parts.icons import RefusalLabel
-from widgets.parts.layouts import FREE, discard, in_column, in_row
-from widgets.parts.messages import breakable, of_phenomena, read_text, sentence
-from widgets.parts.note import Balanced
+from widgets.parts.icons import Balanced, RefusalLabel
+from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.messages import all_digits, breakable, of_phenomena, read_text, sentence
 from widgets.parts.number_rows import NumberRow
-from widgets.parts.panel import Changed, ShownData
+from widgets.parts.panel import Changed, Readable, ShownData
 from widgets.parts.plain import show_tip
-from widgets.parts.readable import Readable
 from widgets.parts.section import GAP_PX
-from widgets.parts.writing import all_digits
 
-WORD = 16
-"""Longest word that fits the narrowest dock."""
-TITLE = 1.25
-"""Size of the scene's name, relative to ordinary text."""
+WORD = 16  # longest word that fits the narrowest dock
+TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
 class SceneCard(QWidget, RowHolder):
@@ -54,8 +47,7 @@ class SceneCard(QWidget, RowHolder):
 
     settings_edited = Signal(object)
     """The user or a motion set these values, by the names of the settings."""
-    comparison_wanted = Signal(str)
-    """The user wants to see this comparison of the scene."""
+    comparison_wanted = Signal(str)  # the user wants to see this comparison of the scene
     highlighted = Signal(str, object)
     """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""
 
@@ -76,8 +68,7 @@ class SceneCard(QWidget, RowHolder):
         self._is_for_class = False
         self._edits = ""  # name of the setting that the user is changing
         self.motions: dict[str, SettingMotion] = {}
-        self.lent: set[str] = set()
-        """Names of the settings whose rows are elsewhere."""
+        self.lent: set[str] = set()  # names of the settings whose rows are elsewhere
         self.readable = Readable(self, self._fill, lambda: self._is_seen)
         all_digits.changed.connect(self.readable.changed)
 

@@ -8,10 +8,9 @@ from PySide6.QtCore import QSize
 from app.drawings.style import Style
 from app.scenes.phenomena.diagram import Diagram
 from widgets.parts.diagram import DiagramView
-from widgets.parts.readable import ReadablePanel
+from widgets.parts.panel import ReadablePanel
 
-LEAST_WINDOW_PX = 900
-"""The panel must fit into a window of this width."""
+LEAST_WINDOW_PX = 900  # the panel must fit into a window of this width
 
 
 class DiagramPanel(ReadablePanel):

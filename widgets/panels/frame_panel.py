@@ -29,22 +29,18 @@ from app.model.formula_text import stacked_fraction
 from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
-from widgets.parts.buttons import push_button
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row, scrolled
-from widgets.parts.messages import read_text, sentence
+from widgets.parts.layouts import FREE, in_column, in_row, push_button, scrolled
+from widgets.parts.messages import all_digits, lettering, read_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
-from widgets.parts.writing import all_digits, lettering
 
-STEP_MS = 2500
-"""Time for reading each step while playing."""
+STEP_MS = 2500  # time for reading each step while playing
 NUDGE_DEG = 0.1
-CLOSE_DEG = 1.0
-"""Up counts as close to the view direction up to this angle."""
+CLOSE_DEG = 1.0  # up counts as close to the view direction up to this angle
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
@@ -67,14 +63,12 @@ class FramePanel(Panel):
     """Builds u, v and n step by step."""
 
     concerns = PROJECTION
-    step_changed = Signal(object)
-    """The step to draw; None while the panel is folded."""
+    step_changed = Signal(object)  # the step to draw; None while the panel is folded
 
     def __init__(self) -> None:
         super().__init__()
         self.setAccessibleName(self.tr("Camera frame"))
-        self.step = 0
-        """Index into `app.lecture.camera_frame.STEPS`."""
+        self.step = 0  # index into `app.lecture.camera_frame.STEPS`
         self._projection = Projection()
         self._highlight = NOTHING
         self._steps = self._make_steps()

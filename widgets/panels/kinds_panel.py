@@ -30,9 +30,8 @@ from widgets.parts.focus import RING_PX
 from widgets.parts.highlight import faded
 from widgets.parts.layouts import in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
-from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel
-from widgets.parts.readable import ReadablePanel
 
 _OF_CUBE = Projection(
     Camera((0.0, 0.0, 2.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 10.0), (640, 640)
@@ -68,8 +67,7 @@ _ACROSS = tuple(int(np.ptp(corners, axis=0).argmin()) for corners in _CUBE)
 class _Node(QAbstractButton):
     """A node of the tree; a click, Space or Enter chooses its kind."""
 
-    pointed = Signal(str)
-    """The kind under the mouse or the focus; empty when it is left."""
+    pointed = Signal(str)  # the kind under the mouse or the focus; empty when it is left
 
     def __init__(self, kind: ProjectionKind, parent: QWidget) -> None:
         super().__init__(parent)
@@ -77,8 +75,7 @@ class _Node(QAbstractButton):
         self.is_leaf = kind.name not in {each.parent for each in KINDS.values()}
         self._on_path = False
         self._style = LIGHT
-        self.scale = 1.0
-        """Scale of the letters."""
+        self.scale = 1.0  # scale of the letters
         self.setText(_text(kind.title))
         self.setAccessibleName(_text(kind.title))
         self.setCheckable(True)

@@ -40,16 +40,13 @@ from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
-from widgets.parts.buttons import tool_button
-from widgets.parts.combo import Combo
-from widgets.parts.icons import REFUSAL_SHEET, WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.icons import REFUSAL_SHEET, Combo, WarningLabel
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import read_text, sentence, stage_title, translated
 from widgets.parts.number_field import refusal
 from widgets.parts.number_text import parse_number
-from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import set_tip
-from widgets.parts.readable import ReadablePanel
 
 
 def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> str:
@@ -83,8 +80,7 @@ class MatrixPanel(ReadablePanel):
     """All matrices between the object and its picture."""
 
     concerns = PROJECTION
-    letters_changed = Signal(str)
-    """The chosen letters, for panes and panels alike."""
+    letters_changed = Signal(str)  # the chosen letters, for panes and panels alike
 
     def __init__(self) -> None:
         super().__init__()

@@ -9,9 +9,8 @@ from PySide6.QtWidgets import QSizePolicy, QSpacerItem, QWidget
 from app.lecture.highlight import Highlight
 from app.lecture.notation import WrittenMatrix
 from widgets.panels.matrix_view import MatrixNotation, MatrixView
-from widgets.parts.buttons import tool_button
 from widgets.parts.icons import show_icon
-from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled
+from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled, tool_button
 from widgets.parts.messages import stage_title
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 

@@ -35,10 +35,9 @@ from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from app.model.refusal import format_value
 from widgets.parts.highlight import faded, paint_highlight
-from widgets.parts.messages import read_text
+from widgets.parts.messages import all_digits, read_text
 from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
-from widgets.parts.writing import all_digits
 
 VIEW = ("view_from_world", "rotation")
 TO_CLIP = ("clip_from_view", "clip_from_world")
@@ -55,8 +54,7 @@ class MatrixNotation(NamedTuple):
     """The notation of all matrices."""
 
     letters: Letters = "own"
-    rows: bool = False
-    """Whether vectors are rows, so that the axes are rows too."""
+    rows: bool = False  # whether vectors are rows, so that the axes are rows too
     formulas: bool = False
     style: Style = LIGHT
 
@@ -115,14 +113,12 @@ class _CellField(QLineEdit):
 
     left = Signal()
     moved_on = Signal(int)
-    pasted = Signal(str)
-    """The text of a whole matrix."""
+    pasted = Signal(str)  # the text of a whole matrix
 
     def __init__(self, text: str, view: QWidget) -> None:
         super().__init__(text, view)
         self._view = view
-        self.is_refused = False
-        """Whether the text was refused, and has not been edited since."""
+        self.is_refused = False  # whether the text was refused, and has not been edited since
         self.textEdited.connect(self._mend)
 
     def _mend(self) -> None:
@@ -166,18 +162,14 @@ class MatrixView(QWidget):
     `title` is for screen readers; `explain` returns the sentence about a cell.
     """
 
-    pointed = Signal(str)
-    """The sentence about the cell under the mouse or the cursor."""
+    pointed = Signal(str)  # the sentence about the cell under the mouse or the cursor
     copied = Signal(str, object)
     """A format (``"text"``, ``"numpy"``, ``"latex"``) and the matrix to copy in it."""
     highlighted = Signal(object)
     """The `Highlight` of the cell under the mouse or the cursor; only when it changes."""
-    typed = Signal(int, int, str)
-    """Row, column and text of a cell; the receiver may call `refuse`."""
-    pasted = Signal(str)
-    """The text of a whole matrix."""
-    moved_on = Signal(int, int)
-    """Row and column of the next cell to type in."""
+    typed = Signal(int, int, str)  # row, column and text of a cell; the receiver may call `refuse`
+    pasted = Signal(str)  # the text of a whole matrix
+    moved_on = Signal(int, int)  # row and column of the next cell to type in
 
     def __init__(
         self,
@@ -189,10 +181,8 @@ class MatrixView(QWidget):
         super().__init__()
         self.setAccessibleName(title)
         self._explain, self._editable = explain, editable
-        self.field: _CellField | None = None
-        """The field of the cell that is being typed."""
-        self.place = (0, 0)
-        """Row and column of the keyboard's cursor."""
+        self.field: _CellField | None = None  # the field of the cell that is being typed
+        self.place = (0, 0)  # row and column of the keyboard's cursor
         self.texts: list[list[str]] = []
         """The cells' texts; formulas are for `widgets.parts.typeset`."""
         self._matrix: WrittenMatrix | None = None

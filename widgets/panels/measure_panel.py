@@ -61,21 +61,15 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.diagram import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.buttons import push_button
-from widgets.parts.combo import Combo
 from widgets.parts.focus import FocusRing
-from widgets.parts.icons import icon
-from widgets.parts.layouts import in_column, in_row
-from widgets.parts.messages import of_measurements, sentence
-from widgets.parts.note import NoteLabel
+from widgets.parts.icons import Combo, NoteLabel, icon
+from widgets.parts.layouts import in_column, in_row, push_button
+from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.writing import all_digits
 
-ENDINGS = (".csv", ".json", *chart.ENDINGS)
-"""Endings of the export formats."""
-NOTE_LETTERS = 24
-"""Least width of the column of notes, in letters, unless the notes are shorter."""
+ENDINGS = (".csv", ".json", *chart.ENDINGS)  # endings of the export formats
+NOTE_LETTERS = 24  # least width of the column of notes, in letters, unless the notes are shorter
 _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
 _NAME = Qt.ItemDataRole.UserRole
 
@@ -126,12 +120,10 @@ class MeasurePanel(DiagramPanel):
     list.
     """
 
-    used = Signal(object)
-    """The `use` of a choice that was clicked: a dict of str."""
+    used = Signal(object)  # the `use` of a choice that was clicked: a dict of str
     refusal_withdrawn = Signal(str)
     """The sentence of a refusal that no longer applies, because the panel was used again."""
-    succeeded = Signal()
-    """A file was read or written."""
+    succeeded = Signal()  # a file was read or written
 
     def __init__(
         self,
@@ -148,10 +140,8 @@ class MeasurePanel(DiagramPanel):
         self._asked: list[str] = []  # the trades and sweeps that are being measured
         self.measured: dict[str, Measurements] = {}
         """The last results of every trade and sweep, by name; each holds only that one."""
-        self.loaded: dict[str, Measurements] = {}
-        """The results from a file, by name."""
-        self.words: dict[str, str] = {}
-        """Why a trade or sweep has no results."""
+        self.loaded: dict[str, Measurements] = {}  # the results from a file, by name
+        self.words: dict[str, str] = {}  # why a trade or sweep has no results
         self.measuring = Measuring(self)
         self.measuring.progressed.connect(lambda part: self.progress.setValue(round(1000 * part)))
         self.measuring.finished.connect(self._finished)

@@ -32,8 +32,7 @@ _KILLED_WITHIN_MS = 30_000  # longest wait for the process to end; usually it en
 class Measuring(QObject):
     """Runs the command `measure` on a document that need not be saved."""
 
-    progressed = Signal(float)
-    """The fraction done."""
+    progressed = Signal(float)  # the fraction done
     finished = Signal(object, str)
     """`Measurements` or None, and a sentence on what could not be measured, if anything."""
 

@@ -12,13 +12,11 @@ from app.model.projection import PLANES, Projection, Trace
 from app.model.refusal import Refusal
 from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
-from widgets.parts.messages import plane_name
-from widgets.parts.writing import lettering
+from widgets.parts.messages import lettering, plane_name
 
 Cells: TypeAlias = list[str | float]
 """A line of a probe: its numbers, or one text across all columns."""
-DIVIDE = 4
-"""The line that shows the divisor, after its sign."""
+DIVIDE = 4  # the line that shows the divisor, after its sign
 
 
 class ProbeRows(NamedTuple):
@@ -27,10 +25,8 @@ class ProbeRows(NamedTuple):
     probes: Sequence[int] = ()
     lines: Sequence[tuple[str, str]] = ()
     """Name and formula of each line; the formula is for `widgets.parts.typeset`."""
-    blocks: Sequence[Sequence[Cells]] = ()
-    """The lines of each probe."""
-    outside: Sequence[Highlight] = ()
-    """The planes that each probe lies beyond."""
+    blocks: Sequence[Sequence[Cells]] = ()  # the lines of each probe
+    outside: Sequence[Highlight] = ()  # the planes that each probe lies beyond
 
 
 class ProbeNumbers(QObject):

@@ -16,16 +16,12 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
-from widgets.parts.buttons import push_button
-from widgets.parts.combo import Combo
-from widgets.parts.icons import RefusalLabel, icon
-from widgets.parts.layouts import Part, in_column, in_row
-from widgets.parts.messages import sentence
+from widgets.parts.icons import Combo, RefusalLabel, icon
+from widgets.parts.layouts import Part, in_column, in_row, push_button
+from widgets.parts.messages import all_digits, lettering, sentence
 from widgets.parts.number_field import ShortField, refusal
-from widgets.parts.panel import PROJECTION, Changed, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
-from widgets.parts.readable import ReadablePanel
-from widgets.parts.writing import all_digits, lettering
 
 _PIN_SHEET = """
 QPushButton:checked {
@@ -40,15 +36,13 @@ class ProbePanel(ReadablePanel):
     """The probes, the buttons that change them, and the table of their numbers."""
 
     concerns = PROJECTION
-    changed = Signal()
-    """The probes have changed."""
+    changed = Signal()  # the probes have changed
 
     def __init__(self) -> None:
         super().__init__()
         self.probes: tuple[Probe, ...] = ()
         """The probes that the panes mark, in the order of the table."""
-        self.pinned = frozenset[int]()
-        """Numbers of the probes that the next click does not move."""
+        self.pinned = frozenset[int]()  # numbers of the probes that the next click does not move
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None
         self._is_new = False

@@ -38,8 +38,7 @@ _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
 FORMULA = Qt.ItemDataRole.UserRole
 """Role of a line's first cell: its formula, for `widgets.parts.typeset`."""
-EXACT = Qt.ItemDataRole.UserRole + 1
-"""Role of a cell: the text with all digits, for copying."""
+EXACT = Qt.ItemDataRole.UserRole + 1  # role of a cell: the text with all digits, for copying
 
 
 def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:

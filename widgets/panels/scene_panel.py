@@ -17,14 +17,10 @@ from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, subscripts
 
-WORD = 16
-"""Characters of a file's name that fit into the narrowest column."""
-COLUMN_PX = 200
-"""Least width of a scrolling column."""
-PICTURE = 16.0 / 9.0
-"""Aspect of a diagram that is a picture."""
-MOST_ABREAST = 2
-"""Most diagrams in one row; more of them use two rows if they are larger that way."""
+WORD = 16  # characters of a file's name that fit into the narrowest column
+COLUMN_PX = 200  # least width of a scrolling column
+PICTURE = 16.0 / 9.0  # aspect of a diagram that is a picture
+MOST_ABREAST = 2  # most diagrams in one row; more of them use two rows if they are larger that way
 
 
 class ScenePanel(DiagramPanel):

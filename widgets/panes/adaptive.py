@@ -26,8 +26,7 @@ from widgets.parts.progress import progress_dialog
 AT_FIRST = 200_000
 """Triangles of a software renderer's first frame, before its speed is known: a million would hold
 the first step of a drag for half a second."""
-MANY_TRIANGLES = 10_000
-"""Making coarser versions of a scene with more triangles shows progress."""
+MANY_TRIANGLES = 10_000  # making coarser versions of a scene with more triangles shows progress
 AT_REST = "FXAA"
 """The automatic smoothing. With OpenGL in software it takes five times as long as the rest."""
 
@@ -39,8 +38,7 @@ class Adaptive(QObject):
     frame while a control is dragged; 0 for any.
     """
 
-    changed = Signal()
-    """`late_ms` has become zero or not zero, or `samples` has changed."""
+    changed = Signal()  # `late_ms` has become zero or not zero, or `samples` has changed
 
     def __init__(
         self,
@@ -63,8 +61,7 @@ class Adaptive(QObject):
         self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
         self.budget = self._of_turning = FrameBudget([FrameQuality(False, 1.0)], 0.0)
-        self._measured = self.budget
-        """The budget that the present frame counts for."""
+        self._measured = self.budget  # the budget that the present frame counts for
         self._turned = QTimer(self, singleShot=True, interval=REST_MS)
         self._turned.timeout.connect(self._end_turn)
         for pane in panes.values():

@@ -9,8 +9,7 @@ from widgets.parts.panel import ShownData
 
 
 class _DrawnAhead(NamedTuple):
-    args: tuple[object, ...]
-    """The arguments of `Pane.build` that the drawing is for."""
+    args: tuple[object, ...]  # the arguments of `Pane.build` that the drawing is for
     shown: ShownData
     screen: Any
     drawing: Drawing

@@ -49,8 +49,7 @@ if TYPE_CHECKING:
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
-KEY_PX = 25.0
-"""Movement of the mouse that an arrow key stands for: it turns by 10 degrees."""
+KEY_PX = 25.0  # movement of the mouse that an arrow key stands for: it turns by 10 degrees
 ARROWS = {
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
@@ -93,12 +92,9 @@ class _Canvas(QWidget):
     `render_window` and `renderer` exist once it is open.
     """
 
-    painted = Signal(float)
-    """The ms of a repaint; only while `timed`."""
-    drawn = Signal()
-    """VTK has drawn a picture; it may be `shown` later."""
-    shown = Signal()
-    """The picture has reached the screen."""
+    painted = Signal(float)  # the ms of a repaint; only while `timed`
+    drawn = Signal()  # VTK has drawn a picture; it may be `shown` later
+    shown = Signal()  # the picture has reached the screen
     render_window: Any
     renderer: Any
 
@@ -359,25 +355,17 @@ class Hand(QObject):
     Places are in device pixels from the canvas' top left.
     """
 
-    moved = Signal()
-    """The canvas' own camera was moved."""
-    clicked = Signal(QPointF)
-    """Pressed and released in one place: the middle of that pixel."""
+    moved = Signal()  # the canvas' own camera was moved
+    clicked = Signal(QPointF)  # pressed and released in one place: the middle of that pixel
     drag_started = Signal(QPointF)
     """The place where the left button was pressed; the mouse has left it."""
-    dragged = Signal(QPointF, bool)
-    """The movement from there, and whether Shift is held."""
+    dragged = Signal(QPointF, bool)  # the movement from there, and whether Shift is held
     drag_ended = Signal()
-    hovered = Signal(QPointF)
-    """The mouse is here without a button: the middle of that pixel."""
-    left = Signal()
-    """The mouse has left the canvas."""
-    scrolled = Signal(float)
-    """Steps of the wheel, or of a key for it, where they do not zoom."""
-    pushed = Signal(QPointF)
-    """The movement that an arrow key stands for, where it does not turn."""
-    dropped = Signal()
-    """The receiver has ended the drag; the rest of the movement has no effect."""
+    hovered = Signal(QPointF)  # the mouse is here without a button: the middle of that pixel
+    left = Signal()  # the mouse has left the canvas
+    scrolled = Signal(float)  # steps of the wheel, or of a key for it, where they do not zoom
+    pushed = Signal(QPointF)  # the movement that an arrow key stands for, where it does not turn
+    dropped = Signal()  # the receiver has ended the drag; the rest of the movement has no effect
 
     def __init__(self, canvas: AnyCanvas, *, orbits: bool) -> None:
         super().__init__(canvas)
@@ -388,8 +376,7 @@ class Hand(QObject):
         """Where the left button was pressed, while it may be a click."""
         self._dragged_from: QPointF | None = None
         self._holds = False
-        self.has_tooltip = True
-        """Whether the canvas has a tooltip."""
+        self.has_tooltip = True  # whether the canvas has a tooltip
         self.may_turn: Callable[[], bool] = lambda: True
         """Whether a drag turns the camera; otherwise it only shifts it."""
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.

@@ -31,19 +31,16 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from widgets.panes.canvas import ARROWS, RasterCanvas
 from widgets.panes.pane import Pane
-from widgets.parts.buttons import tool_button
 from widgets.parts.focus import FocusRing
-from widgets.parts.layouts import in_row
+from widgets.parts.icons import Title
+from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
-from widgets.parts.note import Title
 from widgets.parts.palette import LABEL_SHARE
 from widgets.parts.panel import PROJECTION, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 
-GRASP_PX = 15
-"""Width of a divider for the mouse; the painted line has a fifth of it."""
-KEY_STEP = 0.02
-"""Part of the picture's width for an arrow key; with Shift a tenth of it."""
+GRASP_PX = 15  # width of a divider for the mouse; the painted line has a fifth of it
+KEY_STEP = 0.02  # part of the picture's width for an arrow key; with Shift a tenth of it
 
 
 class Divider(QWidget):
@@ -53,8 +50,7 @@ class Divider(QWidget):
     """The mouse drags it to this place, in pixels from the left of the surface."""
     stepped = Signal(float)
     """A key moves it by this part of the picture's width; more than 1 is to an end."""
-    left = Signal()
-    """Esc was pressed on it."""
+    left = Signal()  # Esc was pressed on it
 
     def __init__(self, surface: QWidget) -> None:
         super().__init__(surface)
@@ -227,8 +223,7 @@ class _TwoLineLabel(PlainLabel):
 class Compare(QObject):
     """The pictures in a pane, at first the image's; `smoothing` returns that of a pane at rest."""
 
-    changed = Signal()
-    """The pictures or the dividers have changed."""
+    changed = Signal()  # the pictures or the dividers have changed
     drawn = Signal()
     """One of the other pictures is on the screen for the first time, under its name."""
     end_wanted = Signal()
@@ -247,8 +242,7 @@ class Compare(QObject):
         self._laid_out: list[tuple[int, int] | None] = []
         """The sizes of the images in the present layout."""
         self._screen_px = 0.0  # the height of the screen that a class looks at; 0 for a window
-        self.bar = QWidget()
-        """Below the picture: says how the pictures differ."""
+        self.bar = QWidget()  # below the picture: says how the pictures differ
         self.words = _TwoLineLabel()
         self.words.setAccessibleName(self.tr("Differences between the pictures"))
         self.way = tool_button(act=self.toggle_way, flat=True, by_click=True)

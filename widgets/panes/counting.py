@@ -18,8 +18,7 @@ REST_MS = 250
 PIXELS = 130_000
 """Size of the picture: precise to 0.3 points of a share, in less than 100 ms in software."""
 LONGEST_PX = 1000
-MOST_FACES = 20_000
-"""A larger mesh would block the window: its share is only predicted."""
+MOST_FACES = 20_000  # a larger mesh would block the window: its share is only predicted
 
 
 class Counting(QObject):

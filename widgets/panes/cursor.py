@@ -36,16 +36,14 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.messages import read_text
-from widgets.parts.note import BesideLabel
+from widgets.parts.icons import BesideLabel
+from widgets.parts.messages import all_digits, read_text
 from widgets.parts.panel import Changed, ShownData
-from widgets.parts.writing import all_digits
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-STEP_PX, LONG_STEP_PX = 1.0, 10.0
-"""Pixels that an arrow key drags by, without and with Shift."""
+STEP_PX, LONG_STEP_PX = 1.0, 10.0  # pixels that an arrow key drags by, without and with Shift
 _RADIUS_EM = 1.1
 _LINE_PX, _HELD_LINE_PX, _RIM_PX = 2.0, 4.0, 2.0
 _GAP_PX = 2
@@ -65,8 +63,7 @@ class Followed:
     number: int
 
 
-Thing: TypeAlias = Handle | Vertex | Followed
-"""The cursor's place."""
+Thing: TypeAlias = Handle | Vertex | Followed  # the cursor's place
 
 
 class Cursor(QObject):

@@ -46,6 +46,7 @@ from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.escape import EscapeKey
 from widgets.parts.gestures import Gestures
+from widgets.parts.icons import BesideLabel
 from widgets.parts.messages import (
     field_name,
     of_phenomena,
@@ -54,13 +55,11 @@ from widgets.parts.messages import (
     seen_from,
     sentence,
 )
-from widgets.parts.note import BesideLabel
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 
-HOLD_WITHIN_PX = 12.0
-"""Greatest distance from a probe's mark at which a drag takes hold of it."""
+HOLD_WITHIN_PX = 12.0  # greatest distance from a probe's mark at which a drag takes hold of it
 _APART_PX = 16
 _HALVINGS = 6  # how often the way of a refused drag is halved, to stop it at the bound
 
@@ -69,8 +68,7 @@ class Manipulation(Gestures, QObject):
     """Turns drags on handles and on the picture, and the wheel there, into projections."""
 
     concerns = PROJECTION | {"scene", "illustration", "settings"}
-    edited = Signal(object)
-    """The user made this `Projection`."""
+    edited = Signal(object)  # the user made this `Projection`
     setting_edited = Signal(object)
     """The user gave settings of the scene these values, by name; the receiver may `refuse`."""
 
@@ -404,15 +402,11 @@ class _Drag:
 
     pane: Pane
     start: Projection
-    taken: _TakenAt | None = None
-    """None for the picture."""
-    held: Grip | None = None
-    """The dragged setting at the start, and its value."""
+    taken: _TakenAt | None = None  # None for the picture
+    held: Grip | None = None  # the dragged setting at the start, and its value
     before: Any = None
-    names: set[str] = field(default_factory=set)
-    """The fields that the drag has changed."""
-    reached: QPointF = field(default_factory=QPointF)
-    """The last movement that the model allowed."""
+    names: set[str] = field(default_factory=set)  # the fields that the drag has changed
+    reached: QPointF = field(default_factory=QPointF)  # the last movement that the model allowed
 
 
 def _seen_from(change: Change, error: Refusal) -> Refusal:

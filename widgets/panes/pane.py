@@ -25,13 +25,12 @@ from app.picking.picking import Probe
 from widgets.panes.ahead import DrawingsAhead
 from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand, release_context
 from widgets.panes.header import Header
-from widgets.parts.buttons import tool_button
 from widgets.parts.clock import Clock
+from widgets.parts.layouts import tool_button
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import PlainLabel
 
-REST_MS = 80
-"""A coarse picture is refined when nothing has changed for so long."""
+REST_MS = 80  # a coarse picture is refined when nothing has changed for so long
 AS_BUILT: dict[str, Any] = {
     "smoothing": "none",
     "detail": None,
@@ -72,25 +71,17 @@ class Pane(QFrame):
     """
 
     concerns = PROJECTION | {"illustration"}
-    fixed_left = Signal()
-    """The user turned the fixed view, which became the free view."""
+    fixed_left = Signal()  # the user turned the fixed view, which became the free view
     enlarge_requested = Signal()
-    clicked = Signal(QPointF)
-    """A place in the canvas, in device pixels from its top left."""
-    aimed = Signal(QPointF)
-    """Likewise, while `is_aimed_at`, instead of `clicked`."""
-    double_clicked = Signal()
-    """The canvas was double-clicked: the click before does not count."""
-    float_requested = Signal()
-    """The pane shall get, or leave, a window of its own."""
-    highlighted = Signal(object)
-    """The `Highlight` of what is under the mouse; only when it changes."""
+    clicked = Signal(QPointF)  # a place in the canvas, in device pixels from its top left
+    aimed = Signal(QPointF)  # likewise, while `is_aimed_at`, instead of `clicked`
+    double_clicked = Signal()  # the canvas was double-clicked: the click before does not count
+    float_requested = Signal()  # the pane shall get, or leave, a window of its own
+    highlighted = Signal(object)  # the `Highlight` of what is under the mouse; only when it changes
     timed = Signal(float, float)
     """The ms of the last step's matrices and of a repaint; only after `set_timed`."""
-    turned = Signal()
-    """The pane's own view was moved by hand, or put back."""
-    marked = Signal()
-    """The pane shows other layers or probes."""
+    turned = Signal()  # the pane's own view was moved by hand, or put back
+    marked = Signal()  # the pane shows other layers or probes
 
     def __init__(
         self,
@@ -105,14 +96,11 @@ class Pane(QFrame):
         self.setAccessibleName(title)
         self.make_drawing = make_drawing
         self.drawing: Drawing | None = None
-        self.shown: ShownData | None = None
-        """What the pane shows, or will show when it appears."""
+        self.shown: ShownData | None = None  # what the pane shows, or will show when it appears
         self._to_build: tuple[object, ...] | None = None
-        self.built_with: tuple[object, ...] | None = None
-        """The last arguments of `build`."""
+        self.built_with: tuple[object, ...] | None = None  # the last arguments of `build`
         self._waits = False
-        self.requested = dict(AS_BUILT)
-        """The values of `request`."""
+        self.requested = dict(AS_BUILT)  # the values of `request`
         self._due: set[str] = set()  # what the drawing has yet to show
         self._pointed_at = NOTHING
         self._matrices_ms = 0.0
@@ -142,8 +130,7 @@ class Pane(QFrame):
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
         self.ahead = DrawingsAhead(self.canvas, make_drawing)
         self.canvas.setAccessibleName(title)
-        self.is_aimed_at = False
-        """Whether a question asks for a place in the picture."""
+        self.is_aimed_at = False  # whether a question asks for a place in the picture
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]

@@ -21,30 +21,24 @@ from app.lecture.stages import (
     WORLD,
 )
 from app.model.projection import Projection
-from app.scenes.phenomena.readout import digits_apart
-from widgets.parts.buttons import tool_button
+from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.escape import HeldSlider
-from widgets.parts.layouts import in_column, in_row
+from widgets.parts.layouts import in_column, in_row, tool_button
+from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
-from widgets.parts.writing import lettering
 
-STEPS = 240
-"""Slider steps from one stop to the next."""
-CATCH = 12
-"""A drag that comes as near to a stop is at the stop."""
-GAP_PX = 3
-"""Space on both sides of a name."""
-STEP_S, REST_S = 2.0, 0.8
-"""Seconds of playing from one stop to the next, and of the rest at each."""
+STEPS = 240  # slider steps from one stop to the next
+CATCH = 12  # a drag that comes as near to a stop is at the stop
+GAP_PX = 3  # space on both sides of a name
+STEP_S, REST_S = 2.0, 0.8  # seconds of playing from one stop to the next, and of the rest at each
 
 
 class _StopsSlider(HeldSlider):
     """A slider whose arrow keys go from stop to stop."""
 
-    grasped = Signal()
-    """The mouse is pressed, and has moved nothing yet."""
+    grasped = Signal()  # the mouse is pressed, and has moved nothing yet
 
     def __init__(self) -> None:
         super().__init__()
@@ -71,10 +65,8 @@ class StageStrip(QWidget, Playing):
     """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
-    moved = Signal(float)
-    """The new position: 0 to 5, whole at `stages.STOPS`."""
-    named = Signal(str, str)
-    """The stage there, and its axes and limits."""
+    moved = Signal(float)  # the new position: 0 to 5, whole at `stages.STOPS`
+    named = Signal(str, str)  # the stage there, and its axes and limits
 
     def __init__(self) -> None:
         super().__init__()

@@ -9,8 +9,7 @@ from widgets.parts.gestures import Gestures
 from widgets.parts.icons import show_icon
 from widgets.parts.plain import set_tip
 
-FRAME_MS = 16
-"""Shortest time between two frames."""
+FRAME_MS = 16  # shortest time between two frames
 LONGEST_FRAME_S = 0.25
 """Longest time reported for a frame: after a stall, motion continues instead of jumping."""
 
@@ -22,8 +21,7 @@ class Clock(QObject):
     up.
     """
 
-    ticked = Signal(float)
-    """Seconds since the last frame, `LONGEST_FRAME_S` at most."""
+    ticked = Signal(float)  # seconds since the last frame, `LONGEST_FRAME_S` at most
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)

@@ -18,8 +18,7 @@ from widgets.parts.diagram_painter import DiagramPainter
 from widgets.parts.messages import of_phenomena
 from widgets.parts.plain import show_tip
 
-HIT_PX = 9.0
-"""Largest distance of a click from its spot."""
+HIT_PX = 9.0  # largest distance of a click from its spot
 PRINTED_PX, PRINTED_FINER = QSize(480, 360), 3
 """Size of a printed diagram in the window's pixels, and its pixels per such pixel."""
 
@@ -27,19 +26,16 @@ PRINTED_PX, PRINTED_FINER = QSize(480, 360), 3
 class DiagramView(QWidget):
     """Draws one diagram at the size of the widget."""
 
-    spot_clicked = Signal(str)
-    """Emits the key of a clicked `Spot`, or of a point of a `Curve`."""
+    spot_clicked = Signal(str)  # emits the key of a clicked `Spot`, or of a point of a `Curve`
     copy_wanted = Signal(QImage)
-    export_wanted = Signal(QImage)
-    """Emit the `picture` for the clipboard, or for a file."""
+    export_wanted = Signal(QImage)  # emit the `picture` for the clipboard, or for a file
 
     def __init__(self) -> None:
         super().__init__()
         self._diagram: Diagram | None = None
         self.names: dict[str, Floats] = {}
         """Places of the curves' names (left, top, right, bottom), kept where possible."""
-        self.spot_names: dict[str, QRectF] = {}
-        """Places of the spots' names."""
+        self.spot_names: dict[str, QRectF] = {}  # places of the spots' names
         self._style = LIGHT
         self._pressed = ""  # the key of the spot under the last press of the mouse
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)

@@ -21,10 +21,8 @@ from widgets.parts.typeset import resized, words
 
 TICK_PX = 4.0
 _LINE = 0.75  # width relative to a line in a pane, which has no antialiasing
-DOT_PX = 3.0
-"""Radius of a dot at the ordinary line width."""
-SMALL = 0.85
-"""Size of names and numbers, relative to the axes' labels."""
+DOT_PX = 3.0  # radius of a dot at the ordinary line width
+SMALL = 0.85  # size of names and numbers, relative to the axes' labels
 _LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # lines of names for which a small diagram has room
 _LEAST_NAME = 0.7  # least size of names, relative to the ordinary size
 _CENTRED = Qt.AlignmentFlag.AlignHCenter

@@ -29,20 +29,15 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from widgets.parts.buttons import tool_button
-from widgets.parts.combo import Combo
 from widgets.parts.gestures import Gestures
 from widgets.parts.highlight import TintedWidget
-from widgets.parts.icons import RefusalLabel
-from widgets.parts.layouts import in_row
-from widgets.parts.note import Balanced
+from widgets.parts.icons import Balanced, Combo, RefusalLabel
+from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.number_field import refusal
 from widgets.parts.plain import set_tip, wrapped
 
-ROW_GAP_PX = 4
-"""Between the parts of a row."""
-ONE_LINE_EM = 11
-"""Largest width, in line heights, of a name and a choice that share a line."""
+ROW_GAP_PX = 4  # between the parts of a row
+ONE_LINE_EM = 11  # largest width, in line heights, of a name and a choice that share a line
 _BY_KEYS = {
     Qt.FocusReason.TabFocusReason,
     Qt.FocusReason.BacktabFocusReason,
@@ -92,16 +87,14 @@ class Row(TintedWidget, QWidget, Gestures):
     terms.
     """
 
-    edited = Signal(object)
-    """The user chose this value."""
+    edited = Signal(object)  # the user chose this value
     highlighted = Signal(bool)
     """Whether the mouse is over the row, or the focus came into it by the keyboard."""
 
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()
         self.name, self.tip = name, tip
-        self.error = ""
-        """The sentence shown below the row, or nothing."""
+        self.error = ""  # the sentence shown below the row, or nothing
         self._attending: set[str] = set()  # by mouse and keyboard
         self._value: Any = None
         self._default: Any = None

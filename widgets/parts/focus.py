@@ -11,8 +11,7 @@ from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QApplication, QLayout, QScrollArea, QSplitter, QWidget
 
-RING_PX = 2
-"""Width of the frame, visible from the back row."""
+RING_PX = 2  # width of the frame, visible from the back row
 
 
 def focus_next(window: QWidget, forwards: bool) -> bool:

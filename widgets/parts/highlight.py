@@ -29,8 +29,7 @@ else:
 class Highlighter(QObject):
     """Keeps the current highlight."""
 
-    changed = Signal(object)
-    """The new `Highlight`."""
+    changed = Signal(object)  # the new `Highlight`
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -1,28 +1,35 @@
-"""Functions that make rows and columns of widgets, and paint them at once."""
+"""Functions that make buttons, and rows and columns of widgets, and paint them at once."""
 
+import re
+import sys
 from collections.abc import Iterable
 from typing import TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, Qt
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QBoxLayout,
+    QDialog,
+    QDialogButtonBox,
     QFrame,
     QHBoxLayout,
     QLayout,
+    QPushButton,
     QScrollArea,
+    QToolButton,
     QVBoxLayout,
     QWidget,
 )
 
 from widgets.parts.focus import FocusRing
+from widgets.parts.icons import show_icon
+from widgets.parts.plain import set_tip
 
 Part: TypeAlias = QWidget | QLayout | tuple[QWidget | QLayout, int | Qt.AlignmentFlag] | int | None
 """A part of a line: a widget or a layout, alone or with its stretch or alignment; a gap in pixels;
 or `FREE`."""
-FREE = None
-"""A stretch that takes the remaining room."""
-TOP = Qt.AlignmentFlag.AlignTop
-"""Alignment of a sign beside a text of several lines."""
+FREE = None  # a stretch that takes the remaining room
+TOP = Qt.AlignmentFlag.AlignTop  # alignment of a sign beside a text of several lines
 _Line = TypeVar("_Line", bound=QBoxLayout)
 
 
@@ -105,3 +112,59 @@ def paint_now(widget: QWidget) -> None:
     for _ in range(2):  # the stage strip has other rows in another width
         QCoreApplication.sendPostedEvents(None, QEvent.Type.LayoutRequest.value)
     widget.repaint()
+
+
+_Button = TypeVar("_Button", bound=QAbstractButton)
+
+
+def tool_button(
+    text: str = "",
+    tip: str = "",
+    act: object = None,
+    *,
+    icon: str = "",
+    name: str = "",
+    flat: bool = False,
+    checkable: bool = False,
+    by_click: bool = False,
+) -> QToolButton:
+    """Make a tool button; `act` is a function or a signal.
+
+    `icon` is a name in `widgets.parts.icons`, and `name` is for screen readers, if neither the text
+    nor the tip of an icon alone says it. A `flat` button has a frame only under the mouse. With
+    `by_click` a click gives it the keyboard's focus, as Tab does.
+    """
+    made = QToolButton(autoRaise=flat)
+    if icon:
+        show_icon(made, icon)
+        if text:
+            made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+    if by_click:
+        made.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+    made.setCheckable(checkable)
+    return _labelled(made, text, tip, act, name or (tip if icon and not text else ""))
+
+
+def push_button(text: str, tip: str = "", act: object = None, *, name: str = "") -> QPushButton:
+    """Make a push button; see `tool_button`."""
+    return _labelled(QPushButton(), text, tip, act, name)
+
+
+def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> QDialogButtonBox:
+    """Make the buttons that accept a dialog and cancel it."""
+    buttons = QDialogButtonBox(accept | QDialogButtonBox.StandardButton.Cancel)
+    buttons.accepted.connect(dialog.accept)
+    buttons.rejected.connect(dialog.reject)
+    return buttons
+
+
+def _labelled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
+    made.setText(text)
+    if sys.platform == "darwin" and (letter := re.search(r"(?<!&)&(\w)", text)):
+        made.setShortcut(f"Alt+{letter[1]}")  # as tips say; macOS has no mnemonics
+    set_tip(made, tip)
+    if name:
+        made.setAccessibleName(name)
+    if act is not None:
+        made.clicked.connect(act)
+    return made

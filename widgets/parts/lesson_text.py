@@ -59,19 +59,16 @@ _TEX = QTextFormat.Property.UserProperty + 1
 _IS_DISPLAYED, _TAIL = QTextFormat.Property.UserProperty + 2, QTextFormat.Property.UserProperty + 3
 LONGEST_TAIL = 24
 """Most characters behind a formula that are drawn with it: Qt breaks a line behind any object."""
-LARGER = 1.12
-"""Size of a formula's letters relative to the text's, whose small letters are taller."""
+LARGER = 1.12  # size of a formula's letters relative to the text's, whose small letters are taller
 DISPLAYED_LARGER = 1.25
 """Size of a formula on its own line relative to one in a line, in a spacious document."""
-ROOM_EM = 0.06
-"""Space on both sides of a formula."""
+ROOM_EM = 0.06  # space on both sides of a formula
 MAY_BREAK, NO_BREAK = "\u200b", "\u2060"
 """Characters without width: a line may break at the first, but not at the second."""
 _PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
 _ENDS = FORMULA, DISPLAYED, "\ufdd0", "\ufdd1", "\0"
 """What ends the word behind a formula, besides spaces: another one, or a table's cell."""
-LIST_EM = 0.55
-"""Half the indent of a list: Qt indents by two units."""
+LIST_EM = 0.55  # half the indent of a list: Qt indents by two units
 STYLE = """
 p, ul, ol, table { margin-top: 0px; margin-bottom: 6px; }
 li { margin-bottom: 4px; }

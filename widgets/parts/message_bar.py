@@ -8,13 +8,11 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
-from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, push_button, tool_button
 from widgets.parts.messages import breakable
 
-Choice: TypeAlias = tuple[str, Callable[[], object]]
-"""Text of a button and its action."""
+Choice: TypeAlias = tuple[str, Callable[[], object]]  # text of a button and its action
 
 
 class MessageBar(QFrame):
@@ -32,8 +30,7 @@ class MessageBar(QFrame):
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
         self._sentence, self._warns = "", False
-        self.choices: tuple[QPushButton, ...] = ()
-        """The buttons of the message shown."""
+        self.choices: tuple[QPushButton, ...] = ()  # the buttons of the message shown
         self._offer: tuple[str, tuple[Choice, ...], bool] | None = None
         self._waits = False
         tip = self.tr("Dismiss this message")

@@ -1,15 +1,17 @@
 """Translate the core's texts into the window's language: refusals, names, numbers.
 
 The core does not depend on Qt: a `Refusal` has data (bound, field, value, limits) and templates
-that are marked for translation. This module translates them.
+that are marked for translation. This module translates them. Two choices of the window, letters and
+digits, apply to panes, panels and readouts; copied or typed numbers have all their digits.
 """
 
 import math
 import numbers
 import re
 from pathlib import Path
+from typing import Generic, TypeVar
 
-from PySide6.QtCore import QCoreApplication
+from PySide6.QtCore import QCoreApplication, QObject, Signal
 
 from app.lecture.letters import Letters, in_letters
 from app.model.limits import (
@@ -24,7 +26,28 @@ from app.model.limits import (
 from app.model.parameter import Parameter
 from app.model.parameters import TITLES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
-from widgets.parts.writing import all_digits, lettering
+
+_T = TypeVar("_T")
+
+
+class SharedChoice(QObject, Generic[_T]):
+    """A choice, and a signal when it changes."""
+
+    changed = Signal()
+
+    def __init__(self, now: _T) -> None:
+        super().__init__()
+        self.now = now
+
+    def set(self, now: _T) -> None:
+        if now != self.now:
+            self.now = now
+            self.changed.emit()
+
+
+lettering = SharedChoice[Letters]("own")  # the lecture whose letters are used
+all_digits = SharedChoice(False)  # whether numbers are shown with all digits instead of four
+
 
 SPACES = {
     "object": QT_TRANSLATE_NOOP("Space", "object"),
@@ -56,8 +79,7 @@ A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
 A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
 A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
 
-FEW = 4
-"""Significant digits of a displayed number."""
+FEW = 4  # significant digits of a displayed number
 
 
 def breakable(text: str, longest: int = 40) -> str:

@@ -1,17 +1,23 @@
-"""Fields for one number: `NumberField` with all its digits, `ShortField` in the rows."""
+"""Fields for one number: `NumberField` with all its digits, `ShortField` in the rows.
+
+`NumberDialog` reads and refuses like them. Qt's own dialog uses the system's locale, where a
+decimal point may separate thousands: 33.5 would be read as 335.
+"""
 
 from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt
 from PySide6.QtGui import QFocusEvent, QInputMethodEvent, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLineEdit, QWidget
 
-from widgets.parts.messages import FEW, number_text
+from app.model.limits import within
+from app.model.refusal import Refusal
+from widgets.parts.icons import RefusalLabel
+from widgets.parts.layouts import dialog_buttons, in_column
+from widgets.parts.messages import FEW, all_digits, number_text, sentence
 from widgets.parts.number_text import FIELD_CHARACTERS, parse_number, short_text
-from widgets.parts.writing import all_digits
+from widgets.parts.plain import PlainLabel
 
-ALL_CHARACTERS = 18
-"""Longest number, without its sign, that fits where all digits are shown."""
-INSIDE_FIELD_PX = 2
-"""Space that Qt leaves on both sides of a field's text."""
+ALL_CHARACTERS = 18  # longest number, without its sign, that fits where all digits are shown
+INSIDE_FIELD_PX = 2  # space that Qt leaves on both sides of a field's text
 _LEAVE_TEXT = {
     Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab, Qt.Key.Key_Backtab, Qt.Key.Key_Escape,
     Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_PageDown,
@@ -44,8 +50,7 @@ class NumberField(QLineEdit):
     def __init__(self, name: str, unit: str = "") -> None:
         super().__init__()
         self.name, self.unit = name, unit
-        self.refused = False
-        """Whether the text was refused."""
+        self.refused = False  # whether the text was refused
         self._number: float | None = None
         self.setAccessibleName(name)
 
@@ -179,3 +184,45 @@ class ShortField(NumberField):
         widest = metrics.horizontalAdvance("-" + "0" * characters)
         frame = hint.width() - metrics.maxWidth()  # Qt's least width is one widest letter
         return QSize(widest + frame + 2 * INSIDE_FIELD_PX + 1, hint.height())  # 1: the cursor
+
+
+class NumberDialog(QDialog):
+    """A dialog for a number from `low` to `high`; `name` is the title and the refusal's field."""
+
+    def __init__(
+        self,
+        name: str,
+        question: str,
+        value: float,
+        low: float,
+        high: float,
+        unit: str,
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(parent)
+        self.number = value  # the first number, until the user accepts another one
+        self._name, self._low, self._high = name, low, high
+        self.setWindowTitle(name)
+        asked = PlainLabel(question, wordWrap=True)
+        self.field = NumberField(name, unit)
+        self.field.show_number(value)
+        self.field.setAccessibleName(f"{name} ({unit})")
+        self.field.selectAll()
+        asked.setBuddy(self.field)
+        self.problem = RefusalLabel()
+        self.buttons = dialog_buttons(self, QDialogButtonBox.StandardButton.Ok)
+        in_column(asked, self.field, self.problem, self.buttons, on=self)
+
+    def accept(self) -> None:
+        """Accept the number and close, or refuse it and stay open."""
+        try:
+            self.number = within(self._name, self.field.read(), self._low, self._high)
+        except Refusal as error:
+            said = refusal(sentence(error))
+            self.problem.show_text(said)
+            self.adjustSize()  # otherwise the window keeps its height and cuts the texts
+            self.field.setAccessibleDescription(said)
+            self.field.setFocus()
+            self.field.selectAll()
+            return
+        super().accept()

@@ -19,6 +19,7 @@ from widgets.parts.messages import (
     A_NUMBER,
     A_NUMBER_LIKE,
     A_NUMBER_OR_INFINITY,
+    all_digits,
     number_text,
     sentence,
 )
@@ -26,18 +27,13 @@ from widgets.parts.number_field import ShortField
 from widgets.parts.number_text import short_text
 from widgets.parts.plain import Markup, PlainLabel, set_tip
 from widgets.parts.scales import Scale, Stops
-from widgets.parts.writing import all_digits
 
-QUIET_MS = 500
-"""Keys and wheel steps at shorter intervals are one gesture."""
+QUIET_MS = 500  # keys and wheel steps at shorter intervals are one gesture
 LEAST_SLIDER_PX = 150
 """Least width of a slider; a shorter one has more values than the user can distinguish."""
-FINE = 0.1
-"""Speed of a drag with Shift, relative to one without."""
-VECTOR_CHARACTERS = 6
-"""Longest number, without its sign, that fits where three are side by side."""
-EXAMPLES = (0.5, 2e-3)
-"""The numbers that `A_NUMBER` names."""
+FINE = 0.1  # speed of a drag with Shift, relative to one without
+VECTOR_CHARACTERS = 6  # longest number, without its sign, that fits where three are side by side
+EXAMPLES = (0.5, 2e-3)  # the numbers that `A_NUMBER` names
 _NOTCH = 120  # a notch of the wheel in Qt's unit, eighths of a degree; a finer wheel turns by less
 
 

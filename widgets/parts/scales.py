@@ -9,8 +9,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import NamedTuple
 
-PER_DECADE = 2000
-"""Positions of a `Log` from 1 to 10."""
+PER_DECADE = 2000  # positions of a `Log` from 1 to 10
 _PARTS = ((2.0, 500), (4.0, 200), (math.inf, 100))
 """A mantissa below the first number is rounded to a multiple of the inverse of the second."""
 
@@ -33,8 +32,7 @@ class Scale(ABC):
 
     low: float
     high: float
-    infinite = False
-    """Whether an extra position at the top stands for infinity."""
+    infinite = False  # whether an extra position at the top stands for infinity
 
     @property
     @abstractmethod

@@ -6,15 +6,12 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
-from widgets.parts.buttons import tool_button
 from widgets.parts.icons import show_icon
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import in_column, tool_button
 from widgets.parts.plain import PlainLabel, set_tip
 
-GAP_PX = 6
-"""Between the rows."""
-QUIET = "quietTitle"
-"""The name of quiet titles in the application's style sheet."""
+GAP_PX = 6  # between the rows
+QUIET = "quietTitle"  # the name of quiet titles in the application's style sheet
 
 
 class Rows(QWidget):

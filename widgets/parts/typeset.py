@@ -39,18 +39,13 @@ from widgets.parts.highlight import MarkedLabel, paint_highlight
 
 LETTERS_EM = 1.19
 """Size of a formula's letters, relative to the text's: then small letters are as tall."""
-SMALLER = 0.88
-"""Size of the letters of a fraction, relative to its line."""
-AXIS_EM = 0.28
-"""Height of a minus sign, and of a fraction's line, above the line."""
+SMALLER = 0.88  # size of the letters of a fraction, relative to its line
+AXIS_EM = 0.28  # height of a minus sign, and of a fraction's line, above the line
 RULE_PX, ROOM_PX = 1.2, 2.0
 """Thickness of a fraction's line and of a bracket, and the gap beside them."""
-FOOT_PX = 4.0
-"""Length of the feet of a bracket."""
-BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15
-"""Gaps in a matrix, in heights of a line."""
-LEAST_EM = 8
-"""Least width of a formula that shrinks, in heights of a line."""
+FOOT_PX = 4.0  # length of the feet of a bracket
+BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15  # gaps in a matrix, in heights of a line
+LEAST_EM = 8  # least width of a formula that shrinks, in heights of a line
 
 _BLOCK = re.compile(
     rf"{OPEN}(?P<above>[^{OPEN}{OVER}{CLOSE}]*){OVER}(?P<below>[^{OPEN}{OVER}{CLOSE}]*){CLOSE}"

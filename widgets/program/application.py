@@ -59,10 +59,8 @@ if TYPE_CHECKING:
 log = logging.getLogger(__name__)
 
 TRANSLATIONS = Path(__file__).parent / "translations"
-FIRST_PICTURE_S = 60.0
-"""Longest wait for the window of a screenshot to appear."""
-MESSAGE_MS = 15_000
-"""Duration of the status line's message that Qt has no OpenGL."""
+FIRST_PICTURE_S = 60.0  # longest wait for the window of a screenshot to appear
+MESSAGE_MS = 15_000  # duration of the status line's message that Qt has no OpenGL
 
 IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
 NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "{0}: the window could not be shown whole.")
@@ -73,8 +71,7 @@ NO_WINDOW = QT_TRANSLATE_NOOP("Refusal", "{0}: the window did not appear on the 
 class Options:
     """The command line's options for the window, besides its document."""
 
-    theme: str | None = None
-    """``"light"`` or ``"dark"`` for this run only."""
+    theme: str | None = None  # ``"light"`` or ``"dark"`` for this run only
     size: tuple[int, int] | None = None
     """Width and height of the window, in pixels of the screen's scale."""
     screenshot: Path | None = None

@@ -39,16 +39,11 @@ FIGURE_WIDTHS = (0.5, 0.46, 0.42, 0.38)
 """Possible widths of a figure, as parts of the page's: the largest one that needs few pages."""
 CLICKED, IN_KEY = 0.62, 0.4
 """Width of a figure in which the student marks a place, and of the same figure in the key."""
-COLUMN = 0.3
-"""Least width of a text beside a figure, as a part of the page's."""
-SQUARE_PT = 72.0 / 25.4 * 5.0
-"""Side of a square of the paper on which the student writes: 5 mm."""
-ROOM_PT = 5.0 * SQUARE_PT
-"""Least height of the room to write."""
-CELL_PT = 56.0, 24.0
-"""Width and height of a cell of a matrix that the student fills in."""
-LINE_PT = 120.0
-"""Length of the line for a number."""
+COLUMN = 0.3  # least width of a text beside a figure, as a part of the page's
+SQUARE_PT = 72.0 / 25.4 * 5.0  # side of a square of the paper on which the student writes: 5 mm
+ROOM_PT = 5.0 * SQUARE_PT  # least height of the room to write
+CELL_PT = 56.0, 24.0  # width and height of a cell of a matrix that the student fills in
+LINE_PT = 120.0  # length of the line for a number
 BRACKET_PT = 4.0
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")

@@ -41,8 +41,7 @@ FIGURE_WIDTHS = (0.58, 0.54, 0.62, 0.5, 0.66, 0.46, 0.7)
 """Possible widths of a figure, as parts of the page's: the first ones look best."""
 LINES_BESIDE, LINES_BELOW = 3, 2
 """Lines to write on: at least these beside a figure, and these below a question."""
-COLUMN_OVER = 1.2
-"""Largest height of the text beside a figure, relative to the figure."""
+COLUMN_OVER = 1.2  # largest height of the text beside a figure, relative to the figure
 FORMULA_PX, FORMULA_PT = 18, 8.5
 """Letters of a matrix as it is laid out, with brackets of whole pixels, and as it is printed."""
 BETWEEN_FORMULAS_PX = 40.0

@@ -23,8 +23,7 @@ from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import of_phenomena, read_text, stage_title
 from widgets.parts.typeset import matrix
 
-NOTE_CHARACTERS = 36
-"""Line length of a matrix's note, so that it is not wider than the matrix."""
+NOTE_CHARACTERS = 36  # line length of a matrix's note, so that it is not wider than the matrix
 
 
 class ToWrite:
@@ -40,12 +39,10 @@ class StepFigure(NamedTuple):
 
     document: Document
     texts: list[str]
-    note: str = ""
-    """For the teacher."""
+    note: str = ""  # for the teacher
     slide: Path | None = None
     """The file of a picture of the slide on which somebody has drawn, instead of the figure."""
-    has_question: bool = False
-    """Whether students are to answer a question about it."""
+    has_question: bool = False  # whether students are to answer a question about it
 
 
 class EquationTables(NamedTuple):

@@ -37,17 +37,13 @@ class DisplayError(RuntimeError):
 class OpenGL:
     """The OpenGL that windows get on this machine."""
 
-    version: str
-    """The driver's text, such as ``"4.5 (Core Profile) Mesa 22.3.6"``."""
+    version: str  # the driver's text, such as ``"4.5 (Core Profile) Mesa 22.3.6"``
     renderer: str
-    software: bool
-    """Whether the CPU draws, because a graphics card or its driver is missing."""
+    software: bool  # whether the CPU draws, because a graphics card or its driver is missing
 
 
-NO_OPENGL = OpenGL("", "", software=True)
-"""Qt has no OpenGL; VTK draws off the screen."""
-WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")
-"""Qt platforms whose windows cannot show OpenGL."""
+NO_OPENGL = OpenGL("", "", software=True)  # Qt has no OpenGL; VTK draws off the screen
+WITHOUT_OPENGL = ("offscreen", "minimal", "vnc")  # Qt platforms whose windows cannot show OpenGL
 
 
 def canvas(graphics: OpenGL) -> str:

@@ -40,16 +40,11 @@ TEXT_PT, TITLE_PT, NOTE_PT, FOOT_PT = 10.5, 15.0, 9.0, 8.0
 BETWEEN_PT, BETWEEN_STEPS_PT = 6.0, 20.0
 NOTE_INDENT_PT, CAPTION_PT = 12.0, 2.0
 FIGURE_PX_PER_INCH, FIGURE_TEXT_PT = 220, 7.0
-EDGE_PT = 0.5
-"""How far beyond the edge of a figure a place on it may come by rounding."""
-PANE_ASPECT = 1.6
-"""Width to height of a figure of one pane; the image has its own."""
-BLANK = 0.3
-"""Largest share of a page that may stay blank below its last line."""
-RULE_PT = 24.0
-"""Distance between lines to write on."""
-DPI = 1200
-"""Qt places lines and letters on whole pixels of the page."""
+EDGE_PT = 0.5  # how far beyond the edge of a figure a place on it may come by rounding
+PANE_ASPECT = 1.6  # width to height of a figure of one pane; the image has its own
+BLANK = 0.3  # largest share of a page that may stay blank below its last line
+RULE_PT = 24.0  # distance between lines to write on
+DPI = 1200  # Qt places lines and letters on whole pixels of the page
 
 NOT_IN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is not in the picture that is printed")
 
@@ -94,13 +89,11 @@ class PageBlock:
     """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
-    paint: Callable[[QPainter, QRectF], object]
-    """Paints the part of the block in a rectangle."""
+    paint: Callable[[QPainter, QRectF], object]  # paints the part of the block in a rectangle
     left: float = 0.0
     kept: bool = False
     after: float = BETWEEN_PT
-    wide: float = 0.0
-    """How wide its content is."""
+    wide: float = 0.0  # how wide its content is
 
 
 def text(
@@ -267,8 +260,7 @@ class PagePiece(NamedTuple):
 
 class PaperPage(NamedTuple):
     pieces: list[PagePiece]
-    blank: float
-    """Of its height, below the last piece."""
+    blank: float  # of its height, below the last piece
 
 
 def placed(blocks: Sequence[PageBlock], height: float) -> list[PaperPage]:

@@ -27,8 +27,7 @@ class ErrorReport(QDialog):
         super().__init__(parent)
         self.setWindowTitle(self.tr("Something went wrong"))
         self._log_file, self._details = log_file, ""
-        self.count = 0
-        """The errors since the report was closed."""
+        self.count = 0  # the errors since the report was closed
         self._sentence, self._place = (
             PlainLabel(
                 wordWrap=True, textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse

@@ -24,8 +24,7 @@ from app.scenes.built_in import WORDS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
-from widgets.parts.combo import Combo
-from widgets.parts.icons import show_icon
+from widgets.parts.icons import Combo, show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files

@@ -21,7 +21,7 @@ from app.model.refusal import Refusal
 from widgets.controls.scene_card import SceneCard
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
-from widgets.parts.buttons import tool_button
+from widgets.parts.layouts import tool_button
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
@@ -33,8 +33,7 @@ from widgets.window.slots import Slots
 class Comparing(QObject):
     """Starts and ends comparisons; `button` is in the title row of the image pane."""
 
-    concerns: Changed = frozenset()
-    """Empty while nothing is compared."""
+    concerns: Changed = frozenset()  # empty while nothing is compared
 
     def __init__(
         self,

@@ -17,13 +17,10 @@ from widgets.parts.fields import Row
 from widgets.parts.layouts import in_row
 from widgets.parts.panel import Changed, ShownData
 
-LETTERS_SHARE = 0.021
-"""Height of the letters, in heights of the screen: the speaker reads them."""
+LETTERS_SHARE = 0.021  # height of the letters, in heights of the screen: the speaker reads them
 GAP_PX = 48
-ROW_SHARE = 0.42
-"""Width of a row, in widths of the strip."""
-USUAL = (FOV_Y.path, NEAR.path)
-"""The controls of a scene that has none of its own."""
+ROW_SHARE = 0.42  # width of a row, in widths of the strip
+USUAL = (FOV_Y.path, NEAR.path)  # the controls of a scene that has none of its own
 
 
 class ControlStrip(QFrame):

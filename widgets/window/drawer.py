@@ -27,12 +27,10 @@ from widgets.parts.plain import set_tip
 
 LEAST_EM = 4
 _UNLIMITED_PX = 2**24 - 1  # Qt's own largest height
-LARGEST_SHARE = 1 / 3
-"""Largest share of the window's height for the open panel."""
+LARGEST_SHARE = 1 / 3  # largest share of the window's height for the open panel
 STEADY_LINES = 4
 """An open panel whose content has fewer lines less keeps its height: panes must not jump."""
-REST_MS = 100
-"""How long the content of the open panel must have kept its size."""
+REST_MS = 100  # how long the content of the open panel must have kept its size
 
 
 class _DrawerHead(QToolButton):
@@ -62,10 +60,8 @@ class _DrawerHead(QToolButton):
 class Panels(QWidget):
     """Panels of which at most one is open; a folded panel is notified of changes when it opens."""
 
-    opened = Signal()
-    """A panel was opened, or the last one folded."""
-    chosen = Signal(object)
-    """The user has opened this `Panel` by its name."""
+    opened = Signal()  # a panel was opened, or the last one folded
+    chosen = Signal(object)  # the user has opened this `Panel` by its name
 
     def __init__(self) -> None:
         super().__init__()

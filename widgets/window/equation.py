@@ -21,8 +21,7 @@ from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
 from widgets.parts.highlight import faded
 from widgets.parts.messages import sentence
-from widgets.parts.panel import PROJECTION, Changed, ShownData
-from widgets.parts.readable import Readable
+from widgets.parts.panel import PROJECTION, Changed, Readable, ShownData
 from widgets.parts.typeset import fill_line, paint_brackets
 
 LARGEST_EM, LEAST_EM = 0.058, 0.034
@@ -30,12 +29,9 @@ LARGEST_EM, LEAST_EM = 0.058, 0.034
 they are smaller."""
 LEAST_CELL, USUAL_CELL = 0.08, 0.155
 """Heights of a cell, in heights of the screen: in a product, and of a matrix alone."""
-WIDEST_EM = 4.6
-"""Width of the columns of a matrix alone, where there is room."""
-DIGITS, FEWER_DIGITS = 4, 3
-"""Of the numbers of one matrix, and of a product."""
-EDGE = 0.05
-"""Free at the left and at the right, in heights of the screen."""
+WIDEST_EM = 4.6  # width of the columns of a matrix alone, where there is room
+DIGITS, FEWER_DIGITS = 4, 3  # of the numbers of one matrix, and of a product
+EDGE = 0.05  # free at the left and at the right, in heights of the screen
 _PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
 _WORD = 0.55  # size of a word below a part of a matrix
 _APART_EM = 1.5
@@ -87,8 +83,7 @@ class EquationSlide(QWidget):
     """Paints an equation as large as there is room for."""
 
     concerns = PROJECTION | {"view", "settings"}
-    filled = Signal()
-    """The equation, or its size, may be another one."""
+    filled = Signal()  # the equation, or its size, may be another one
 
     def __init__(self) -> None:
         super().__init__()
@@ -103,8 +98,7 @@ class EquationSlide(QWidget):
         """Of letters that have the colour of what the picture names by them."""
         self._screen_px = 1.0
         self._is_slide = False
-        self.cells: list[QRectF] = []
-        """Where the cells were painted; of a 0 its digit alone."""
+        self.cells: list[QRectF] = []  # where the cells were painted; of a 0 its digit alone
         self._readable = Readable(self, self._fill, lambda: self._is_slide)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture

@@ -14,10 +14,8 @@ from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Cancelled, Refusal
-from widgets.parts.buttons import dialog_buttons
-from widgets.parts.combo import Combo
-from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import in_column, in_row
+from widgets.parts.icons import Combo, WarningLabel
+from widgets.parts.layouts import dialog_buttons, in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip

@@ -26,8 +26,7 @@ from app.document.view import EVERYTHING
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
-from widgets.parts.buttons import dialog_buttons
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import dialog_buttons, in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.panel import Changed, ShownData
@@ -40,8 +39,7 @@ _T = TypeVar("_T")
 MESHES = " ".join(f"*{ending}" for ending in MESH_ENDINGS)
 CAMERAS = "*.yml *.yaml *.xml cameras.txt images.txt"
 RECENT_LIMIT = 10
-MESSAGE_MS = 10_000
-"""Duration of the message about unsaved work in the status line."""
+MESSAGE_MS = 10_000  # duration of the message about unsaved work in the status line
 
 
 class Files(QObject):
@@ -53,8 +51,7 @@ class Files(QObject):
 
     concerns = frozenset({"scene", "view"})
     recent_changed = Signal()
-    lesson_wanted = Signal(str)
-    """The user has opened the file of a lesson or talk."""
+    lesson_wanted = Signal(str)  # the user has opened the file of a lesson or talk
 
     def __init__(
         self, window: QMainWindow, store: Store, messages: MessageBar, settings: Settings

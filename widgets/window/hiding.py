@@ -9,8 +9,7 @@ from widgets.panes.cursor import Cursor
 from widgets.panes.pane import Pane
 from widgets.window.drawer import Panels
 
-IN_TEST = "panels"
-"""Hidden during a test: all panels."""
+IN_TEST = "panels"  # hidden during a test: all panels
 
 
 def hide(

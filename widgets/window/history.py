@@ -19,8 +19,7 @@ class History(QObject):
     animation, or a drag by the keyboard.
     """
 
-    rested = Signal()
-    """No control is held and nothing plays: postponed work can run now."""
+    rested = Signal()  # no control is held and nothing plays: postponed work can run now
 
     def __init__(
         self,

@@ -25,27 +25,22 @@ from app.lessons.practice import Sheet, marked
 from app.lessons.record import Attempt, Record
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
-from widgets.parts.buttons import push_button, tool_button
-from widgets.parts.layouts import FREE, TOP, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
-from widgets.window.self_test_marks import SelfTestMarks
+from widgets.window.overview import SelfTestMarks
 from widgets.window.settings import Settings
 from widgets.window.step_marks import StepMarks
 from widgets.window.step_page import StepPage
 
 AGAIN_KEY, BACK_KEY, NEXT_KEY = "F7", "Alt+Left", "Alt+Right"
-LATE_MS = 1000
-"""Delay before the current step is saved: writing the file takes as long as a frame."""
-CALL_MS = 1500
-"""How long the handles of a task are shown as its step opens."""
-WHILE_MOVING_MS = 50
-"""Interval at which tasks are checked while the model moves."""
-TOUR = CONTENT / "tour.md"
-"""The tour of the first two minutes."""
+LATE_MS = 1000  # delay before the current step is saved: writing the file takes as long as a frame
+CALL_MS = 1500  # how long the handles of a task are shown as its step opens
+WHILE_MOVING_MS = 50  # interval at which tasks are checked while the model moves
+TOUR = CONTENT / "tour.md"  # the tour of the first two minutes
 
 
 def heads(*, talks: bool) -> tuple[Head, ...]:
@@ -57,16 +52,13 @@ def heads(*, talks: bool) -> tuple[Head, ...]:
 class LessonCard(QFrame):
     """The card with the current step of the open lesson; hidden while no lesson is open."""
 
-    toggled = Signal(bool)
-    """The card appeared or disappeared."""
+    toggled = Signal(bool)  # the card appeared or disappeared
     begun_again = Signal(str, object)
     """The answers of the lesson with this title were deleted; the callable restores them."""
     handles_called = Signal(object)
     """The names or settings of handles that an open task needs, for a short time; then none."""
-    result_wanted = Signal(object)
-    """The user wants a file with these marks of a test."""
-    test_left = Signal()
-    """A test was closed before its end; its answers are kept."""
+    result_wanted = Signal(object)  # the user wants a file with these marks of a test
+    test_left = Signal()  # a test was closed before its end; its answers are kept
     buttons_changed = Signal()
     """The step has changed or a block was answered, so other buttons may be enabled."""
 
@@ -82,8 +74,7 @@ class LessonCard(QFrame):
         """The lesson whose progress is kept: that of the page, or the one that was just opened."""
         self._shown: int | None = None  # the step of the page
         self._over: Course | None = None  # the talk whose last page is shown
-        self.is_on = False
-        """Whether the card shows a lesson, or that one is finished."""
+        self.is_on = False  # whether the card shows a lesson, or that one is finished
         self._title = PlainLabel(wordWrap=True, objectName="paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
         self.anew = tool_button("", forget, self.begin_again, icon="reset", flat=True)

@@ -22,11 +22,11 @@ from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
 from app.lessons import transition
+from app.lessons.blocks.block import State
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, read
 from app.lessons.player import Player
-from app.lessons.state import State
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal
 from widgets.parts.clock import Clock
@@ -35,12 +35,9 @@ from widgets.parts.messages import sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
 
-TRANSITION_S = 0.4
-"""Duration of the model's motion between two steps."""
-MOST_MISTAKES = 5
-"""Most mistakes of a file that are named at once."""
-SETTLED_MS = 150
-"""Delay before a changed file is read: editors may write it twice."""
+TRANSITION_S = 0.4  # duration of the model's motion between two steps
+MOST_MISTAKES = 5  # most mistakes of a file that are named at once
+SETTLED_MS = 150  # delay before a changed file is read: editors may write it twice
 
 
 class WayOfPanes(Protocol):
@@ -66,16 +63,12 @@ class Lessons(QObject):
     - `look_from`: sets the cameras of panes; other panes get their default camera.
     """
 
-    opened = Signal()
-    """A lesson was opened, read again, or closed: `course` has changed."""
+    opened = Signal()  # a lesson was opened, read again, or closed: `course` has changed
     mistakes_changed = Signal(str)
     """The mistakes in the open file, one a line; empty once they are fixed."""
-    refused = Signal(str)
-    """Why a step cannot be shown; the previous step stays."""
-    stepped = Signal()
-    """Another step is shown, or the same one again."""
-    arrived = Signal()
-    """The model has moved to where it goes."""
+    refused = Signal(str)  # why a step cannot be shown; the previous step stays
+    stepped = Signal()  # another step is shown, or the same one again
+    arrived = Signal()  # the model has moved to where it goes
 
     def __init__(
         self,
@@ -91,8 +84,7 @@ class Lessons(QObject):
         self._store, self._files, self._messages = store, files, messages
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from, self._panes = look_from, panes
-        self.player: Player | None = None
-        """The open lesson, as it is played."""
+        self.player: Player | None = None  # the open lesson, as it is played
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document

@@ -43,8 +43,7 @@ class Look(QObject):
     """
 
     concerns = EVERYTHING
-    built = Signal(Style)
-    """The panes have new drawings, in this style."""
+    built = Signal(Style)  # the panes have new drawings, in this style
 
     def __init__(
         self,

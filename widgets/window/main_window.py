@@ -54,11 +54,10 @@ from widgets.parts.focus import focus_next
 from widgets.parts.highlight import Highlighter
 from widgets.parts.layouts import in_column, in_row
 from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import all_digits, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, ShownData
-from widgets.parts.writing import all_digits
 from widgets.window.actions import Actions, take_typed
-from widgets.window.arrangement import Arrangement
+from widgets.window.arrangement import Arrangement, WorldLook
 from widgets.window.comparing import Comparing
 from widgets.window.control_strip import ControlStrip
 from widgets.window.cover_card import CoverCard
@@ -89,15 +88,12 @@ from widgets.window.talk_band import TalkBand
 from widgets.window.talks import TalkActions, Talks
 from widgets.window.transition import Transition
 from widgets.window.wiring import wire
-from widgets.window.world_look import WorldLook
 
 log = logging.getLogger(__name__)
 AT_FIRST_PX = (1366, 768)
 BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
-RECORD = "record.jsonl"
-"""The file of the student's answers, in the data folder."""
-FOLDS_BELOW_PX = 1200
-"""A narrower window has no room for the dock beside its panes; a key opens it."""
+RECORD = "record.jsonl"  # the file of the student's answers, in the data folder
+FOLDS_BELOW_PX = 1200  # a narrower window has no room for the dock beside its panes; a key opens it
 PICTURES_AND_DOCK = [1075, 285]
 LONGEST_UNSEEN_MS = 100
 """Longest wait for a pane that shows nothing: it may be hidden, or its drawing has failed."""
@@ -111,10 +107,8 @@ class MainWindow(QMainWindow):
     `Refusal` if the document's scene cannot be loaded.
     """
 
-    first_painted = Signal()
-    """The window is on the screen, with empty panes."""
-    filled = Signal()
-    """All panes have drawn their pictures, or failed to."""
+    first_painted = Signal()  # the window is on the screen, with empty panes
+    filled = Signal()  # all panes have drawn their pictures, or failed to
 
     def __init__(
         self,
@@ -131,8 +125,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("mainWindow")
         self.setAcceptDrops(True)
         self._is_closed = self._was_painted = self._is_narrow = False
-        self.cover: CoverCard | None = None
-        """The card over the window."""
+        self.cover: CoverCard | None = None  # the card over the window
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []

@@ -1,4 +1,4 @@
-"""The overview: every topic with its exercises as the student solved them, and the wrong ideas."""
+"""The exercises as a student solved them: those of every topic, and those of a test with marks."""
 
 from collections.abc import Mapping, Sequence
 from functools import partial
@@ -14,19 +14,18 @@ from PySide6.QtWidgets import (
 )
 
 from app.lessons.course import Course, idea_named
-from app.lessons.practice import PlacedExercise, exercises_of
-from app.lessons.record import ALONE, HELPED, SHOWN, Met, Standing
+from app.lessons.practice import ExerciseMark, PlacedExercise, exercises_of
+from app.lessons.record import ALONE, HELPED, RIGHT, SHOWN, Met, Standing
 from app.lessons.text import in_line
-from widgets.parts.buttons import push_button, tool_button
 from widgets.parts.icons import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
+from widgets.parts.lesson_text import LessonText, answer_of
 from widgets.parts.plain import PlainLabel
 from widgets.window.lesson_blocks.view import Sign, on_holder
 
 ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
 """The icon of how an exercise was solved; none for one that is not solved yet."""
-LONGEST = 60
-"""Most characters of an exercise in the name of its button."""
+LONGEST = 60  # most characters of an exercise in the name of its button
 
 
 class Overview(QDialog):
@@ -37,10 +36,8 @@ class Overview(QDialog):
     could not be read.
     """
 
-    lesson_wanted = Signal(object)
-    """A `Course`."""
-    exercise_wanted = Signal(object)
-    """A `PlacedExercise`."""
+    lesson_wanted = Signal(object)  # a `Course`
+    exercise_wanted = Signal(object)  # a `PlacedExercise`
     review_wanted = Signal()
     test_wanted = Signal()
     export_wanted = Signal()
@@ -145,3 +142,40 @@ class Overview(QDialog):
     def _go(self, signal: SignalInstance, *what: object) -> None:
         self.close()
         signal.emit(*what)
+
+
+class SelfTestMarks(QWidget):
+    """The marks of a test and its solutions; `title` says how many are right, and stands above."""
+
+    def __init__(self, marks: Sequence[ExerciseMark]) -> None:
+        super().__init__()
+        right = sum(mark.word == RIGHT for mark in marks)
+        said = self.tr("{0} of {1} right").format(right, len(marks))
+        parts = [self._marked(number, mark) for number, mark in enumerate(marks, 1)]
+        self.title = LessonText(said, title=True)
+        in_column(*parts, on=self, margins=(0, 0, 0, 0), gap=10)
+        self.setAccessibleName(said)
+
+    def _marked(self, number: int, mark: ExerciseMark) -> QWidget:
+        question, here = mark.item.variant.question, mark.item.variant.here
+        texts = [f"**{number}.** {question.text}", self._own(mark)]
+        right = question.right_text(answer_of(question, here))
+        if right:
+            texts.append(self.tr("The right answer:") + f" {right}")
+        texts += question.reasons(here)
+        is_right = mark.word == RIGHT
+        sign = Sign("check", self.tr("Right")) if is_right else Sign("close", self.tr("Wrong"))
+        words = LessonText("\n\n".join(filter(None, texts)))
+        return on_holder((sign, TOP), (words, 1), gap=4)
+
+    def _own(self, mark: ExerciseMark) -> str:
+        """Return the student's own answer, and the idea behind it."""
+        if not mark.typed:
+            return self.tr("You gave no answer.")
+        own = mark.item.variant.question.own_answer(mark.typed)
+        said = self.tr("Your answer:") + f" {own}"
+        title = mark.item.variant.question.response_to(mark.item.variant.here, mark.word).title
+        if title:
+            behind = self.tr("The idea behind it: “{0}”.").format(title)
+            said = f"{said}\n\n{behind}"
+        return said

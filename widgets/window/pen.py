@@ -25,13 +25,10 @@ from PySide6.QtWidgets import QApplication, QFrame, QToolButton, QWidget
 
 from app.drawings.style import LIGHT, Style
 from app.lessons.strokes import COLOURS, Stroke
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import in_row, tool_button
 
-WIDTH_SHARE = 0.005
-"""Width of a line, in heights of the slide."""
-ERASER_SHARE = 0.02
-"""Reach of the eraser, in heights of the slide."""
+WIDTH_SHARE = 0.005  # width of a line, in heights of the slide
+ERASER_SHARE = 0.02  # reach of the eraser, in heights of the slide
 _KEYS = Qt.Key
 
 
@@ -65,12 +62,9 @@ class Pen(QWidget):
     removes the strokes that it touches.
     """
 
-    kept = Signal()
-    """The speaker wants the strokes in the handout."""
-    drawn = Signal()
-    """The strokes of the step have changed."""
-    switched = Signal(bool)
-    """The pen was taken up, or put away."""
+    kept = Signal()  # the speaker wants the strokes in the handout
+    drawn = Signal()  # the strokes of the step have changed
+    switched = Signal(bool)  # the pen was taken up, or put away
 
     def __init__(self, slide: QWidget) -> None:
         super().__init__(slide)

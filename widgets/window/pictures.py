@@ -49,8 +49,7 @@ class Pictures(QObject):
     the document with its current view; `words` are the drawings', in the window's language.
     """
 
-    exported = Signal(str)
-    """A sentence about what was exported or copied."""
+    exported = Signal(str)  # a sentence about what was exported or copied
 
     def __init__(
         self,

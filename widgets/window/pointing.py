@@ -15,7 +15,7 @@ from app.model.refusal import Refusal
 from widgets.panes.canvas import ARROWS
 from widgets.panes.cursor import LONG_STEP_PX, STEP_PX
 from widgets.panes.pane import Pane
-from widgets.window.lesson_blocks.click import ClickView
+from widgets.window.lesson_blocks.marked import ClickView
 
 ARM_PX, RING_PX = 14, 9
 """Half the length of the crosshair's lines; the radius of the ring at the right place."""

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
 from widgets.window.settings import Settings
 
-TOP_EDGE_PX = 3
-"""The tool bar appears when the mouse is this close to the top of the screen."""
+TOP_EDGE_PX = 3  # the tool bar appears when the mouse is this close to the top of the screen
 
 
 class Screens:
@@ -56,12 +55,9 @@ class Present(QObject):
     bottom row, is hidden.
     """
 
-    switched = Signal(bool)
-    """Presenting began or ended: text and lines change their size."""
-    moved = Signal()
-    """The class sees another screen."""
-    one_screen = Signal()
-    """There is no other screen to swap with."""
+    switched = Signal(bool)  # presenting began or ended: text and lines change their size
+    moved = Signal()  # the class sees another screen
+    one_screen = Signal()  # there is no other screen to swap with
 
     def __init__(
         self, window: QMainWindow, tools: QToolBar, below: QWidget, screens: Screens
@@ -71,8 +67,7 @@ class Present(QObject):
         self._window, self._tools, self._below = window, tools, below
         self._state = Qt.WindowState.WindowNoState
         self.is_on = False
-        self.geometry_before = QByteArray()
-        """Geometry of the ordinary window, while presenting."""
+        self.geometry_before = QByteArray()  # geometry of the ordinary window, while presenting
         self._blank, self._edge = QWidget(window), QWidget(window)
         """What covers the window in black until it is clicked, and the top edge of the window."""
         self._blank.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)

@@ -35,8 +35,7 @@ class Probing(QObject):
     """
 
     concerns = frozenset({"scene"})
-    refused = Signal(str)
-    """Why a click in the image chose no point."""
+    refused = Signal(str)  # why a click in the image chose no point
 
     def __init__(
         self,

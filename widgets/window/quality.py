@@ -170,8 +170,7 @@ class DrawnQuality(QObject):
 class Cost(QObject):
     """Measures the cost of a step, and shows it in the status line."""
 
-    concerns: Changed = frozenset()
-    """Empty unless steps are measured."""
+    concerns: Changed = frozenset()  # empty unless steps are measured
 
     def __init__(self, panes: Mapping[str, Pane], status: StatusLine) -> None:
         super().__init__(status)

@@ -17,16 +17,13 @@ from widgets.parts.plain import TextDocument
 SHARES = 1.0 / 3.0, 0.5
 """Largest heights of the question, in those of the slide: the second if the text needs it, or if
 the first hides a name."""
-WIDTHS = 0.3, 0.45, 0.6, 0.8, 1.0
-"""Largest widths that are tried, in those of the slide."""
+WIDTHS = 0.3, 0.45, 0.6, 0.8, 1.0  # largest widths that are tried, in those of the slide
 PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0), (0.5, 0.0)
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)
 """Sizes of the letters, in heights of the screen: the largest are preferred."""
-INK_SHARE = 0.002
-"""Ink in shares of the slide that makes a place worse."""
-EDGE_SHARE = 0.02
-"""Free on each side, in heights of the screen."""
+INK_SHARE = 0.002  # ink in shares of the slide that makes a place worse
+EDGE_SHARE = 0.02  # free on each side, in heights of the screen
 
 HiddenInk: TypeAlias = Callable[[QRectF], float]
 

@@ -218,8 +218,7 @@ class Settings:
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
     reduce_motion = _kept_flag("reduce-motion", None)
     """Whether steps of talks follow each other without a transition; None for the system's."""
-    start_card = _kept_flag("start_card", True)
-    """Whether the program starts with the start card."""
+    start_card = _kept_flag("start_card", True)  # whether the program starts with the start card
     speaker_window = _kept_flag("speaker_window", True)
     """Whether the speaker's window opens when a talk is presented."""
     swapped_screens = _KeptSetting[list[str]]("swapped-screens", _paths, [], json.dumps)

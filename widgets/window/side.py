@@ -9,10 +9,8 @@ from PySide6.QtWidgets import QApplication, QSplitter, QWidget
 from widgets.controls.controls import Controls
 from widgets.window.lesson_card import LessonCard
 
-WIDTH_EM = 31.0
-"""Width of the column while a lesson is open."""
-SHARE = 0.62
-"""The card's share of the column's height."""
+WIDTH_EM = 31.0  # width of the column while a lesson is open
+SHARE = 0.62  # the card's share of the column's height
 
 
 class Side(QSplitter):

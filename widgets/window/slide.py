@@ -10,15 +10,14 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 from app.document.view import PANES
 from app.drawings.label_placement import Ground
 from widgets.panes.pane import Pane
+from widgets.parts.icons import Title
 from widgets.parts.layouts import in_row
-from widgets.parts.note import Title
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen
 from widgets.window.question import HiddenInk, QuestionOverlay
 from widgets.window.slots import Slots
 
-EQUATION_SHARE = 0.7
-"""Width of an equation that has a picture beside it."""
+EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
@@ -26,8 +25,7 @@ EQUATION_HEIGHT = 0.45
 class Slide(QWidget):
     """Holds the panes, and lays the question over a part of them."""
 
-    touched = Signal()
-    """A finger has touched the screen."""
+    touched = Signal()  # a finger has touched the screen
 
     def __init__(self, slots: Slots) -> None:
         super().__init__()

@@ -26,8 +26,7 @@ from widgets.parts.panel import Changed, ShownData
 COLUMN_WIDTHS = [400, 305, 330]
 LARGE_AND_SMALL = [584, 486]
 IMAGE_AND_SMALL = [640, 430]
-UPPER_AND_LOWER = [318, 378]
-"""In pixels of a window of 1366x768; the splitters keep the proportion."""
+UPPER_AND_LOWER = [318, 378]  # in pixels of a window of 1366x768; the splitters keep the proportion
 LEAST_PANE_PX = (190, 150)
 SMALL = {"world": ("image", "ndc"), "image": ("world", "ndc"), "ndc": ("world", "image")}
 """The small panes for each large one, from top to bottom."""
@@ -48,8 +47,7 @@ class Slots(QSplitter):
     """
 
     concerns = frozenset({"scene"})
-    rearranged = Signal()
-    """A pane has moved to another place."""
+    rearranged = Signal()  # a pane has moved to another place
 
     def __init__(self, panes: Mapping[str, Pane], strip: StageStrip) -> None:
         super().__init__(Qt.Orientation.Horizontal)

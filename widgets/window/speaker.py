@@ -19,8 +19,7 @@ from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.panes.canvas import release_context
 from widgets.parts import palette
-from widgets.parts.buttons import push_button
-from widgets.parts.layouts import TOP, in_column, in_row
+from widgets.parts.layouts import TOP, in_column, in_row, push_button
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip
 from widgets.window.pictures import image_of
@@ -29,11 +28,9 @@ from widgets.window.slots import panes_of_slide
 
 PICTURE_PX = (400, 250)
 """Size at which the next step's pane is drawn; it is scaled to the available space."""
-MOST_PICTURES = 12
-"""Most cached pictures of steps."""
+MOST_PICTURES = 12  # most cached pictures of steps
 TEXT_PX = 15
-NOTES_STEP_PX = 2
-"""Step by which Ctrl and + or - change the text size of the notes."""
+NOTES_STEP_PX = 2  # step by which Ctrl and + or - change the text size of the notes
 
 
 class TalkClock:
@@ -106,8 +103,7 @@ class SpeakerWindow(QWidget):
     """The window that only the speaker sees; it closes with its parent, the main window."""
 
     left = Signal()
-    jump_wanted = Signal(int)
-    """The number of a step, from 1."""
+    jump_wanted = Signal(int)  # the number of a step, from 1
 
     def __init__(self, settings: Settings, parent: QWidget) -> None:
         super().__init__(parent, Qt.WindowType.Window)

@@ -7,16 +7,14 @@ from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtGui import QIcon
 from PySide6.QtWidgets import QCheckBox, QGridLayout, QMenu, QToolButton, QWidget
 
-from app.document.document import Document
 from app.lessons.lesson import head_of, is_lesson
 from app.lessons.player import Progress
 from app.model.refusal import Refusal
-from app.scenes.scene import BUILT_IN, load
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_column, in_row
+from app.scenes.scene import BUILT_IN
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import file_title
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.cover_card import CoverCard
@@ -26,6 +24,12 @@ from widgets.window.lesson_menu import fill
 COLUMNS = 5
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
+TILES = Path(__file__).parent / "content"
+"""The scenes' pictures, of two pixels a side for one; ``python3 -m tests.pictures --tiles``."""
+
+
+def tile_path(name: str, *, dark: bool) -> Path:
+    return TILES / f"{name}{'-dark' if dark else ''}.png"
 
 
 class StartCard(CoverCard):
@@ -41,8 +45,7 @@ class StartCard(CoverCard):
     review_wanted = Signal()
     open_wanted = Signal()
     trades_wanted = Signal()
-    always_set = Signal(bool)
-    """Whether the card appears at every start."""
+    always_set = Signal(bool)  # whether the card appears at every start
 
     def __init__(
         self,
@@ -56,8 +59,8 @@ class StartCard(CoverCard):
         at_every_start: bool,
         dark: bool,
     ) -> None:
-        super().__init__(window, self.tr("Start"), dark=dark)
-        self.tiles = {name: self._tile(name, titles[name]) for name in BUILT_IN}
+        super().__init__(window, self.tr("Start"))
+        self.tiles = {name: self._tile(name, titles[name], dark=dark) for name in BUILT_IN}
         grid = QGridLayout()
         grid.setSpacing(2)
         for place, tile in enumerate(self.tiles.values()):
@@ -78,14 +81,12 @@ class StartCard(CoverCard):
         both = in_row(grid, beside, gap=16)
         in_column(head, both, always, on=self.card, margins=(16, 10, 16, 12), gap=6)
 
-    def _tile(self, name: str, title: str) -> QToolButton:
+    def _tile(self, name: str, title: str, *, dark: bool) -> QToolButton:
         act = partial(self._choose, self.scene_chosen.emit, name)
         tile = tool_button(title, title, act, flat=True)
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
-        room = QPixmap(*THUMBNAIL_PX)  # reserves the picture's place, so that nothing moves later
-        room.fill(Qt.GlobalColor.transparent)
-        tile.setIcon(QIcon(room))
+        tile.setIcon(QIcon(str(tile_path(name, dark=dark))))
         return tile
 
     def _lessons(self, progress: Mapping[str, Progress]) -> Iterator[QToolButton]:
@@ -134,10 +135,6 @@ class StartCard(CoverCard):
             button.setText(elided(title, Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]))
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             yield button
-
-    def _picture(self, name: str) -> QPixmap:
-        scene = load(name)
-        return self._drawn(Document(name, scene.start), scene, THUMBNAIL_PX)
 
 
 def _title_of(path: str) -> str:

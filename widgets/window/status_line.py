@@ -26,15 +26,14 @@ from app.precision.levels import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
-from widgets.parts.buttons import tool_button
 from widgets.parts.icons import WarningLabel
+from widgets.parts.layouts import tool_button
 from widgets.parts.messages import plane_name, translated
-from widgets.parts.number_dialog import NumberDialog
+from widgets.parts.number_field import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
 
-RESTS_AFTER_MS = 150
-"""Time without changes after which errors are predicted."""
+RESTS_AFTER_MS = 150  # time without changes after which errors are predicted
 
 
 class StatusLine(QStatusBar):

@@ -8,22 +8,18 @@ from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.lessons.player import Player
 from app.lessons.text import in_line
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, discard, in_row
+from widgets.parts.layouts import FREE, discard, in_row, tool_button
 from widgets.parts.plain import PlainLabel
 from widgets.parts.roles import give_role
 
-MOST_MARKS = 12
-"""Most steps for which each has a mark."""
-MOST_COUNTED = 8
-"""Most marks beside which there is room for the number of the step."""
+MOST_MARKS = 12  # most steps for which each has a mark
+MOST_COUNTED = 8  # most marks beside which there is room for the number of the step
 
 
 class StepMarks(QWidget):
     """A button for each step, and the number of the current one."""
 
-    chosen = Signal(int)
-    """The user wants to go to a step, from 0."""
+    chosen = Signal(int)  # the user wants to go to a step, from 0
 
     def __init__(self) -> None:
         super().__init__()

@@ -16,19 +16,15 @@ from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
 from widgets.window.lesson_blocks.view import BlockView
 
-MARGIN_PX = 4
-"""Space that is kept above and below what is scrolled to."""
+MARGIN_PX = 4  # space that is kept above and below what is scrolled to
 
 
 class StepPage(QScrollArea):
     """A step as far as it is shown; a response scrolls into view."""
 
-    settled = Signal(object)
-    """The block with this `BlockView` was answered."""
-    show_wanted = Signal(object)
-    """The user wants to see this `Document`, which explains an answer."""
-    posed = Signal(object)
-    """An exercise is asked in this `Document`."""
+    settled = Signal(object)  # the block with this `BlockView` was answered
+    show_wanted = Signal(object)  # the user wants to see this `Document`, which explains an answer
+    posed = Signal(object)  # an exercise is asked in this `Document`
     hidden = Signal(object)
     """What must not be seen now, because it would show the answer of an exercise."""
     aimed = Signal(object, object)
@@ -36,8 +32,7 @@ class StepPage(QScrollArea):
     been answered so, or None."""
     room_wanted = Signal(int)
     """How many pixels of height a response lacks; 0 once the step is left, or has new numbers."""
-    hinting_changed = Signal(bool)
-    """Emits whether a block can give a hint."""
+    hinting_changed = Signal(bool)  # emits whether a block can give a hint
 
     def __init__(self) -> None:
         super().__init__(widgetResizable=True)

@@ -20,8 +20,7 @@ REST_MS = round(1000 * TRANSITION_S) + 150
 class StepPreparation(QObject):
     """Prepares the next and the previous step, in pieces between Qt's events."""
 
-    done = Signal()
-    """Everything but the speaker's picture of the next step is prepared."""
+    done = Signal()  # everything but the speaker's picture of the next step is prepared
 
     def __init__(self, lessons: Lessons, look: Look, parent: QObject) -> None:
         super().__init__(parent)

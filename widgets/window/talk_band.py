@@ -37,8 +37,7 @@ TITLES = (0.044, 0.04, 0.036, 0.0305)
 LINES = (0.036, 0.033, 0.0305)
 """Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
 smallest are 2.2 % high."""
-SMALLER = (0.028, 0.025, 0.022)
-"""Sizes for a text of which no part fits in those letters."""
+SMALLER = (0.028, 0.025, 0.022)  # sizes for a text of which no part fits in those letters
 NUMBER_SHARE = 0.024
 EDGE_SHARE, TOP_SHARE = 0.05, 0.012
 """Free at the left and at the right, and above, in heights of the screen."""

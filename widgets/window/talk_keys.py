@@ -23,8 +23,7 @@ from widgets.window.lessons import Lessons
 from widgets.window.present import Present
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 
-TYPED_MS = 3000
-"""Time that digits wait for another one, or for Enter."""
+TYPED_MS = 3000  # time that digits wait for another one, or for Enter
 MOST_DIGITS = 4
 AGAIN_KEY = Qt.Key.Key_F7
 _KEYS = Qt.Key
@@ -42,10 +41,8 @@ class TalkKeys(QObject):
     next = Signal()
     previous = Signal()
     reveal = Signal()
-    jump = Signal(int)
-    """The number of a step, from 1."""
-    typing = Signal(str)
-    """The digits typed so far; empty once they are discarded."""
+    jump = Signal(int)  # the number of a step, from 1
+    typing = Signal(str)  # the digits typed so far; empty once they are discarded
 
     def __init__(
         self, window: QMainWindow, lessons: Lessons, present: Present, parent: QObject

@@ -11,8 +11,7 @@ from app.document.store import Store
 from app.lessons.lesson import Lesson
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
-from widgets.parts.buttons import dialog_buttons
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import dialog_buttons, in_column
 from widgets.parts.message_bar import MessageBar
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel, set_tip

@@ -35,8 +35,7 @@ from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
 from widgets.window.talk_writing import TalkWriter
 
-SEEN_MS = 250
-"""How long a slide must stand still before the speaker's window shows it."""
+SEEN_MS = 250  # how long a slide must stand still before the speaker's window shows it
 
 
 class Talks(QObject):

@@ -2,34 +2,41 @@
 
 from __future__ import annotations
 
+import logging
+import traceback
+from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QPixmap
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QPixmap
 from PySide6.QtWidgets import QGridLayout, QToolButton, QWidget
 
 from app.document.document import Document
+from app.document.view import View
+from app.drawings.figure import Figure
 from app.measure import chart
 from app.measure.meaning import ANY_SCENE, GIVEN_UP, bargain, boldest, shown_by
 from app.measure.results import SWEPT, Measurements
 from app.measure.single import shipped
 from app.scenes.scene import load
-from widgets.parts.buttons import tool_button
-from widgets.parts.layouts import FREE, in_column
+from widgets.parts.icons import NoteLabel
+from widgets.parts.layouts import FREE, in_column, tool_button
 from widgets.parts.messages import of_measurements
-from widgets.parts.note import NoteLabel
 from widgets.parts.plain import PlainLabel
 from widgets.window.cover_card import CoverCard
+from widgets.window.pictures import image_of
 from widgets.window.quality import with_choice
 
+log = logging.getLogger(__name__)
+
+DRAWN_FINER = 2.0
+"""Factor by which a picture is drawn larger, so that its lines do not hide the scene."""
+BARE = View(layers=frozenset({"labels"}))  # the view of a picture, without labels
 COLUMNS = 5
-ROUND_PX = 8
-"""The room around the content of a tile."""
-BESIDE_PX = 80
-"""The part of the window's width that no tile takes."""
+ROUND_PX = 8  # the room around the content of a tile
+BESIDE_PX = 80  # the part of the window's width that no tile takes
 WIDEST_PX = 330
-PIXELS_SHOWN = 1 / 3
-"""Factor by which a picture is drawn smaller, so that its pixels are seen."""
+PIXELS_SHOWN = 1 / 3  # factor by which a picture is drawn smaller, so that its pixels are seen
 
 
 class TradesCard(CoverCard):
@@ -39,7 +46,11 @@ class TradesCard(CoverCard):
     start_wanted = Signal()
 
     def __init__(self, window: QWidget, *, dark: bool) -> None:
-        super().__init__(window, self.tr("Speed and accuracy"), dark=dark)
+        super().__init__(window, self.tr("Speed and accuracy"))
+        self._dark = dark
+        self._undrawn: list[str] = []
+        self._drawing = QTimer(self)
+        self._drawing.timeout.connect(self._draw_next)
         results = shipped()
         wide = min((window.width() - BESIDE_PX) // COLUMNS, WIDEST_PX)
         across = wide - 2 * ROUND_PX
@@ -93,13 +104,42 @@ class TradesCard(CoverCard):
         in_column(picture, *words, FREE, on=tile, margins=(ROUND_PX,) * 4, gap=2)
         return tile
 
+    def open(self) -> None:
+        """Cover the window, and draw the pictures one by one."""
+        super().open()
+        self._undrawn = list(self.tiles)
+        self._drawing.start(0)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._drawing.stop()
+        super().closeEvent(event)
+
+    def _draw_next(self) -> None:
+        if not self._undrawn:
+            self._drawing.stop()
+            return
+        name = self._undrawn.pop(0)
+        try:
+            self._pictures[name].setPixmap(self._picture(name))
+        except Exception:  # what it stands for can still be chosen by its name
+            log.warning("the picture of %s cannot be drawn\n%s", name, traceback.format_exc())
+
     def _picture(self, name: str) -> QPixmap:
+        """Draw the picture of a tile; where smoothing is traded, its pixels are seen."""
         shown = shown_by(name)
         scene = load(shown.get("scene", ANY_SCENE))
         document = with_choice(Document(scene.name, scene.start), shown)
-        if "smoothing" in shown:
-            return self._drawn(document, scene, self._picture_px, PIXELS_SHOWN, "image")
-        return self._drawn(document, scene, self._picture_px)
-
-    def _show_picture(self, name: str, pixmap: QPixmap) -> None:
-        self._pictures[name].setPixmap(pixmap)
+        is_smooth, ratio = "smoothing" not in shown, self.devicePixelRatioF()
+        finer = DRAWN_FINER if is_smooth else PIXELS_SHOWN
+        width, height = (round(side * finer) for side in self._picture_px)
+        figure = Figure(
+            replace(document, view=BARE), scene, (scene.leading if is_smooth else "image",),
+            (width, height), scale=ratio if is_smooth else 1.0,
+            palette="dark" if self._dark else "screen",
+        )  # fmt: skip
+        scaling, whole = Qt.TransformationMode, Qt.AspectRatioMode.KeepAspectRatio
+        how = scaling.SmoothTransformation if is_smooth else scaling.FastTransformation
+        drawn = image_of(figure.pixels()).scaled(QSize(*self._picture_px) * ratio, whole, how)
+        pixmap = QPixmap.fromImage(drawn)
+        pixmap.setDevicePixelRatio(ratio)
+        return pixmap

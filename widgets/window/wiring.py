@@ -10,8 +10,8 @@ from typing import Any
 
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
+from widgets.parts.messages import all_digits, lettering
 from widgets.parts.panel import Panel
-from widgets.parts.writing import all_digits, lettering
 from widgets.window.hiding import hide
 
 

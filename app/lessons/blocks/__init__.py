@@ -2,11 +2,9 @@
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Block
+from app.lessons.blocks.choices import Predict
 from app.lessons.blocks.exercise import Exercise
-from app.lessons.blocks.note import Note
-from app.lessons.blocks.predict import Predict
-from app.lessons.blocks.samples import Samples
-from app.lessons.blocks.shown import ShownState
+from app.lessons.blocks.shown import Note, Samples, ShownState
 from app.lessons.blocks.task import Task
 
 _CLASSES = ShownState, Predict, Task, Answer, Exercise, Note, Samples

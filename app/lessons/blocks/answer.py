@@ -20,8 +20,7 @@ EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep on
 NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "counts something, but its value is {0}")
 A_COUNT = QT_TRANSLATE_NOOP("Refusal", "must be a whole number: the question asks for a count")
 _ANSWERS = "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
-WAYS = ("value", "count", "matrix", "click", "choice")
-"""The keys by which an answer may be given."""
+WAYS = ("value", "count", "matrix", "click", "choice")  # the keys by which an answer may be given
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -6,6 +6,7 @@ a lesson uses these methods, whatever the kind.
 
 from __future__ import annotations
 
+import re
 from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -16,14 +17,83 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 
 from app.document.document import Document
 from app.document.view import View
-from app.lessons.lines import Body, Items
+from app.lessons.lines import LACKS, ONLY_ONCE, Body, Items, LineItem, Lines, refused
 from app.lessons.quantities import Quantities
-from app.lessons.state import State
 from app.lessons.text import escaped
-from app.model.refusal import Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-REVEALED = "told"
-"""Kept as the answer if the program has shown it."""
+AN_ASSIGNMENT = QT_TRANSLATE_NOOP("Refusal", "must be NAME=VALUE, or document: FILE.json")
+BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
+
+
+class State(NamedTuple):
+    """A state: ``NAME=VALUE`` lines with their numbers, or a document beside the file."""
+
+    line: int
+    values: tuple[tuple[int, str], ...] = ()
+    document: str = ""
+    document_line: int = 0
+
+    @property
+    def begins_anew(self) -> bool:
+        """Whether it names a scene or a document, and so ignores the previous step."""
+        return bool(self.document) or any(path_of(text) == "scene" for _, text in self.values)
+
+
+def path_of(assignment: str) -> str:
+    return assignment.partition("=")[0].strip()
+
+
+def read_state(lines: Lines, line: int) -> State:
+    """Read the state of a block that begins at a line."""
+    values: list[tuple[int, str]] = []
+    document, document_line = "", 0
+    names = set[str]()
+    for number, text in lines:
+        text = text.strip()
+        if not text:
+            continue
+        is_document = text.startswith("document:")
+        name = "document" if is_document else path_of(text)
+        if name in names:
+            raise refused(number, ONLY_ONCE, name)
+        names.add(name)
+        if is_document:
+            document, document_line = _beside(text[len(name) + 1 :].strip(), number), number
+        elif "=" in text:
+            values.append((number, _mesh_beside(text, number)))
+        else:
+            raise refused(number, AN_ASSIGNMENT, value=text[:60])
+    if not values and not document:
+        raise refused(line, LACKS, "NAME=VALUE")
+    return State(line, tuple(values), document, document_line)
+
+
+def state_in(item: LineItem | None) -> State | None:
+    """Read a state on one line, its values separated by semicolons."""
+    if item is None:
+        return None
+    return read_state([(item.line, part) for part in item.text.split(";")], item.line)
+
+
+def _mesh_beside(text: str, line: int) -> str:
+    """Return an assignment; refuse one that names a file outside the lesson's folder."""
+    value = text.partition("=")[2].strip()
+    is_file = bool(set(value) & set("/\\:")) or value.startswith("~")
+    if path_of(text) in ("scene", "mesh") and is_file:
+        _beside(value, line)
+    return text
+
+
+def _beside(path: str, line: int) -> str:
+    """Return the path of a file that is in the lesson's folder or below it."""
+    parts = re.split(r"[/\\]", path)
+    if not path or path[0] in "/\\~" or ".." in parts or ":" in path:
+        raise refused(line, BESIDE, value=path[:60])
+    return path
+
+
+REVEALED = "told"  # kept as the answer if the program has shown it
 
 
 class Idea(NamedTuple):
@@ -101,22 +171,15 @@ class Verdict(NamedTuple):
     """The response to an answer."""
 
     right: bool
-    idea: str = ""
-    """Name of the wrong idea behind it; empty if it has none."""
-    says: str = ""
-    """Markdown."""
-    state: Document | None = None
-    """A state that shows what `says` explains."""
-    too_short: bool = False
-    """Whether the answer is right but has too few digits."""
-    remark: Refusal | None = None
-    """How an answer that no idea explains differs from the right one."""
-    cells: tuple[bool, ...] = ()
-    """Which numbers of a matrix are right, row after row."""
+    idea: str = ""  # name of the wrong idea behind it; empty if it has none
+    says: str = ""  # Markdown
+    state: Document | None = None  # a state that shows what `says` explains
+    too_short: bool = False  # whether the answer is right but has too few digits
+    remark: Refusal | None = None  # how an answer that no idea explains differs from the right one
+    cells: tuple[bool, ...] = ()  # which numbers of a matrix are right, row after row
     beside: Document | None = None
     """A state that shows the idea's number beside the model's own one."""
-    title: str = ""
-    """The idea in the student's words."""
+    title: str = ""  # the idea in the student's words
 
     @property
     def word(self) -> str:
@@ -159,10 +222,8 @@ class StepContent:
 class Block:
     """A block of a step."""
 
-    kind: ClassVar[str] = ""
-    """The word after its three backticks."""
-    once: ClassVar[bool] = False
-    """Whether a step may have only one block of this kind."""
+    kind: ClassVar[str] = ""  # the word after its three backticks
+    once: ClassVar[bool] = False  # whether a step may have only one block of this kind
     needs_answer: ClassVar[bool] = False
     """Whether the student has to answer it; such a block has a name."""
     line: int
@@ -190,10 +251,8 @@ class ReadBlock(Block):
     reveals: ClassVar[bool] = False
     """Whether a talk first asks the class and then shows the right answer."""
     text: str
-    why: str = ""
-    """Markdown; `why` is shown once the answer is known."""
-    show: State | None = None
-    """The state that the model then moves to."""
+    why: str = ""  # Markdown; `why` is shown once the answer is known
+    show: State | None = None  # the state that the model then moves to
 
     def add_to(self, content: StepContent) -> None:
         content.parts.append(self)
@@ -240,22 +299,15 @@ class Asked(ReadBlock):
     """A block that the student has to answer."""
 
     needs_answer: ClassVar[bool] = True
-    holds: ClassVar[bool] = False
-    """Whether the step continues only after an answer."""
-    retries: ClassVar[bool] = True
-    """Whether the student may answer again after a wrong answer."""
-    varies: ClassVar[bool] = False
-    """Whether its numbers are drawn anew for each seed."""
+    holds: ClassVar[bool] = False  # whether the step continues only after an answer
+    retries: ClassVar[bool] = True  # whether the student may answer again after a wrong answer
+    varies: ClassVar[bool] = False  # whether its numbers are drawn anew for each seed
     has_field: ClassVar[bool] = True
     """Whether the student answers in the block itself, where the cursor can be."""
-    is_worked: ClassVar[bool] = True
-    """Whether the student works the answer out on paper."""
-    name: str
-    """Used by samples and the student's progress; unique within a step."""
-    unit: str = ""
-    """The unit of the answer, one of `UNITS`."""
-    pane: str = ""
-    """The picture in which the student points at the answer; empty for other answers."""
+    is_worked: ClassVar[bool] = True  # whether the student works the answer out on paper
+    name: str  # used by samples and the student's progress; unique within a step
+    unit: str = ""  # the unit of the answer, one of `UNITS`
+    pane: str = ""  # the picture in which the student points at the answer; empty for other answers
     hints: tuple[str, ...] = ()
     responses: tuple[tuple[int, str], ...] = ()
     """All replies to answers, and the hints, each with its line."""

@@ -1,4 +1,4 @@
-"""A question with choices, exactly one of them right."""
+"""Choices, exactly one right; ``predict`` must be answered before the step goes on."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from fractions import Fraction
 from typing import Any, ClassVar
 
 from app.lessons import marking
-from app.lessons.blocks.block import REVEALED, Here, Verdict
-from app.lessons.blocks.question import LETTERS, RIGHT, Question, Reply
+from app.lessons.blocks.block import REVEALED, Here, Verdict, state_in
+from app.lessons.blocks.question import CHECKS, LETTERS, RIGHT, Question, Reply
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
@@ -122,3 +122,17 @@ class Choices(Question):
             if is_there(choice):
                 lines.append(f"**{letter}** {choice.text}{mark if choice.right else ''}")
         return "  \n".join(lines)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Predict(Choices):
+    """A prediction: it is made once, and then the model shows the right answer."""
+
+    kind = "predict"
+    holds = True
+    retries = False
+
+    @classmethod
+    def read(cls, body: Body) -> Choices:
+        text, items = body.items("show", *CHECKS, choices=True)
+        return cls.of(body, text, items, show=state_in(items.single("show")))

@@ -17,8 +17,7 @@ from app.model.formula import Formula
 from app.model.limits import ONE_OF
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
-WITHIN_PX = 12.0
-"""Largest distance of a click that counts, unless the question says another one."""
+WITHIN_PX = 12.0  # largest distance of a click that counts, unless the question says another one
 PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
 """Width of a small image pane; a unit of the cube, and the way from the eye to its target, in small
 panes. A check uses them to compare places without a window."""
@@ -44,8 +43,7 @@ class Click(MarkedQuestion):
 
     kind = "answer"
     is_worked = False
-    within_px: float
-    """How far from a place a click may be, on a screen with scale 1."""
+    within_px: float  # how far from a place a click may be, on a screen with scale 1
 
     @classmethod
     def of(cls, body: Body, text: str, items: Items) -> Click:

@@ -16,19 +16,17 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from app.lessons.blocks.answer import Answer
-from app.lessons.blocks.block import Asked, Here, Trial, Variant
+from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
 from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, whole
 from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
-from app.lessons.state import State, read_state
 from app.model.formula import parse
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
-LEAST_VARIANTS = 20
-"""Fewer variants are learnt by heart."""
+LEAST_VARIANTS = 20  # fewer variants are learnt by heart
 LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5
@@ -75,8 +73,7 @@ class Exercise(Asked):
     varied: tuple[Varied, ...]
     where: tuple[tuple[int, Condition], ...]
     """What the numbers must fulfil, in the variant's own state."""
-    states: Lines
-    """The lines of the variant's state."""
+    states: Lines  # the lines of the variant's state
     recipe: Lines
 
     @classmethod

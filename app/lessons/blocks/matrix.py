@@ -22,8 +22,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 
 Part = TypeVar("Part")
 
-MOST = 4
-"""Most rows, and most columns."""
+MOST = 4  # most rows, and most columns
 
 A_MATRIX = QT_TRANSLATE_NOOP(
     "Refusal",

@@ -1,27 +1,77 @@
 """The common base of predictions and answers: one right reply, and wrong ones with their ideas.
 
-The value of a reply is one number, those of a matrix, or the coordinates of a place.
+The value of a reply is one number, those of a matrix, or the coordinates of a place. A wrong number
+can be shown beside the right one: the model with each of them, as compared pictures.
 """
 
 import difflib
 import math
 from abc import abstractmethod
 from collections.abc import Callable, Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar, Self, TypeAlias
 
+from app.document.compare import ComparedPicture
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.view import PANES
 from app.lessons import marking
-from app.lessons.blocks.beside import beside, is_set
-from app.lessons.blocks.block import REVEALED, Asked, Here, Trial, Verdict
+from app.lessons.blocks.block import REVEALED, Asked, Here, State, Trial, Verdict, state_in
 from app.lessons.blocks.working import has_way, in_markdown, working
 from app.lessons.lines import Body, Items, LineItem, on_line, refused
 from app.lessons.marking import UNITS, TypedNumber
 from app.lessons.quantities import Condition, NotThere, Quantities
-from app.lessons.state import State, state_in
-from app.model.formula import Formula, parse
+from app.model.formula import Formula, Letter, parse
 from app.model.limits import ONE_OF
+from app.model.parameters import FOCAL_E, FOV_X, FOV_Y, PARAMETERS
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+
+YOURS = QT_TRANSLATE_NOOP("phenomena", "your idea")
+MODEL = QT_TRANSLATE_NOOP("phenomena", "the model")
+
+_PATHS = {
+    each.formula: each.path
+    for each in PARAMETERS.values()
+    if each.section == "lens" and not each.changes
+}
+"""Of the numbers of a lens that are fields of a document."""
+_OF_WIDTH = (FOV_X.formula, FOCAL_E.formula)
+"""Numbers of the horizontal angle, which the lens has from the vertical one."""
+
+
+def beside(here: Here, own: Document, name: str, wrong: float) -> Document | None:
+    """Return a state that shows another value of a number beside its own one.
+
+    None if no value of ``--set`` is this number, or the model does not allow the value.
+    """
+    change = _change(own, name, wrong)
+    try:
+        value = here.quantities(set_values(own, [change])).value(Letter(name)) if change else None
+    except (Refusal, NotThere):
+        return None
+    if value is None or not math.isclose(value, wrong, rel_tol=1e-9):
+        return None
+    pictures = ComparedPicture(YOURS, (change,)), ComparedPicture(MODEL, live=True)
+    return replace(own, view=replace(own.view, compare=pictures, dividers=(), large="image"))
+
+
+def is_set(own: Document, name: str) -> bool:
+    """Whether a number has values of its own."""
+    return bool(_change(own, name, 1.0))
+
+
+def _change(own: Document, name: str, value: float) -> str:
+    """Return the assignment that gives a number a value; empty if there is none."""
+    if name in _OF_WIDTH:
+        is_angle = name == FOV_X.formula
+        if not 0.0 < value < (180.0 if is_angle else math.inf):
+            return ""
+        across = math.tan(math.radians(value / 2.0)) if is_angle else 1.0 / value
+        name, value = FOV_Y.formula, 2.0 * math.degrees(math.atan(across / own.projection.aspect))
+    if name.startswith("settings_"):
+        return f"settings.{name.removeprefix('settings_')}={value!r}"
+    return f"{_PATHS[name]}={value!r}" if name in _PATHS else ""
+
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
 NO_IDEA = QT_TRANSLATE_NOOP(
@@ -43,14 +93,11 @@ NO_RIGHT = QT_TRANSLATE_NOOP(
 Value: TypeAlias = tuple[float, ...]
 """The numbers of an answer: one, a matrix row after row, or coordinates."""
 
-LETTERS = "ABCDEFGHIJ"
-"""The letters by which a class names the choices."""
-RIGHT = " **✓**"
-"""Marks the right answer, in Markdown."""
+LETTERS = "ABCDEFGHIJ"  # the letters by which a class names the choices
+RIGHT = " **✓**"  # marks the right answer, in Markdown
 HIDDEN = ("numbers", "lens", "scale", *PANES)
 """What a question may hide; the scale on paper only, where a ruler would find the answer."""
-CHECKS = ("check", "why", "hint", "hide")
-"""Keys that every question may have."""
+CHECKS = ("check", "why", "hint", "hide")  # keys that every question may have
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -105,12 +152,10 @@ class Question(Asked):
     """A question with one right reply."""
 
     reveals: ClassVar[bool] = True
-    replies: Sequence[Reply]
-    """Choices, or the wrong values that have an idea."""
+    replies: Sequence[Reply]  # choices, or the wrong values that have an idea
     checks: tuple[tuple[int, Condition], ...] = ()
     """Conditions that hold if the right reply is correct."""
-    symbol: str = ""
-    """TeX of what the value is called in its worked solution."""
+    symbol: str = ""  # TeX of what the value is called in its worked solution
     number: str = ""
     """The name of the number of the model that the value is; empty if it is none, or is the key."""
 

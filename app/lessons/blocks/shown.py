@@ -1,12 +1,27 @@
-"""``state``: what the window shows at the step."""
+"""Blocks that ask nothing.
+
+``state``: what the window shows at the step; ``note``: text for the speaker only, and the planned
+minutes; ``test``: sample answers of a step, and their expected verdicts.
+"""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from app.lessons.blocks.block import Block, StepContent
-from app.lessons.lines import Body
-from app.lessons.state import State, read_state
+from app.lessons.blocks.block import (
+    Block,
+    Here,
+    Sample,
+    SpeakerNote,
+    State,
+    StepContent,
+    Trial,
+    read_state,
+)
+from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
+from app.model.refusal import QT_TRANSLATE_NOOP
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -23,3 +38,77 @@ class ShownState(Block):
     @classmethod
     def read(cls, body: Body) -> ShownState:
         return cls(line=body.line, state=read_state(body.lines, body.line))
+
+
+@dataclass(frozen=True, kw_only=True)
+class Note(Block):
+    """Text for the speaker only; a lesson with a note is a talk."""
+
+    kind = "note"
+    once = True
+    text: str
+    minutes: float
+    text_line: int
+
+    def add_to(self, content: StepContent) -> None:
+        content.note = SpeakerNote(self.line, self.text, self.minutes)
+
+    @classmethod
+    def read(cls, body: Body) -> Note:
+        minutes, lines, first = None, [], 0
+        for number, text in body.lines:
+            if text.strip().startswith("minutes:"):
+                if minutes is not None:
+                    raise refused(number, ONLY_ONCE, "minutes")
+                minutes = number_in(text.partition(":")[2].strip(), number, 0, 1000)
+            elif re.match(r"\s*min\w*\s*[:=]\s*\d", text, re.IGNORECASE):
+                raise refused(number, UNEXPECTED, "minutes", value=text.strip()[:60])
+            else:
+                lines.append(text)
+                first = first or (number if text.strip() else 0)
+        text, line = "\n".join(lines).strip(), body.line
+        return cls(line=line, text=text, minutes=minutes or 0.0, text_line=first or line)
+
+    def texts(self) -> Iterator[tuple[int, str]]:
+        yield self.text_line, self.text
+
+
+A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
+OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
+OF_VARIANT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”; this variant has {2}")
+
+
+@dataclass(frozen=True, kw_only=True)
+class Samples(Block):
+    """Sample answers of a step."""
+
+    kind = "test"
+    samples: tuple[Sample, ...]
+
+    def add_to(self, content: StepContent) -> None:
+        content.samples += self.samples
+
+    @classmethod
+    def read(cls, body: Body) -> Samples:
+        samples = (_sample(text, number) for number, text in body.lines if text.strip())
+        return cls(line=body.line, samples=tuple(samples))
+
+    def check(self, here: Here, trial: Trial) -> None:
+        # A step lacks the blocks that cannot be read.
+        for each in (each for each in self.samples if each.block in here.asked):
+            trial.checks += 1
+            with trial.kept():
+                asked = here.asked[each.block]
+                got = asked.verdict(here, each.text, each.line)
+                if got != each.verdict:
+                    drawn = asked.drawn(here, each.text)
+                    why = (OF_VARIANT, got, each.verdict, drawn)
+                    raise refused(each.line, *(why if drawn else (OTHER_VERDICT, *why[1:3])))
+
+
+def _sample(text: str, line: int) -> Sample:
+    name, colon, rest = text.partition(":")
+    sample, arrow, verdict = rest.rpartition("->")
+    if not colon or not arrow or not verdict.strip():
+        raise refused(line, A_SAMPLE, value=text.strip()[:60])
+    return Sample(name.strip(), sample.strip(), verdict.strip(), line)

@@ -8,11 +8,10 @@ from dataclasses import dataclass, replace
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.view import PANES, View
-from app.lessons.blocks.block import Asked, Here, Trial, Verdict
+from app.lessons.blocks.block import Asked, Here, State, Trial, Verdict, state_in
 from app.lessons.blocks.question import Reply
 from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
-from app.lessons.state import State, state_in
 from app.model.limits import ONE_OF
 from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -21,8 +20,7 @@ ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right stat
 NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
 NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
 NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
-DONE = "done"
-"""Kept as the answer of a finished task, and the verdict on a sample that fulfils it."""
+DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """The names that conditions have for fields of the view with other names."""

@@ -21,8 +21,7 @@ class Working(NamedTuple):
     letters: Formula
     numbers: Formula
     value: float
-    is_exact: bool
-    """Whether none of the numbers is rounded."""
+    is_exact: bool  # whether none of the numbers is rounded
 
     def sides(self, name: str = "", unit: str = "") -> list[str]:
         """Return what is equal, each with its sign except the first; `name` is TeX of the left."""

@@ -8,8 +8,7 @@ from typing import NamedTuple, TypeAlias
 
 from app.model.limits import Array
 
-Window: TypeAlias = tuple[float, float, float, float]
-"""Left, right, bottom, top, in world units."""
+Window: TypeAlias = tuple[float, float, float, float]  # left, right, bottom, top, in world units
 ExactWindow: TypeAlias = tuple[Fraction, Fraction, Fraction, Fraction]
 
 
@@ -45,11 +44,9 @@ class ExactLens(NamedTuple):
     scale: tuple[Fraction, Fraction]
     shift: tuple[Fraction, Fraction]
     """``x_clip = scale x + shift w``, where x is measured on the near plane, times w."""
-    shear: tuple[Fraction, Fraction]
-    """``cot(alpha), cot(beta)`` of an oblique lens."""
+    shear: tuple[Fraction, Fraction]  # ``cot(alpha), cot(beta)`` of an oblique lens
     near: Fraction
-    far: Fraction | None
-    """None for infinity."""
+    far: Fraction | None  # None for infinity
 
 
 class Intrinsics(NamedTuple):

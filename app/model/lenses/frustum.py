@@ -7,9 +7,8 @@ from typing import ClassVar
 
 from app.model.lenses.answers import Window
 from app.model.lenses.central import Central
-from app.model.lenses.lens import LensTable
+from app.model.lenses.lens import LensTable, Windowed
 from app.model.lenses.perspective import pyramid_tables
-from app.model.lenses.windowed import Windowed
 from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, Keep, within
 from app.model.refusal import QT_TRANSLATE_NOOP
 

@@ -26,12 +26,9 @@ LENSES: dict[str, Any] = {}
 class Geometry:
     """What follows from near, far, the window, and whether the projectors meet."""
 
-    kind: ClassVar[str]
-    """The name of the lens in a document."""
-    central: ClassVar[bool] = False
-    """Whether the projectors meet in the eye."""
-    parallel: ClassVar[bool] = False
-    """Whether they are parallel. A typed matrix is neither."""
+    kind: ClassVar[str]  # the name of the lens in a document
+    central: ClassVar[bool] = False  # whether the projectors meet in the eye
+    parallel: ClassVar[bool] = False  # whether they are parallel. A typed matrix is neither.
 
     @property
     def near(self) -> float:

@@ -1,9 +1,9 @@
 """The base of all lenses: a table of formulas and the numbers that their letters stand for.
 
 A lens is a frozen dataclass in a file of its own. It derives from `lenses.central.Central` or
-`lenses.parallel.Parallel`, and from `lenses.windowed.Windowed` if the sides of its window are
-given; a typed matrix derives from `Lens` alone. No other package tests the kind of a lens: lenses
-differ only in their numbers and methods here.
+`lenses.orthographic.Parallel`, and from `Windowed` if the sides of its window are given; a typed
+matrix derives from `Lens` alone. No other package tests the kind of a lens: lenses differ only in
+their numbers and methods here.
 """
 
 from __future__ import annotations
@@ -17,22 +17,27 @@ from functools import cached_property, partial
 from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.rationals import Rationals
-from app.model.content_file import stated
-from app.model.lenses.answers import Angles, Axes, Intrinsics, Window
+from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.geometry import Geometry
 from app.model.limits import (
     ABOVE,
     AT_LEAST,
+    BOTTOM_BEFORE_TOP,
     DISTINCT,
+    LEFT_BEFORE_RIGHT,
     NEAR_BEFORE_FAR,
     ONE_OF,
     SMALLEST,
+    SMALLEST_WINDOW,
+    WIDER,
     Array,
     Cells,
+    Keep,
     finite,
+    keep_checked,
     real,
 )
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, stated
 from app.model.refusal import Refusal, format_value
 from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
@@ -41,12 +46,10 @@ from app.model.tables import TO_PYRAMID, PipelineStep, Table
 class LensTable:
     """A lens as the lectures write it; made once, and compared by identity."""
 
-    steps: tuple[PipelineStep, ...]
-    """From view space to clip space; empty for a typed matrix."""
+    steps: tuple[PipelineStep, ...]  # from view space to clip space; empty for a typed matrix
     clip_from_view: Table
     """The product of all steps in closed form, in the order of operations that keeps the digits."""
-    view_from_clip: Table | None = None
-    """Its inverse in closed form."""
+    view_from_clip: Table | None = None  # its inverse in closed form
     otherwise: Mapping[str, LensTable] = field(default_factory=dict)
     """The table of the same lens after another choice of a field: ``far``, finite again."""
     fields: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -267,3 +270,111 @@ def plane_letters(near: float, far: float) -> dict[str, Fraction]:
     """Exact n and f of a lens; no f if far is infinite."""
     planes = {"n": near, "f": far}
     return {letter: Fraction(plane) for letter, plane in planes.items() if plane != math.inf}
+
+
+_ROUNDING = 1e-12  # relative difference of aspects that counts as rounding
+
+
+@dataclass(frozen=True)
+class Windowed(Lens):
+    """The six numbers of glFrustum and glOrtho, and how the window follows the image.
+
+    - `left`, `right`, `bottom`, `top`: the window on the near plane, ``left < right``,
+      ``bottom < top``.
+    - `near`, `far`: distances of the clipping planes from the eye plane, ``near < far``.
+    - `keep`: how the window follows the image's aspect: not at all (``"stretch"``), or by adjusting
+      the y range (``"x"`` is kept, lecture 000's variant X) or the x range (``"y"``, variant Y).
+    """
+
+    window_stays: ClassVar[bool] = True
+
+    left: float
+    right: float
+    bottom: float
+    top: float
+    near: float = 1.0
+    far: float = 30.0
+    keep: Keep = "stretch"
+
+    def __post_init__(self) -> None:
+        names = ("left", "right", "bottom", "top")
+        left, right, bottom, top = (finite(n, getattr(self, n)) for n in names)
+        near, far = self.checked_planes(self.near, self.far)
+        keep_checked(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
+        for name, low, high, bound in (
+            ("left", left, right, LEFT_BEFORE_RIGHT),
+            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
+        ):
+            if low >= high:
+                raise Refusal(name, low, bound, format_value(high))
+        self.check_window(left, right, bottom, top)
+        if self.keep not in ("stretch", "x", "y"):
+            raise Refusal("keep", self.keep, ONE_OF, "stretch, x, y")
+
+    @property
+    def least_window(self) -> float:
+        """The least width and height of the window, in world units."""
+        return SMALLEST_WINDOW
+
+    def check_window(self, left: float, right: float, bottom: float, top: float) -> None:
+        """Raise a `Refusal` if the window, as typed or after `keep`, is too small for the lens."""
+        for name, low, high in (("left", left, right), ("bottom", bottom, top)):
+            if high - low < self.least_window:
+                bound = DISTINCT if self.parallel else WIDER
+                raise Refusal(name, low, bound, format_value(high))
+
+    def exact_window(self, aspect: Fraction) -> ExactWindow:
+        left, right, bottom, top = map(Fraction, (self.left, self.right, self.bottom, self.top))
+        if self.keep == "x":
+            k = ((right - left) / aspect - (top - bottom)) / 2
+            bottom, top = bottom - k, top + k
+        elif self.keep == "y":
+            k = (aspect * (top - bottom) - (right - left)) / 2
+            left, right = left - k, right + k
+        return left, right, bottom, top
+
+    def window(self, aspect: Fraction) -> Window:
+        """The window after `keep`: lecture 000, PerspektivnaProjekcijaX and Y.
+
+        The mistake in the last line of Y is corrected.
+        """
+        if self.keep == "stretch":
+            return self.left, self.right, self.bottom, self.top
+        return super().window(aspect)
+
+    def check_image(self, aspect: Fraction) -> None:
+        """Refuse an image for which `keep` would shrink a window far from the axis to nothing."""
+        left, right, bottom, top = self.exact_window(aspect)
+        window = self.window(aspect)
+        for name, exact, low, high in (
+            ("left", right - left, *window[:2]),
+            ("bottom", top - bottom, *window[2:]),
+        ):
+            extent = float(exact)
+            if abs(high - low - extent) > extent / 2.0:
+                raise Refusal(name, low, DISTINCT, format_value(high))
+        self.check_window(*window)
+
+    def fits(self, aspect: float) -> bool:
+        fitted = aspect * (self.top - self.bottom)
+        return math.isclose(self.right - self.left, fitted, rel_tol=_ROUNDING)
+
+    def sides(self, window: Window) -> dict[str, Any]:
+        """The fields of a window that does not follow the image."""
+        names = ("left", "right", "bottom", "top")
+        return {**dict(zip(names, window, strict=True)), "keep": "stretch"}
+
+    def exact_letters(self, aspect: Fraction) -> dict[str, Fraction]:
+        sides = zip("lrbt", self.exact_window(aspect), strict=True)
+        return {**plane_letters(self.near, self.far), **dict(sides)}
+
+    def letters(self, aspect: Fraction) -> dict[str, float]:
+        left, right, bottom, top = self.exact_window(aspect)
+        return {
+            "n": self.near,
+            "f": self.far,
+            "r - l": float(right - left),
+            "r + l": float(right + left),
+            "t - b": float(top - bottom),
+            "t + b": float(top + bottom),
+        }

@@ -12,13 +12,10 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.content_file import stated
 from app.model.lenses.answers import Window
-from app.model.lenses.lens import Lens, LensTable
-from app.model.lenses.orthographic import SCALE, TRANSLATION, box_table
-from app.model.lenses.parallel import Parallel
+from app.model.lenses.lens import Lens, LensTable, Windowed
+from app.model.lenses.orthographic import SCALE, TRANSLATION, Parallel, box_table
 from app.model.lenses.solving import same, shortest
-from app.model.lenses.windowed import Windowed
 from app.model.limits import (
     LARGEST_SHEAR,
     SMALLEST_WINDOW,
@@ -28,11 +25,10 @@ from app.model.limits import (
     keep_checked,
     within,
 )
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, stated
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-COTS = ("cot(alpha)", "cot(beta)")
-"""The letters of the projectors' slant."""
+COTS = ("cot(alpha)", "cot(beta)")  # the letters of the projectors' slant
 
 SHEAR = """
     1  0  cot(alpha)  n*cot(alpha)

@@ -14,13 +14,12 @@ from typing import ClassVar
 
 from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
-from app.model.content_file import stated
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import NEAR, LensTable, plane_letters
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, stated
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
 

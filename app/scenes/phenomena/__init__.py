@@ -1,7 +1,7 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`illustration` says what a phenomenon is made of: `settings` to choose, a `readout`, `marks` to
-draw, a `diagram` beside them. `words` reads its content file, and `picture` computes marks of the
+`illustration` says what a phenomenon is made of: `settings` to choose, `marks` to draw, a `diagram`
+beside them. `words` reads its content file, and has its readout; `picture` computes marks of the
 image pane. Each other module holds one phenomenon.
 """
 

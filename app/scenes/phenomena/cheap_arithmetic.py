@@ -27,9 +27,8 @@ from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("cheap-arithmetic")

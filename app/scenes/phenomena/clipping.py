@@ -24,9 +24,8 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("clipping")

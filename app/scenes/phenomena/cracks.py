@@ -21,15 +21,13 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("cracks")
 
-SIZES = 10.0, 3.0
-"""Widths of the two boxes, from which their steps follow."""
+SIZES = 10.0, 3.0  # widths of the two boxes, from which their steps follow
 _HIGH = 0.9
 _Y = np.linspace(-_HIGH, _HIGH, 25)
 SEAM: Array = np.column_stack([0.3 * np.sin(2.1 * _Y) + 0.11 * _Y, _Y, np.zeros(len(_Y))])

@@ -26,10 +26,9 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
 from app.scenes.phenomena.picture import SIDES, seen_texts
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.sampling import seen_distances
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("depth-buffer")

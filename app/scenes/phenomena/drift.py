@@ -17,9 +17,8 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.readout import Reading, figure
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading, figure
 from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("drift")

@@ -37,9 +37,8 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, point
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 WORDS = PhenomenonWords("eye-plane")

@@ -30,9 +30,8 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("field-of-view")

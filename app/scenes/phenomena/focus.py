@@ -29,9 +29,8 @@ from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,

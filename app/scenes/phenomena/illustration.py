@@ -7,7 +7,7 @@ A phenomenon of the lectures is a scene with settings of its own and one functio
 The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
 of the scene under further matrices, diagrams beside the panes, and how the scene is rasterised. It
 is made anew at every change, from the arguments alone, so that panes, panel, figures and tests all
-show the same. `settings`, `readout`, `marks` and `diagram` define its parts, `words` its texts.
+show the same. `settings`, `marks` and `diagram` define its parts, `words` its texts and readout.
 """
 
 from __future__ import annotations
@@ -26,9 +26,8 @@ from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -117,8 +116,7 @@ class Shot(NamedTuple):
     about: Literal["scene", "camera"] = "scene"
 
 
-FIRST_SHOT = Shot(-66.0, 18.0, "camera")
-"""From beside the camera, so that near and far stand apart."""
+FIRST_SHOT = Shot(-66.0, 18.0, "camera")  # from beside the camera, so that near and far stand apart
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)

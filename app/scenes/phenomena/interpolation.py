@@ -28,15 +28,13 @@ from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Text, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("interpolation")
 
-TEXELS = 256
-"""Of the board's texture, each side."""
+TEXELS = 256  # of the board's texture, each side
 
 _CHECKS = 8
 _CORNERS = np.array([(-5.0, 0, 5), (5, 0, 5), (5, 0, -5), (-5, 0, -5)])

@@ -28,15 +28,13 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("jitter")
 
-FRAMES, STEP = 24, 1e-3
-"""How often the eye moves, and how far each time."""
+FRAMES, STEP = 24, 1e-3  # how often the eye moves, and how far each time
 _AWAY = np.array((0.6, 0.64, 0.48))  # the direction from the origin to the scene
 _UNIT, _LOWEST = 2.0**-24, 2.0**-149  # of float32
 _ROOM = 0.35  # of the picture's width, for what is enlarged

@@ -26,9 +26,8 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
-from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("oblique-drawing")

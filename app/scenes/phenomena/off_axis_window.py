@@ -18,9 +18,8 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.readout import Phrase, Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("off-axis-window")

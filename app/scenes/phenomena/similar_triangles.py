@@ -31,9 +31,8 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number, point
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("similar-triangles")

@@ -36,9 +36,8 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import grip_of_plane, section
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("two-eyes")

@@ -34,9 +34,8 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.readout import Phrase, Reading, figure
 from app.scenes.phenomena.settings import Settings, number, point
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 WORDS = PhenomenonWords("unprojection")

@@ -26,9 +26,8 @@ from app.scenes.phenomena.picture import (
     rectangle,
     section,
 )
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("vanishing-points")

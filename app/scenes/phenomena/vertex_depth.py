@@ -23,14 +23,14 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices, outline
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_corners, box_faces, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("vertex-depth")
 
 MOST_PIECES = 1024
+_STRIDE = 16  # of the floor's rows, for a strip of the trough: thin strips are slow to draw
 _START = Projection(Camera((0.0, 1.7, 10.0), (0.0, 0.2, 0.0)), Perspective(60.0, 1.0, 30.0))
 _WIDTH = 12.0
 _WALL = (-2.5, 0.0, -0.4), (2.5, 3.0, 0.0)
@@ -117,7 +117,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
         scale = np.divide(_standard(projection, np.abs(w)), w, out=np.ones_like(w), where=w > 0.0)
         places = eye + (places - eye) * scale[:, None]
     near, far = _floor(projection, ends[[0, -1]])
-    sides = trough[:: MOST_PIECES // 64].swapaxes(0, 1)
+    sides = trough[::_STRIDE].swapaxes(0, 1)
+    trough = trough[np.arange(len(trough)) // _STRIDE * _STRIDE]
     lowest = sides[:, np.argmin(sides[0, :, 1])]
     most, q = largest_factor(float(ends[1] / ends[0]))
     most, m = 1.0 if is_right else most, lens.near

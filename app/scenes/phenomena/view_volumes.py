@@ -18,9 +18,8 @@ from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
-from app.scenes.phenomena.readout import Reading
 from app.scenes.phenomena.settings import ImpliedSettings, Settings
-from app.scenes.phenomena.words import PhenomenonWords
+from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
 WORDS = PhenomenonWords("view-volumes")

@@ -4,19 +4,16 @@ from collections.abc import Callable
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked
-from app.lessons.blocks.choices import Choices
+from app.lessons.blocks.choices import Choices, Predict
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.blocks.predict import Predict
 from app.lessons.blocks.task import Task
 from app.lessons.player import PlayedBlock
 from widgets.window.lesson_blocks.choices import ChoiceView
-from widgets.window.lesson_blocks.click import ClickView
 from widgets.window.lesson_blocks.exercise import ExerciseView
+from widgets.window.lesson_blocks.marked import ClickView, NumberAnswerView, TaskView
 from widgets.window.lesson_blocks.matrix import MatrixAnswerView
-from widgets.window.lesson_blocks.number import NumberAnswerView
-from widgets.window.lesson_blocks.task import TaskView
 from widgets.window.lesson_blocks.view import BlockView
 
 VIEWS: dict[type[Asked], Callable[..., BlockView]] = {

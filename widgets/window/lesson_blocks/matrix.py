@@ -19,8 +19,7 @@ from widgets.parts.typeset import paint_brackets
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import Sign, on_holder
 
-CELL_EM = 6.0
-"""Largest width of a cell, in line heights."""
+CELL_EM = 6.0  # largest width of a cell, in line heights
 _BRACKET_PX = 6
 
 
@@ -39,8 +38,7 @@ class _MatrixCellEdit(QLineEdit):
         self.setMinimumWidth(3 * em)
         self.setMaximumWidth(round(CELL_EM * em))
         self.textEdited.connect(self.unmark)
-        self.sign = Sign("", "")
-        """Below the cell, where it takes no room from the number."""
+        self.sign = Sign("", "")  # below the cell, where it takes no room from the number
         self.sign.hide()
 
     def mark(self, is_right: bool) -> None:

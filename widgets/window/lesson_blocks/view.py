@@ -23,15 +23,13 @@ from app.lessons.blocks.block import REVEALED, Asked, Verdict
 from app.lessons.player import PlayedBlock
 from app.lessons.text import escaped, spoken_text
 from app.model.refusal import Refusal
-from widgets.parts.buttons import push_button
 from widgets.parts.icons import paint_icon
-from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row
+from widgets.parts.layouts import FREE, TOP, Part, discard, in_column, in_row, push_button
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import set_tip
 
-SIGN_EM = 1.15
-"""Size of a sign, relative to the text height beside it."""
+SIGN_EM = 1.15  # size of a sign, relative to the text height beside it
 
 
 class Sign(QWidget):
@@ -67,14 +65,11 @@ class BlockView(QFrame):
     A subclass adds its own widgets by `_insert`; `sign` is a widget beside the text.
     """
 
-    settled = Signal()
-    """The block is answered."""
-    show_wanted = Signal(object)
-    """The user wants to see this `Document`, which explains an answer."""
+    settled = Signal()  # the block is answered
+    show_wanted = Signal(object)  # the user wants to see this `Document`, which explains an answer
     posed = Signal(object)
     """The `Document` in which the question is asked, instead of the step's own."""
-    responded = Signal()
-    """A response to the answer appeared."""
+    responded = Signal()  # a response to the answer appeared
 
     def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
         super().__init__()
