@@ -96,7 +96,9 @@ def sphere(projection: Projection) -> Scene:
     source.SetPhiResolution(_RINGS)
     source.Update()
     mesh = PolyMesh.sharing(source.GetOutput())
-    mesh.points = mesh.points[:, [2, 1, 0]] * np.float32([1, 1, -1])  # poles left and right
+    mesh.points = mesh.points[:, [2, 1, 0]] * np.array(
+        [1, 1, -1], np.float32
+    )  # poles left and right
     mesh.cell_data["rgb"] = np.full((mesh.n_cells, 3), 200, dtype=np.uint8)
     ends = [vector(np.array(camera.target) + side * radius) for side in (-1.0, 1.0)]
     return Scene(
@@ -194,7 +196,7 @@ def _farthest(one: Pieces, other: Pieces) -> float:
     """Return the largest distance of a piece's begin in one outline from the other outline."""
     locator = _locator(PolyMesh.of(_flat(other), lines=_cells(len(other), 2)))
     nearest, farthest = [0.0, 0.0, 0.0], 0.0
-    said: list[Any] = [mutable(0), mutable(0), mutable(0.0)]  # type: ignore[no-untyped-call]
+    said: list[Any] = [mutable(0), mutable(0), mutable(0.0)]
     for begin in _flat(one[:, 0]):
         locator.FindClosestPoint(begin, nearest, *said)
         farthest = max(farthest, math.dist(begin, nearest))
