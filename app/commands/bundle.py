@@ -21,7 +21,8 @@ from app.python_packages import pins, requirements
 NEWEST_GLIBC = 40
 """Wheels for Linux name the oldest glibc that they work with, 2.5 to this one."""
 NEWEST_MACOS = 15
-LEFT_OUT = shutil.ignore_patterns(".*", "__pycache__", "tests", "docs", "*.egg-info")
+CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.md")
+"""What belongs to the code beside its packages."""
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -60,10 +61,14 @@ def _freeze(folder: Path) -> None:
 
 def _collect(folder: Path, platforms: Sequence[str], pythons: Sequence[str]) -> None:
     """Copy the code, and put the wheels beside it, where `app.bootstrap` looks for them."""
-    shutil.copytree(bootstrap.ROOT, folder, ignore=LEFT_OUT)
+    for package in modules.PACKAGES:
+        without = shutil.ignore_patterns("__pycache__")
+        shutil.copytree(bootstrap.ROOT / package, folder / package, ignore=without)
+    for name in CODE:
+        shutil.copy(bootstrap.ROOT / name, folder)
     for python in pythons or [".".join(map(str, sys.version_info[:2]))]:
         wanted = [each.text for each in requirements(bootstrap.ROOT, python=python)]
-        tested = folder.parent / "constraints.txt"
+        tested = folder / "tested.txt"
         tested.write_text("\n".join(pins(bootstrap.ROOT, python)), encoding="utf-8")
         for platform in platforms:
             write_out([f"{platform}, Python {python}\n"])
