@@ -109,7 +109,7 @@ class Grid(NamedTuple):
         return np.where(good, self.lower + self.step * count, np.nan)
 
 
-FORMATS: dict[str, Format] = {
+FORMATS: dict[str, Format] = {  # the formats that can compute, and store vertices
     form.name: form
     for form in (
         Format("float64", 64, 53, 2.0**-1074, float(np.finfo(np.float64).max)),
@@ -119,7 +119,6 @@ FORMATS: dict[str, Format] = {
         Format("fixed 16.16", 32, None, 2.0**-16, 2.0**15 - 2.0**-16),
     )
 }
-"""The formats that can compute, and store vertices."""
 
 QUANTISED: dict[str, int] = {f"{bits} bits": bits for bits in range(8, 17)}
 """The further formats of vertices: bits of a coordinate over the box of the mesh."""

@@ -20,7 +20,7 @@ from app.document.lengths import PX_PER, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
-SUMMARIES = {
+SUMMARIES = {  # the commands and their summaries
     "export": "draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display",
     "project": "follow points through every stage of the projection",
     "matrices": "print every stage's matrix",
@@ -30,7 +30,6 @@ SUMMARIES = {
     "bundle": "make a folder to carry to machines without a network or an administrator",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
-"""The commands and their summaries."""
 
 THEMES = ("light", "dark")
 HIDDEN = ("none", "dashed", "grey")

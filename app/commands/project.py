@@ -113,11 +113,10 @@ _STAGES: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("image", ("image_x_px", "image_y_px")),
     ("depth", ("depth",)),
 )
-_HOMOGENEOUS = tuple(
+_HOMOGENEOUS = tuple(  # the stages of points that may be at infinity
     (stage, (*names, f"{stage}_w") if stage in ("world", "view") else names)
     for stage, names in _STAGES
 )
-"""The stages of points that may be at infinity."""
 _BLOCK = 4096
 
 

@@ -12,10 +12,9 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.settings import Settings
 from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4

@@ -21,6 +21,7 @@ from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_P
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.object_transform import ObjectTransform
+from app.model.parameter import Settings
 from app.model.parameters import FOCAL_LENGTH, FOV_X, HEIGHT, WIDTH
 from app.model.projection import (
     LARGEST_IMAGE_PX,
@@ -35,7 +36,6 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.settings import Settings
 from app.scenes.shapes import LETTER_F
 
 MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")

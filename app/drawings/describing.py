@@ -79,15 +79,13 @@ def in_english(text: str, _context: str) -> str:
 class Description(NamedTuple):
     """Sentences about a document.
 
-    - `title`: the scene's.
     - `general`, `cut`, `risky`: about scene, camera, lens and marked points; about what lies
       outside of the view volume; and about what is at risk.
-    - `panes`: about each pane, by its name.
     """
 
-    title: str
+    title: str  # the scene's
     general: tuple[str, ...]
-    panes: dict[str, str]
+    panes: dict[str, str]  # about each pane, by its name
     cut: tuple[str, ...]
     risky: tuple[str, ...]
 

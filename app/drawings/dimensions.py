@@ -25,9 +25,8 @@ import numpy as np
 from app.drawings.label_placement import Ground, Places, around, beyond, joined, on
 from app.drawings.labels import LENGTH, ScreenLines, written_distance
 from app.drawings.layer import Layer
-from app.drawings.lengths import Half, distances, half_of, has_interval, lengths
 from app.drawings.pane_view import Spot
-from app.drawings.world_state import WorldState
+from app.drawings.world_state import Half, WorldState, distances, half_of, has_interval, lengths
 from app.model.projection import Array
 from app.scenes.phenomena.words import digits_apart, figure
 

@@ -72,13 +72,12 @@ _NEAREST = 0.02  # of the distance to the focal point: nearer things are cut
 _STEEPEST_EYE = math.tan(math.radians(80.0))  # what a pane shows from the eye, at most
 _HIGHEST_DEG = 80.0  # largest elevation of a view that was fixed
 
-_AXES = {
+_AXES = {  # right, up and the direction of view: which of u, v, n, and with which sign
     "side": ((2, -1.0), (1, 1.0), (0, -1.0)),
     "top": ((2, -1.0), (0, -1.0), (1, -1.0)),
     "axis": ((0, 1.0), (1, 1.0), (2, -1.0)),
     "eye": ((0, 1.0), (1, 1.0), (2, -1.0)),
 }
-"""Right, up and the direction of view: which of u, v, n, and with which sign."""
 
 
 class Framed(NamedTuple):

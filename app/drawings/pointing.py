@@ -22,12 +22,11 @@ from app.model.parameters import FAR, NEAR
 from app.model.projection import Array
 
 NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
-FACES = {
+FACES = {  # the corners of each plane's face, in the order of `highlight.CORNERS`
     NEAR.name: NEAR_FACE,
     FAR.name: FAR_FACE,
     **{side: (i, (i + 1) % 4, (i + 1) % 4 + 4, i + 4) for i, side in enumerate(SIDES)},
 }
-"""The corners of each plane's face, in the order of `highlight.CORNERS`."""
 
 _WIDER, _LARGER = 2.4, 1.7
 _CORNER = 4.5  # widths of a line

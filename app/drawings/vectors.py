@@ -43,11 +43,10 @@ _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1
 _WIDE = _WIDTHS[2]  # beside lines that are hidden, which are half as wide
 _GROUND = [tuple(level / 255.0 for level in rgb) for rgb in (GRID_RGB, GRID_AXIS_RGB)]
 
-_FRAME = np.array(
+_FRAME = np.array(  # near, far, left, right, bottom and top of clip space; positive inside
     [(0, 0, 1, 1), (0, 0, -1, 1), (1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, 1), (0, -1, 0, 1)],
     dtype=np.float64,
 )
-"""Near, far, left, right, bottom and top of clip space; positive inside."""
 
 
 class Area(NamedTuple):

@@ -25,7 +25,7 @@ from app.model.formula import (
 from app.model.parameters import ASPECT, EYE, FOV_Y, PARAMETERS, TARGET, UP
 from app.model.projection import Projection
 
-FIELDS = {
+FIELDS = {  # fields of the document by the names in the formulas of `app.lecture.notation`
     **{each.letter: each.fields for each in PARAMETERS.values() if each.letter},
     "theta_v": FOV_Y.fields,
     "theta_h": (*FOV_Y.fields, *ASPECT.fields),
@@ -34,7 +34,6 @@ FIELDS = {
     **dict.fromkeys(("axis_u", "axis_v"), (EYE.name, TARGET.name, UP.name)),
     "axis_n": (EYE.name, TARGET.name),
 }
-"""Fields of the document by the names in the formulas of `app.lecture.notation`."""
 
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 

@@ -29,12 +29,11 @@ AXES = ("u", "v", "n")
 ENDS = NEAR.name, FAR.name  # the planes across the view direction
 OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
 """The columns of `world_from_object`."""
-CORNERS = tuple(
+CORNERS = tuple(  # corners in the order of the drawings
     f"{depth}_{corner}"
     for depth in ENDS
     for corner in ("left_bottom", "right_bottom", "right_top", "left_top")
 )
-"""Corners in the order of the drawings."""
 SIDES = (BOTTOM.name, RIGHT.name, TOP.name, LEFT.name)  # the sides between consecutive corners
 WINDOW = {side.letter: side.name for side in (LEFT, RIGHT, BOTTOM, TOP)}
 """The letters of the near plane's sides, in the order of `Projection.window`."""

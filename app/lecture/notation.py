@@ -34,7 +34,7 @@ Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 _ONE_MATRIX = ("000", "002", "003")
 """The lectures with one matrix from view to clip space, possibly after a shear."""
 
-_QUANTITIES: dict[str, dict[str, Ratio]] = {
+_QUANTITIES: dict[str, dict[str, Ratio]] = {  # the lectures' replacements of our quantities
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
     for lecture, terms in {
         "001": {"cot(fov/2)": "1/tan(theta_v/2)", "aspect": "tan(theta_h/2)/tan(theta_v/2)"},
@@ -42,7 +42,6 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {
         "003": {"cot(fov/2)": "e/a", "aspect": "1/a"},
     }.items()
 }
-"""The lectures' replacements of our quantities."""
 
 
 def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:

@@ -41,7 +41,7 @@ STOPS = ("world", "view", "canonical_perspective", "canonical_parallel", "ndc", 
 """The strip's stops in order; a position is an index or a number between two indices."""
 WORLD, VIEW, CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL, NDC, IMAGE = range(len(STOPS))
 
-REACHED_BY = (
+REACHED_BY = (  # the matrix that leads to each stop: the first of these that the lens has
     ("world_from_object",),
     ("view_from_world",),
     ("canonical_perspective_from_view", "canonical_parallel_from_view"),
@@ -49,7 +49,6 @@ REACHED_BY = (
     ("depth_range_from_canonical_parallel", "clip_from_view"),
     ("image_from_ndc",),
 )
-"""The matrix that leads to each stop: the first of these that the lens has."""
 RADIUS = 1.3  # radius of the ball around the framed points at the first two stops, in display space
 CLOSED_AT = VIEW + 0.5  # position at which the planes of the view volume are closed
 

@@ -74,26 +74,23 @@ _RAISED = re.compile("[⁺⁻⁰¹²³⁴-⁹]+")
 _NO_POWER = re.compile("([*x×] *10)?(?<![⁺⁻¹²³⁴-⁹])⁰(?![⁰¹²³⁴-⁹])")
 """A raised 0 that stands for the sign of degrees, unless it is a power of ten."""
 _FRACTION = re.compile("(?<![0-9])([0-9]*) ?([¼-¾⅐-⅞])")
-_HEAD = re.compile(
+_HEAD = re.compile(  # text before a number: a name, and a sign that the number is rounded
     r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
     r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around)\b\.?)*"
 )
-"""Text before a number: a name, and a sign that the number is rounded."""
-_GROUPED = re.compile(
+_GROUPED = re.compile(  # a number whose thousands are certain to be separated
     r"(?<![0-9.,])(?:[0-9]{1,3}([ '_])[0-9]{3}(?:\1[0-9]{3})*|[1-9][0-9]{0,2}"
     r"(?:(?:,[0-9]{3}){2,}|,[0-9]{3}(?=\.[0-9])|(?:\.[0-9]{3}){2,}|\.[0-9]{3}(?=,[0-9])))(?![0-9])"
 )
-"""A number whose thousands are certain to be separated."""
 _MAYBE_GROUPED = re.compile(r"[-+]?[1-9][0-9]{0,2}\.[0-9]{3}")
 _PLACE = re.compile(r"\([^(),]*,[^(),]*\)")  # two numbers rather than one with a comma
 _RATIO = re.compile(r"(?<=[0-9]) *: *(?=[0-9])")
-_NAMES = (
+_NAMES = (  # other names of functions
     (re.compile(r"(?<![a-z])(arc|a)?tg(?![a-z])"), r"\1tan"),
     (re.compile(r"(?<![a-z])co?tg(?![a-z])"), "cot"),
     (re.compile(r"(?<![a-z])(sin|cos|tan) *\^ *(?:-1(?![0-9])|\( *-1 *\))"), r"a\1"),
 )
-"""Other names of functions."""
-_REWRITTEN = (
+_REWRITTEN = (  # spellings of people, and the same in the language of formulas
     (re.compile(r"(?<![a-z])arc(?=sin|cos|tan)"), "a"),
     (re.compile(rf"(?:√|sqrt) *({_DECIMAL})"), r"sqrt(\1)"),
     (re.compile("√"), "sqrt"),
@@ -107,7 +104,6 @@ _REWRITTEN = (
     (re.compile(r"\^\+"), "^"),
     (re.compile(r"(?<=[0-9)]) *(?=[a-z(])"), "*"),
 )
-"""Spellings of people, and the same in the language of formulas."""
 _ROOT = re.compile(rf"\^ *(?:\( *([-+]? *{_DECIMAL}(?: */ *{_DECIMAL})?) *\)|(-?[0-9]*\.[0-9]+))")
 """A power that is no whole number."""
 _BASE = re.compile(r"(?:(?<![0-9.])[0-9.]+|(?<![a-z])[a-z]+)$")

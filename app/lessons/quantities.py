@@ -75,7 +75,7 @@ WITHIN = 0.01
 """Tolerance of ``=`` and ``!=`` in a condition: of the larger value, or of 1 if one is 0."""
 
 XYZ = ("x", "y", "z")
-_SPACES = {
+_SPACES = {  # the spaces of a probe, and its coordinates there
     "object": XYZ,
     "world": XYZ,
     "view": XYZ,
@@ -83,7 +83,6 @@ _SPACES = {
     "ndc": XYZ,
     "image": ("x", "y", "depth"),
 }
-"""The spaces of a probe, and its coordinates there."""
 
 
 class NotThere(LookupError):

@@ -30,10 +30,10 @@ from app.measure.results import (
 )
 from app.model import parameters
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
+from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".pdf")  # the formats of `widgets.parts.chart_picture`
-TITLES = {
+TITLES = {  # the title of every trade and every sweep
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
     "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
@@ -52,7 +52,6 @@ TITLES = {
     "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
     "gap": QT_TRANSLATE_NOOP("Measure", "Depth gap over the distance"),
 }
-"""The title of every trade and every sweep."""
 _ACROSS = {
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),

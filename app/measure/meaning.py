@@ -7,7 +7,7 @@ from collections.abc import Callable
 from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
 from app.model.refusal import QT_TRANSLATE_NOOP
 
-GOOD_ENOUGH = {
+GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
     "arithmetic": 0.01,
     "interpolation": 0.5,
     "smoothing": 5.0,
@@ -18,7 +18,6 @@ GOOD_ENOUGH = {
     "cracks": 0.01,
     "unprojection": 1e-3,
 }
-"""An invisible error in the trade's unit: a hundredth of a pixel, half a texel, ..."""
 
 FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
     "Measure", "No choice is cheaper ({1}) or more exact ({2}) than {0}."
@@ -38,7 +37,7 @@ DEPTH = QT_TRANSLATE_NOOP(
     "At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, "
     "{3} with {4}, surfaces at least {5} apart.",
 )
-USUAL = {
+USUAL = {  # the choice that the others are compared with
     "arithmetic": "float32",
     "interpolation": "perspective-correct",
     "depth": "fixed24, opengl",
@@ -50,8 +49,7 @@ USUAL = {
     "cracks": "16 bits, own boxes",
     "unprojection": "float32, inverse of P V",
 }
-"""The choice that the others are compared with."""
-GIVEN_UP = {
+GIVEN_UP = {  # what each trade gives up, and what one sees of it
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "Fewer digits for each vertex: the corners move."),
     "interpolation": QT_TRANSLATE_NOOP(
         "Measure", "No division at each pixel: the pattern bends along the diagonal."
@@ -77,7 +75,6 @@ GIVEN_UP = {
         "Measure", "From a pixel back into the world by one matrix: the point misses."
     ),
 }
-"""What each trade gives up, and what one sees of it."""
 SHOWN = {
     "arithmetic": {"scene": "cheap-arithmetic", "settings.preset": "bits8"},
     "interpolation": {"scene": "interpolation", "settings.interpolation": "affine"},

@@ -57,7 +57,7 @@ BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
 _BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05  # least times that differ by a smaller part are equal: rounds repeat them no better
-COLUMNS = {
+COLUMNS = {  # headings of the further columns whose names are not words
     "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
     "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
     "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
@@ -68,12 +68,10 @@ COLUMNS = {
     "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
     "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
 }
-"""Headings of the further columns whose names are not words."""
-SWEEP_NOTES = {
+SWEEP_NOTES = {  # what a sweep changes besides its parameter, because near must be less than far
     NEAR.formula: QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
     FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
-"""What a sweep changes besides its parameter, because near must be less than far."""
 OVER_DISTANCE = "gap"
 """The sweep of the smallest gap over the distance of a surface, for all formats."""
 SWEPT = (*(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT)), OVER_DISTANCE)
@@ -86,13 +84,12 @@ _JUDGED = QT_TRANSLATE_NOOP(
 JUDGED = _JUDGED.format(64)  # the definition of the errors of trade 1 and of the sweeps
 _SWEPT_FIELDS = {each.formula: each.path for each in (NEAR, FAR, FOV_Y)}
 _DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
-BUFFERS = {
+BUFFERS = {  # the depth buffers of the sweeps of near and far, as of `ChartPoint.use`
     "fixed16": {"depth_format": "fixed16", "depth_mapping": "opengl"},
     "fixed24": {"depth_format": "fixed24", "depth_mapping": "opengl"},
     "float32": {"depth_format": "float32", "depth_mapping": "opengl"},
     "float32, reversed": {"depth_format": "float32", "depth_mapping": "reversed"},
 }
-"""The depth buffers of the sweeps of near and far, as of `ChartPoint.use`."""
 EVERY_BUFFER: tuple[str, ...] = (
     "fixed8", "fixed16", "fixed24", "fixed32", "float16", "float32", "float32, reversed",
     "fixed24, logarithmic",
@@ -102,7 +99,7 @@ GAP = QT_TRANSLATE_NOOP(
     "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
 )
 GAP_THERE = QT_TRANSLATE_NOOP("Measure", "the smallest gap behind a surface at this distance")
-WORDS = (
+WORDS = (  # the translatable parts of the names of choices and columns
     QT_TRANSLATE_NOOP("Measure", "eye first"),
     QT_TRANSLATE_NOOP("Measure", "world coordinates"),
     QT_TRANSLATE_NOOP("Measure", "every stage"),
@@ -165,7 +162,6 @@ WORDS = (
     GAP,
     GAP_THERE,
 )
-"""The translatable parts of the names of choices and columns."""
 
 
 @dataclass(frozen=True)
@@ -333,18 +329,16 @@ class Sweep:
 class Measurements:
     """All measurements of one run.
 
-    - `date`: ISO 8601 with a time zone.
     - `document`: the scene and the projection, as in their document.
-    - `complete`: false if the run was cancelled.
     """
 
-    date: str
+    date: str  # ISO 8601 with a time zone
     machine: Mapping[str, str] = field(hash=False)
     versions: Mapping[str, str] = field(hash=False)
     document: Mapping[str, Any] = field(hash=False)
     trades: tuple[Trade, ...] = ()
     sweeps: tuple[Sweep, ...] = ()
-    complete: bool = True
+    complete: bool = True  # false if the run was cancelled
 
     def by_cost(self, cost: str) -> Measurements:
         """Return the results with every trade `by` this cost."""
@@ -354,14 +348,13 @@ class Measurements:
 # --------------------------------------------------------------------------- text
 
 
-_PLACES = {
+_PLACES = {  # where the file has a field, if not under the field's own name
     "cost_unit": ("cost", "unit"),
     "error_unit": ("error", "unit"),
     "curves": ("choices",),
     "errors": ("error",),
     "errors_depth": ("error_depth",),
 }
-"""Where the file has a field, if not under the field's own name."""
 
 
 def _plain_tree(value: Any) -> Any:

@@ -18,14 +18,13 @@ Array: TypeAlias = NDArray[np.float64]
 DepthRange: TypeAlias = Literal["opengl", "direct3d", "reversed"]
 Keep: TypeAlias = Literal["stretch", "x", "y"]
 
-DEPTH_RANGES: dict[str, tuple[float, float]] = {
+DEPTH_RANGES: dict[str, tuple[float, float]] = {  # NDC z of the near and of the far plane
     "opengl": (-1.0, 1.0),
     "direct3d": (0.0, 1.0),
     "reversed": (1.0, 0.0),
 }
-"""NDC z of the near and of the far plane."""
 
-PLANES = (
+PLANES = (  # the six planes of the view volume, in the order of `Trace.outside`
     QT_TRANSLATE_NOOP("Plane", "near"),
     QT_TRANSLATE_NOOP("Plane", "far"),
     QT_TRANSLATE_NOOP("Plane", "left"),
@@ -33,7 +32,6 @@ PLANES = (
     QT_TRANSLATE_NOOP("Plane", "bottom"),
     QT_TRANSLATE_NOOP("Plane", "top"),
 )
-"""The six planes of the view volume, in the order of `Trace.outside`."""
 
 LARGEST = 1e100
 """Largest coordinate or distance: together with `SMALLEST`, no matrix overflows (2e205 * 1e100)."""

@@ -108,11 +108,10 @@ _TURNS = (
     ),
 )
 FROM_OBJECT = "world_from_object"
-FACTORS = {
+FACTORS = {  # the factors of `world_from_object`, by order
     "trs": (("translation", _TRANSLATION), *_TURNS, ("scale", _SCALE)),
     "rts": (*_TURNS, ("translation", _TRANSLATION), ("scale", _SCALE)),
 }
-"""The factors of `world_from_object`, by order."""
 
 
 @dataclass(frozen=True)

@@ -15,6 +15,7 @@ lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 from __future__ import annotations
 
 import math
+import numbers
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
@@ -266,3 +267,25 @@ def texts_of(parameter: Parameter) -> set[str]:
     labels = (text for _, text in parameter.choices)
     own = (getattr(parameter, name) for name in ("title", "tip", *_OWN))
     return {text for text in (*own, *labels, *parameter.tips) if text}
+
+
+Settings: TypeAlias = Mapping[str, Value]
+"""The checked value of every setting of a phenomenon, by its name."""
+ImpliedSettings: TypeAlias = Mapping[str, Value | None]
+"""The values that camera and lens imply; None where no value gives the present state."""
+
+
+def number(settings: ImpliedSettings, name: str) -> float:
+    """The value of a setting that is a number."""
+    value = settings[name]
+    if isinstance(value, bool) or not isinstance(value, numbers.Real):
+        raise TypeError(name)
+    return float(value)
+
+
+def point(settings: Settings, name: str) -> Vector:
+    """The value of a setting that is a point or a direction."""
+    value = settings[name]
+    if not isinstance(value, tuple):
+        raise TypeError(name)
+    return value

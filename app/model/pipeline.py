@@ -89,17 +89,14 @@ def empty_trace(points: Array) -> Trace:
 class Stage(NamedTuple):
     """One step of the pipeline in numbers.
 
-    - `name`: ``target_from_source``.
-    - `exact` (4, 4): the matrix before it is rounded.
     - `factors`: names and (4, 4) factors whose product, in this order, is the matrix; empty for
       the identity.
-    - `note`: a remark about the stage for this lens, or empty.
     """
 
-    name: str
-    exact: Rationals
+    name: str  # ``target_from_source``
+    exact: Rationals  # (4, 4): the matrix before it is rounded
     factors: tuple[tuple[str, Array], ...]
-    note: str
+    note: str  # a remark about the stage for this lens, or empty
 
     @property
     def matrix(self) -> Array:
@@ -128,17 +125,13 @@ class Pipeline:
     """Everything that a picture depends on, and the matrices of its steps.
 
     Raises a `Refusal` for an image side outside 1..`LARGEST_IMAGE_PX` or an unknown depth range.
-
-    - `image_size`: width and height in pixels.
-    - `depth`: the NDC range of z: "opengl", "direct3d" or "reversed".
-    - `placement`: where the scene's object stands.
     """
 
     camera: Camera = Camera()
     lens: Lens = Perspective()
-    image_size: tuple[int, int] = (1280, 720)
-    depth: DepthRange = "opengl"
-    placement: ObjectTransform = NOT_MOVED
+    image_size: tuple[int, int] = (1280, 720)  # width and height in pixels
+    depth: DepthRange = "opengl"  # the NDC range of z: "opengl", "direct3d" or "reversed"
+    placement: ObjectTransform = NOT_MOVED  # where the scene's object stands
 
     def __post_init__(self) -> None:
         try:

@@ -34,9 +34,6 @@ _CHOICES = {
 class Quality:
     """The chosen quality; default values mean automatic.
 
-    - `rung`: one of `PRECISIONS`, the arithmetic of the image and the NDC cube.
-    - `smoothing`: one of `SMOOTHINGS`; only for panes; figures are always averaged.
-    - `detail`: drawn share of the scene's triangles and dots, from `LEAST_DETAIL` to 1.
     - `depth_format`: in `app.model.depth.FORMATS`; empty for the graphics card's own, or for
       ``"fixed24"`` if there is a mapping.
     - `depth_mapping`: in `app.model.depth.MAPPINGS`; empty for the projection's own depth range.
@@ -44,9 +41,9 @@ class Quality:
     Raises a `Refusal` for an unknown name, or a share that cannot be drawn.
     """
 
-    rung: str = AUTO
-    smoothing: str = AUTO
-    detail: float = 1.0
+    rung: str = AUTO  # one of `PRECISIONS`, the arithmetic of the image and the NDC cube
+    smoothing: str = AUTO  # one of `SMOOTHINGS`; only for panes; figures are always averaged
+    detail: float = 1.0  # drawn share of the scene's triangles and dots, from `LEAST_DETAIL` to 1
     depth_format: str = ""
     depth_mapping: str = ""
 

@@ -35,12 +35,11 @@ Parts: TypeAlias = tuple[Coloured, Coloured, Projection]
 """Faces, lines, and the projection with which the scene opens."""
 NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 """The things named in the pictures of these scenes and of the user's meshes."""
-SHOWN: dict[str, dict[str, Any]] = {
+SHOWN: dict[str, dict[str, Any]] = {  # how the panes show a scene that differs from the letter F
     "cube": {"shot": Shot(-80.0, 25.0, "camera")},
     # The numbers are on the fronts; in the cube the posts crowd along its depth.
     "posts": {"shot": Shot(-38.0, 28.0, "camera"), "cube_side": (75.0, 10.0)},
 }
-"""How the panes show a scene that differs from the letter F."""
 WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
 """The title of each scene, and what to try there."""
 WORDS_OF_A_MESH = PhenomenonWords("own-mesh")

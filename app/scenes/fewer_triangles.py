@@ -65,7 +65,8 @@ def reduced(scene: Scene, share: float) -> Scene:
 
 def shares_for_dragging(scene: Scene) -> tuple[float, ...]:
     """Return the shares for drawing while a control is dragged, from fine to coarse."""
-    return tuple(share for share in _DRAGGED if share * scene.cells >= _LEAST_DRAGGED)
+    cells = scene.cells if can_be_reduced(scene) else 0
+    return tuple(share for share in _DRAGGED if share * cells >= _LEAST_DRAGGED)
 
 
 def is_made(scene: Scene, share: float) -> bool:

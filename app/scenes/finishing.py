@@ -45,25 +45,20 @@ _SHARP = math.cos(math.radians(30.0))  # edges whose faces turn by a larger angl
 class Finished(NamedTuple):
     """A mesh that is ready to be drawn.
 
-    - `points` (n, 3): world coordinates.
     - `offsets`, `corners` (m + 1,) and (offsets[m],): as in `app.scenes.mesh.Mesh`, for faces of
       three or four corners.
-    - `rgb` (m, 3): shaded colour of each face.
-    - `edges` (k, 2, 3): ends of the faces' edges to draw.
-    - `lines` (l, 2, 3): ends of the file's own lines.
     - `dots`, `dot_rgb` (d, 3): the file's own dots and their colours.
-    - `notes`: as in `app.scenes.mesh.Mesh`.
     """
 
-    points: Floats
+    points: Floats  # (n, 3): world coordinates
     offsets: Ints
     corners: Ints
-    rgb: Colours
-    edges: Floats
-    lines: Floats
+    rgb: Colours  # (m, 3): shaded colour of each face
+    edges: Floats  # (k, 2, 3): ends of the faces' edges to draw
+    lines: Floats  # (l, 2, 3): ends of the file's own lines
     dots: Floats
     dot_rgb: Colours
-    notes: list[tuple[Any, ...]]
+    notes: list[tuple[Any, ...]]  # as in `app.scenes.mesh.Mesh`
 
     @property
     def bounds(self) -> tuple[Vector, Vector]:

@@ -35,11 +35,10 @@ from app.strangers import decode
 
 _STILL = {"rotation": (0.0, 0.0, 0.0, 1.0), "scale": (1.0,) * 3, "translation": (0.0,) * 3}
 """The default turn, scale and move of a node, and of a copy of a mesh."""
-_READ = re.compile(
+_READ = re.compile(  # extensions that this module reads, or that change no shape
     "KHR_mesh_quantization|KHR_node_visibility|EXT_mesh_gpu_instancing"
     r"|[A-Z]+_(animation|image|lights|materials|techniques?|texture|xmp)\w*"
 )
-"""Extensions that this module reads, or that change no shape."""
 _DRACO = "KHR_draco_mesh_compression"
 _MOST_BRACKETS = 1_000_000
 """Most lists and objects in a description; 100 000 nodes need half as many."""
@@ -88,18 +87,15 @@ def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
 class _MeshSize(NamedTuple):
     """The counts of a mesh.
 
-    - `elements`: most triangles, lines and points.
     - `targets`, `sets`: most morph targets and most sets of four joints of a primitive.
-    - `weights`: default morph weights that are not 0.
-    - `overhead`: vertices that take as long as its primitives and targets do without any.
     """
 
     vertices: int
-    elements: int
+    elements: int  # most triangles, lines and points
     targets: int
     sets: int
-    weights: int
-    overhead: int
+    weights: int  # default morph weights that are not 0
+    overhead: int  # vertices that take as long as its primitives and targets do without any
 
 
 class _Gltf:

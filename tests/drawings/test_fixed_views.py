@@ -16,10 +16,10 @@ from app.document.view import FIXED, LAYERS
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor
-from app.drawings.lengths import half_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
+from app.drawings.world_state import half_of
 from app.lecture.typed_matrix import with_cell
 from app.model.projection import Array, Camera, Frustum, Orthographic, Projection
 from app.picking.handles import TARGET, dragged

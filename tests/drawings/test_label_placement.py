@@ -24,7 +24,7 @@ from app.drawings.label_placement import (
     on,
     place,
 )
-from app.drawings.silhouette import Silhouette
+from app.drawings.layer import Silhouette
 from app.scenes.scene import load
 
 EM = 15.0

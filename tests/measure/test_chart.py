@@ -33,7 +33,7 @@ from app.measure.results import (
 )
 from app.measure.sweeps import SWEEPS
 from app.model.projection import Projection
-from app.scenes.phenomena.diagram import Diagram, Spot
+from app.scenes.phenomena.words import Diagram, Spot
 from tests.support.commands import refused, run_here
 from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
 from widgets.parts.chart_picture import picture

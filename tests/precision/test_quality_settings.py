@@ -528,6 +528,11 @@ def test_the_shares_for_dragging_depend_on_the_size_of_the_mesh(
     assert shares_for_dragging(replace(scene, surface=None)) == ()
 
 
+def test_a_scene_whose_vertices_are_moved_stays_whole_in_a_drag() -> None:
+    """Each drawn vertex is looked up among the scene's own, which a coarser mesh does not have."""
+    assert shares_for_dragging(load("vertex-depth")) == ()
+
+
 @pytest.mark.parametrize("software", [True, False])
 def test_the_first_step_of_a_drag_waits_for_no_large_mesh(
     make_window: MakeWindow, mesh: str, monkeypatch: pytest.MonkeyPatch, software: bool

@@ -17,12 +17,11 @@ import pytest
 from app.bootstrap import ROOT
 from app.model.lenses import central, oblique, orthographic
 from app.model.limits import PLANES
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
-from app.scenes.phenomena.settings import Settings
 from app.scenes.phenomena.words import Phrase
 from tests.oracles.illustrations import assert_sound, projections, subject_of
 from tests.support.lenses import ONE_OF_EACH

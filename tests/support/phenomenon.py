@@ -8,16 +8,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Text
-from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.similar_triangles import PHENOMENON as SIMILAR_TRIANGLES
-from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading
 
 BELOW_COUNT = "must be less than the count, which is {0}"
 

@@ -136,7 +136,7 @@ def test_a_message_is_announced_and_esc_closes_it(
 ) -> None:
     heard: list[str] = []
     monkeypatch.setattr(
-        "widgets.parts.message_bar.QAccessible",
+        "widgets.parts.messages.QAccessible",
         SimpleNamespace(updateAccessibility=lambda event: heard.append(event.message())),
     )
     window = make_window()

@@ -16,7 +16,7 @@ from PySide6.QtGui import QColor
 from pytestqt.qtbot import QtBot
 
 from app.drawings.style import DARK, LIGHT
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
+from app.scenes.phenomena.words import Curve, Diagram, Spot
 from tests.support.window import rgb_of
 from widgets.parts.diagram import DiagramView
 from widgets.parts.diagram_axis import decade_ticks, round_ticks, segments

@@ -33,7 +33,7 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.panels.matrix_view import MatrixView
-from widgets.parts.highlight import Highlighter
+from widgets.parts.panel import Highlighter
 from widgets.window.main_window import MainWindow
 
 START = load("letter-f").start

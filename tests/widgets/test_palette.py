@@ -26,7 +26,7 @@ from pytestqt.qtbot import QtBot
 from app.drawings.style import contrast
 from tests.support.window import rgb_of
 from widgets.parts import palette
-from widgets.parts.escape import HeldSlider
+from widgets.parts.gestures import HeldSlider
 from widgets.parts.icons import Combo, WarningLabel, icon
 from widgets.parts.plain import PlainLabel
 

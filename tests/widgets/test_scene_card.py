@@ -24,12 +24,11 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.document.store import Store
 from app.lessons.course import CONTENT
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject
-from app.scenes.phenomena.settings import Settings
 from app.scenes.phenomena.words import Phrase, Reading
 from app.scenes.scene import load
 from tests.support.controls import choose

@@ -42,7 +42,7 @@ from tests.support.window import (
     tick,
 )
 from widgets.parts.lesson_text import LessonText
-from widgets.parts.message_bar import MessageBar
+from widgets.parts.messages import MessageBar
 from widgets.window.lesson_card import heads
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow

@@ -42,7 +42,7 @@ from widgets.controls.lens_sliders import LensSliders
 from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
 from widgets.controls.scene_card import SceneCard
 from widgets.parts.fields import Row, RowHolder, report_highlight
-from widgets.parts.focus import lay_out
+from widgets.parts.layouts import lay_out
 from widgets.parts.messages import parameter_text, seen_from, sentence, translated
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import EVERYTHING, Changed, ShownData

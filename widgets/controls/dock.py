@@ -13,8 +13,7 @@ from PySide6.QtCore import QEvent, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QFontInfo, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QFrame, QLineEdit, QScrollArea, QVBoxLayout, QWidget
 
-from widgets.parts.focus import FocusRing, lay_out
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import FocusRing, in_column, lay_out
 from widgets.parts.plain import set_tip
 from widgets.parts.section import GAP_PX
 

@@ -21,14 +21,13 @@ from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
 from widgets.parts.section import Rows
 
-UNITS = {
+UNITS = {  # the units of the model's parameters, and each in words
     "°": ("°", QT_TRANSLATE_NOOP("Field", "degrees")),
     "units": (QT_TRANSLATE_NOOP("Field", "units"), QT_TRANSLATE_NOOP("Field", "world units")),
     "mm": (QT_TRANSLATE_NOOP("Field", "mm"), QT_TRANSLATE_NOOP("Field", "millimetres")),
     "px": (QT_TRANSLATE_NOOP("Field", "px"), QT_TRANSLATE_NOOP("Field", "pixels")),
     "×": (QT_TRANSLATE_NOOP("Field", "×"), QT_TRANSLATE_NOOP("Field", "times")),
 }
-"""The units of the model's parameters, and each in words."""
 
 
 class TypedMemory:

@@ -18,11 +18,10 @@ from PySide6.QtGui import QHelpEvent, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
-from app.model.parameter import Parameter, Value
+from app.model.parameter import ImpliedSettings, Parameter, Settings, Value
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
-from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import Comparison, Phrase, Reading
 from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence

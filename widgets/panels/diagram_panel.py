@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QSize
 
 from app.drawings.style import Style
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.parts.diagram import DiagramView
 from widgets.parts.panel import ReadablePanel
 

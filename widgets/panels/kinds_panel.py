@@ -26,11 +26,9 @@ from app.lecture.kinds import KINDS, ProjectionKind, kind_of, path, scale_factor
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.shapes import box_faces
-from widgets.parts.focus import RING_PX
-from widgets.parts.highlight import faded
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import RING_PX, in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
-from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
+from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData, faded
 from widgets.parts.plain import PlainLabel
 
 _OF_CUBE = Projection(

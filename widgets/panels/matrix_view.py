@@ -34,8 +34,8 @@ from app.lecture.notation import WrittenMatrix, letters_in
 from app.model.formula import ARROW
 from app.model.matrix_text import LONGEST
 from app.model.refusal import format_value
-from widgets.parts.highlight import faded, paint_highlight
 from widgets.parts.messages import all_digits, read_text
+from widgets.parts.panel import faded, paint_highlight
 from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
 

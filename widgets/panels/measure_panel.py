@@ -58,12 +58,11 @@ from app.measure.single import (
     split,
 )
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.focus import FocusRing
 from widgets.parts.icons import Combo, NoteLabel, icon
-from widgets.parts.layouts import in_column, in_row, push_button
+from widgets.parts.layouts import FocusRing, in_column, in_row, push_button
 from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
@@ -240,12 +239,12 @@ class MeasurePanel(DiagramPanel):
     def begin_gesture(self) -> None:
         """Pause the measurement while a control is dragged or something plays."""
         self._gestures += 1
-        self._show_paused()
+        self._show_running()
 
     def end_gesture(self) -> None:
         """Resume the measurement when the last gesture has ended."""
         self._gestures = max(0, self._gestures - 1)
-        self._show_paused()
+        self._show_running()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._picked = ""
@@ -336,13 +335,9 @@ class MeasurePanel(DiagramPanel):
         self.run_button.setEnabled(not running)
         self.cancel_button.setEnabled(running)
         self.progress.setVisible(running)
-        self._show_paused()
-
-    def _show_paused(self) -> None:
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
-        waits = paused and self.measuring.running
-        self.progress.setFormat(self.tr("paused") if waits else "%p %")
+        self.progress.setFormat(self.tr("paused") if paused and running else "%p %")
 
     # -- files
 

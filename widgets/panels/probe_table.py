@@ -27,8 +27,8 @@ from PySide6.QtWidgets import (
 
 from app.lecture.highlight import NOTHING, Highlight
 from widgets.panels.probe_numbers import DIVIDE, ProbeRows
-from widgets.parts.highlight import faded
 from widgets.parts.messages import number_text, read_text
+from widgets.parts.panel import faded
 from widgets.parts.plain import subscripts
 from widgets.parts.typeset import in_line, typeset
 

@@ -8,11 +8,10 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, QObject, QSize, Qt
 from PySide6.QtWidgets import QFrame, QGridLayout, QLayout, QScrollArea, QWidget
 
-from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon
+from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
-from widgets.parts.focus import FocusRing
-from widgets.parts.layouts import FREE, in_column, in_row
+from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
 from widgets.parts.messages import breakable, of_phenomena
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, subscripts

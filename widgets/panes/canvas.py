@@ -39,8 +39,7 @@ from PySide6.QtGui import (
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
-from widgets.parts.focus import FocusRing
-from widgets.parts.layouts import in_column
+from widgets.parts.layouts import FocusRing, in_column
 from widgets.parts.plain import set_tip
 
 if TYPE_CHECKING:
@@ -50,13 +49,12 @@ ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
 KEY_PX = 25.0  # movement of the mouse that an arrow key stands for: it turns by 10 degrees
-ARROWS = {
+ARROWS = {  # right and down
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
     Qt.Key.Key_Up: (0.0, -1.0),
     Qt.Key.Key_Down: (0.0, 1.0),
 }
-"""Right and down."""
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """On many keyboards plus is on the key of =."""
 

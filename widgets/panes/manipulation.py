@@ -22,6 +22,7 @@ from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
 from app.drawings.drawing import Taken
 from app.model.limits import OTHER_SIDE, vector
+from app.model.parameter import Settings
 from app.model.projection import NOT_THE_EYE, Array, Projection, Vector
 from app.model.refusal import Refusal, six_digits
 from app.picking.handles import (
@@ -40,12 +41,10 @@ from app.picking.handles import (
 )
 from app.picking.sight import Sight
 from app.scenes.phenomena.marks import Grip
-from app.scenes.phenomena.settings import Settings
 from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
-from widgets.parts.escape import EscapeKey
-from widgets.parts.gestures import Gestures
+from widgets.parts.gestures import EscapeKey, Gestures
 from widgets.parts.icons import BesideLabel
 from widgets.parts.messages import (
     field_name,

@@ -23,7 +23,7 @@ from app.lecture.stages import (
 from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
-from widgets.parts.escape import HeldSlider
+from widgets.parts.gestures import HeldSlider
 from widgets.parts.layouts import in_column, in_row, tool_button
 from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData

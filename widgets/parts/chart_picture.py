@@ -20,7 +20,7 @@ from app.drawings.style import LIGHT
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import Measurements, Sweep, Trade
-from app.scenes.phenomena.diagram import Diagram
+from app.scenes.phenomena.words import Diagram
 from widgets.parts.diagram_painter import SMALL, DiagramPainter
 from widgets.parts.saving import png_of
 from widgets.parts.typeset import resized, words_font

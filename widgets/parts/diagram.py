@@ -1,6 +1,6 @@
 """A diagram beside the panes: it repaints only when it changes, and its points can be clicked.
 
-`DiagramView` shows an `app.scenes.phenomena.diagram.Diagram`, which is data. Colours are names of
+`DiagramView` shows an `app.scenes.phenomena.words.Diagram`, which is data. Colours are names of
 `Style`; a curve's name is on a plate of its colour. Both are as in the panes.
 """
 
@@ -12,7 +12,7 @@ from PySide6.QtGui import QAction, QHelpEvent, QImage, QMouseEvent, QPainter, QP
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
-from app.scenes.phenomena.diagram import Diagram, Spot
+from app.scenes.phenomena.words import Diagram, Spot
 from widgets.parts.diagram_axis import Floats
 from widgets.parts.diagram_painter import DiagramPainter
 from widgets.parts.messages import of_phenomena

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from app.scenes.phenomena.diagram import Curve
+from app.scenes.phenomena.words import Curve
 
 Floats = NDArray[np.float64]
 

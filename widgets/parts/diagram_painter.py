@@ -13,10 +13,10 @@ from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
 
 from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
-from app.scenes.phenomena.diagram import Curve, Diagram
+from app.scenes.phenomena.words import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
-from widgets.parts.highlight import faded
 from widgets.parts.messages import figure_text, of_phenomena
+from widgets.parts.panel import faded
 from widgets.parts.typeset import resized, words
 
 TICK_PX = 4.0

@@ -30,10 +30,10 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, Q
 
 from app.lecture.highlight import NOTHING, Highlight
 from widgets.parts.gestures import Gestures
-from widgets.parts.highlight import TintedWidget
 from widgets.parts.icons import Balanced, Combo, RefusalLabel
 from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.number_field import refusal
+from widgets.parts.panel import TintedWidget
 from widgets.parts.plain import set_tip, wrapped
 
 ROW_GAP_PX = 4  # between the parts of a row

@@ -12,8 +12,8 @@ from PySide6.QtWidgets import QBoxLayout, QSlider, QStyle, QStyleOptionSlider, Q
 
 from app.model.projection import FINITE_NUMBER
 from app.model.refusal import Refusal
-from widgets.parts.escape import HeldSlider
 from widgets.parts.fields import Row
+from widgets.parts.gestures import HeldSlider
 from widgets.parts.layouts import in_row
 from widgets.parts.messages import (
     A_NUMBER,

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.drawings.style import DARK, LIGHT, Style
 from app.model.parameters import FAR, NEAR
-from widgets.parts.highlight import faded
+from widgets.parts.panel import faded
 
 SHARE_OF_SCREEN = 0.0225
 """Height of letters that can be read from the back row, relative to the screen's height."""

@@ -35,7 +35,7 @@ from PySide6.QtGui import (
 from app.lecture.typesetting import Outline, font_file, line_of, piece_of
 from app.model.formula import ARROW
 from app.model.formula_text import CLOSE, OPEN, OVER
-from widgets.parts.highlight import MarkedLabel, paint_highlight
+from widgets.parts.panel import MarkedLabel, paint_highlight
 
 LETTERS_EM = 1.19
 """Size of a formula's letters, relative to the text's: then small letters are as tall."""

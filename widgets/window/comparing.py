@@ -22,8 +22,7 @@ from widgets.controls.scene_card import SceneCard
 from widgets.panes.compare import Compare
 from widgets.panes.pane import Pane
 from widgets.parts.layouts import tool_button
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.actions import Actions
 from widgets.window.look import Look

@@ -19,9 +19,8 @@ from app.lecture.notation import letters_in
 from app.lecture.typesetting import line_of, piece_of
 from app.model.parameters import PARAMETERS
 from app.model.refusal import Refusal
-from widgets.parts.highlight import faded
 from widgets.parts.messages import sentence
-from widgets.parts.panel import PROJECTION, Changed, Readable, ShownData
+from widgets.parts.panel import PROJECTION, Changed, Readable, ShownData, faded
 from widgets.parts.typeset import fill_line, paint_brackets
 
 LARGEST_EM, LEAST_EM = 0.058, 0.034

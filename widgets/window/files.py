@@ -27,8 +27,7 @@ from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 from widgets.parts.layouts import dialog_buttons, in_column
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, message_box
 from widgets.parts.progress import ReportProgress, progress

@@ -30,8 +30,7 @@ from app.lessons.player import Player
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal
 from widgets.parts.clock import Clock
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.progress import apart
 from widgets.window.files import Files
 

@@ -50,12 +50,9 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
-from widgets.parts.focus import focus_next
-from widgets.parts.highlight import Highlighter
-from widgets.parts.layouts import in_column, in_row
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import all_digits, sentence
-from widgets.parts.panel import EVERYTHING, Changed, Listener, Panel, ShownData
+from widgets.parts.layouts import focus_next, in_column, in_row
+from widgets.parts.messages import MessageBar, all_digits, sentence
+from widgets.parts.panel import EVERYTHING, Changed, Highlighter, Listener, Panel, ShownData
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement, WorldLook
 from widgets.window.comparing import Comparing

@@ -20,8 +20,7 @@ from app.drawings.figure import Figure
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.panes.canvas import release_context
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence, translated
+from widgets.parts.messages import MessageBar, sentence, translated
 from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings

@@ -41,8 +41,7 @@ from app.lessons.record import Attempt, Record, corrected, ideas_met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal
 from widgets.parts.layouts import FREE, in_column, in_row, push_button
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lesson_card import LessonCard

@@ -20,7 +20,7 @@ from app.picking.picking import Probe, dragged
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panes.manipulation import HOLD_WITHIN_PX, Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.escape import EscapeKey
+from widgets.parts.gestures import EscapeKey
 from widgets.parts.panel import Changed, Panel, ShownData
 
 RING_SHARE = 0.035

@@ -21,8 +21,7 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.store import Origin, Store
 from app.model.refusal import Refusal
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.window.files import Files
 
 log = logging.getLogger(__name__)

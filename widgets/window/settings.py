@@ -9,7 +9,7 @@ import logging
 import os
 import re
 from collections.abc import Callable, Mapping
-from dataclasses import asdict, fields, replace
+from dataclasses import asdict, dataclass, fields, replace
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
@@ -146,31 +146,23 @@ def _one_progress(kept: Any) -> Progress:
     )
 
 
+@dataclass(frozen=True, eq=False)
 class _KeptSetting(Generic[_T]):
-    """One setting: its key in the file, how it is read from text and written, and its default.
+    """One setting: its key in the file, how it is read from text and written, and its default."""
 
-    A shared setting is read from the file each time, because other windows change it too.
-    """
-
-    def __init__(
-        self,
-        key: str,
-        convert: Callable[[str], _T],
-        default: _T,
-        text_of: Callable[[_T], str] = str,
-        *,
-        shared: bool = False,
-    ) -> None:
-        self._key, self._convert, self._default, self._text_of = key, convert, default, text_of
-        self._shared = shared
+    key: str
+    convert: Callable[[str], _T]
+    default: _T
+    text_of: Callable[[_T], str] = str
+    shared: bool = False  # read from the file each time, because other windows change it too
 
     def __get__(self, settings: Settings, _owner: object = None) -> _T:
-        if self._shared:
-            settings.refresh(self._key)
-        return settings.read(self._key, self._convert, self._default)
+        if self.shared:
+            settings.refresh(self.key)
+        return settings.read(self.key, self.convert, self.default)
 
     def __set__(self, settings: Settings, value: _T) -> None:
-        settings.write(self._key, self._text_of(value))
+        settings.write(self.key, self.text_of(value))
 
 
 def _kept_flag(key: str, default: _D) -> _KeptSetting[bool | _D]:
@@ -210,10 +202,9 @@ class Settings:
     """Whether panels show all digits of a number instead of four."""
     language = _KeptSetting("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
-    tolerance_px = _KeptSetting(
+    tolerance_px = _KeptSetting(  # error in pixels up to which a GPU's own arithmetic may draw
         "tolerance", _number_in(LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX), DRAWING_TOLERANCE_PX
     )
-    """Error in pixels up to which a GPU's own arithmetic may draw."""
     frame_ms = _KeptSetting("frame", _number_in(0.0, LARGEST_FRAME_MS), FRAME_MS)
     """Longest frame while a control is dragged, in ms; 0 for no limit."""
     reduce_motion = _kept_flag("reduce-motion", None)

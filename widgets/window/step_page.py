@@ -9,8 +9,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QPushButton, QScrollArea, QW
 
 from app.document.document import Document
 from app.lessons.player import Player
-from widgets.parts.focus import lay_out
-from widgets.parts.layouts import FREE, in_column
+from widgets.parts.layouts import FREE, in_column, lay_out
 from widgets.parts.lesson_text import LessonText
 from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of

@@ -12,8 +12,7 @@ from app.lessons.lesson import Lesson
 from app.lessons.writing import add_step, begin_talk
 from app.model.refusal import Refusal
 from widgets.parts.layouts import dialog_buttons, in_column
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.saving import ask_where
 from widgets.window.lessons import Lessons

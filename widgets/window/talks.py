@@ -20,8 +20,7 @@ from app.lessons.player import Player
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import answer_of
-from widgets.parts.message_bar import MessageBar
-from widgets.parts.messages import sentence
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.saving import png_of
 from widgets.window.lessons import Lessons, named
 from widgets.window.look import Look

@@ -1,4 +1,4 @@
-"""The kinds of block: one file each, and this list."""
+"""The kinds of block."""
 
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Block

@@ -22,12 +22,11 @@ PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
 """Width of a small image pane; a unit of the cube, and the way from the eye to its target, in small
 panes. A check uses them to compare places without a window."""
 
-COORDINATES = {
+COORDINATES = {  # what the coordinates of a place are called in a worked solution
     "image": (r"x_{\mathrm{win}}", r"y_{\mathrm{win}}"),
     "ndc": ("x'", "y'", "z'"),
     "world": ("x", "y", "z"),
 }
-"""What the coordinates of a place are called in a worked solution."""
 NOT_SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
 OUTSIDE = QT_TRANSLATE_NOOP("Refusal", "has the place ({0}), which is not in the picture")
 A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by spaces")

@@ -29,12 +29,11 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 YOURS = QT_TRANSLATE_NOOP("phenomena", "your idea")
 MODEL = QT_TRANSLATE_NOOP("phenomena", "the model")
 
-_PATHS = {
+_PATHS = {  # of the numbers of a lens that are fields of a document
     each.formula: each.path
     for each in PARAMETERS.values()
     if each.section == "lens" and not each.changes
 }
-"""Of the numbers of a lens that are fields of a document."""
 _OF_WIDTH = (FOV_X.formula, FOCAL_E.formula)
 """Numbers of the horizontal angle, which the lens has from the vertical one."""
 

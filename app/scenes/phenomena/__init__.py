@@ -1,8 +1,8 @@
 """The phenomena that the lectures name, each one a scene with a readout; numpy only.
 
-`illustration` says what a phenomenon is made of: `settings` to choose, `marks` to draw, a `diagram`
-beside them. `words` reads its content file, and has its readout; `picture` computes marks of the
-image pane. Each other module holds one phenomenon.
+`illustration` says what a phenomenon is made of: `marks` to draw, and `words`: its content file,
+with the readout and the diagrams beside the panes. `picture` computes marks of the image pane. Each
+other module holds one phenomenon.
 """
 
 from __future__ import annotations

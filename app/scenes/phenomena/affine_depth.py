@@ -15,12 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
-from app.scenes.phenomena.settings import Settings, point
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 

@@ -10,15 +10,13 @@ from functools import partial
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("camera-obscura")

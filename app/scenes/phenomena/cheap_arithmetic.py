@@ -20,20 +20,18 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, Spot
 from app.scenes.shapes import Coloured, distinct_rows, flat, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("cheap-arithmetic")
 
-PRESETS = {
+PRESETS = {  # the hardware of each choice but ``"own"``
     "console": Hardware("16 bits", "fixed 16.16", "whole px", "table, 1 Newton step"),
     "bits8": Hardware("8 bits"),
     "bits12": Hardware("12 bits"),
@@ -42,7 +40,6 @@ PRESETS = {
     "far": Hardware(),
     "exact": Hardware("float64", "float64"),
 }
-"""The hardware of each choice but ``"own"``."""
 _FORMATS = {
     "float64": "float64", "float32": "float32", "float16": "float16", "bfloat16": "bfloat16",
     "fixed": "fixed 16.16", "bits16": "16 bits", "bits12": "12 bits", "bits8": "8 bits",

@@ -17,15 +17,13 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
-from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("clipping")
@@ -69,15 +67,13 @@ def _geometry() -> tuple[Coloured, Coloured]:
 class Cut(NamedTuple):
     """A polygon after one more plane, in clip coordinates.
 
-    - `corners` (m, 4): what is left of it; m may be 0.
     - `new` (k, 4): those of the corners that the plane has made: 2 where it crosses the polygon, or
       fewer where it goes through an old corner.
-    - `off` (j, 4): the part that the plane has cut off; j may be 0.
     """
 
-    corners: Array
+    corners: Array  # (m, 4): what is left of it; m may be 0
     new: Array
-    off: Array
+    off: Array  # (j, 4): the part that the plane has cut off; j may be 0
 
 
 _NONE = np.empty((0, 4))

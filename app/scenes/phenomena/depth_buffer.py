@@ -19,16 +19,14 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.sampling import seen_distances
-from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("depth-buffer")

@@ -10,14 +10,13 @@ from functools import partial
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.drift import AXIS, drifted, errors_px
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Reading, figure
 from app.scenes.shapes import letter_f_on_grid
 

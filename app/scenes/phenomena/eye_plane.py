@@ -18,10 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Dot,
@@ -37,8 +36,7 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
-from app.scenes.phenomena.settings import Settings, point
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 
 WORDS = PhenomenonWords("eye-plane")
@@ -64,11 +62,8 @@ class EyePlanePictures(NamedTuple):
 
     - `naive`, `cut`, `right` (m, 2, 2): by the divide alone, by lecture 004's cut, by homogeneous
       clipping; NaN where nothing is drawn.
-    - `case` (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`.
     - `wrong_px` (m,): length that only the naive drawing has inside the frame: all that it draws of
       a segment with an end behind the eye, because its arc and the right one share only their ends.
-    - `missed_px` (m,): length that the right drawing has and the naive one lacks.
-    - `left_out_px` (m,): length that lecture 004's cut removes in front of the eye.
     - `part` (m, 2): where the part begins and ends that the right drawing shows, from 0 to 1; NaN
       for nothing.
     """
@@ -76,10 +71,10 @@ class EyePlanePictures(NamedTuple):
     naive: Array
     cut: Array
     right: Array
-    case: NDArray[np.intp]
+    case: NDArray[np.intp]  # (m,): lecture 004's case, 1 to 4, of `app.model.clipping.EyeCut`
     wrong_px: Array
-    missed_px: Array
-    left_out_px: Array
+    missed_px: Array  # (m,): length that the right drawing has and the naive one lacks
+    left_out_px: Array  # (m,): length that lecture 004's cut removes in front of the eye
     part: Array
 
 

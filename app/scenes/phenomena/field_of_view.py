@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import CLOSE, Parameter
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import (
     Array,
     Camera,
@@ -30,7 +30,6 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 

@@ -23,14 +23,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
-from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import (
     EDGE_RGB,
     SIDE_RGB,

@@ -7,7 +7,7 @@ A phenomenon of the lectures is a scene with settings of its own and one functio
 The illustration holds the readout (numbers with their units), marks to draw over each pane, copies
 of the scene under further matrices, diagrams beside the panes, and how the scene is rasterised. It
 is made anew at every change, from the arguments alone, so that panes, panel, figures and tests all
-show the same. `settings`, `marks` and `diagram` define its parts, `words` its texts and readout.
+show the same. `marks` defines what is drawn, `words` the texts, readout and diagrams.
 """
 
 from __future__ import annotations
@@ -21,13 +21,11 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
-from app.scenes.phenomena.diagram import Diagram
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -89,14 +87,12 @@ class Subject:
     """The object of the scene, without the ground grid.
 
     - `lower`, `upper`: world bounds.
-    - `points` (n, 3): its vertices in world coordinates; a sample of those of a large mesh.
-    - `mesh`: the user's mesh, if it replaces the built-in subject.
     """
 
     lower: Vector
     upper: Vector
-    points: Array
-    mesh: OwnMesh | None = None
+    points: Array  # (n, 3): its vertices in world coordinates; a sample of those of a large mesh
+    mesh: OwnMesh | None = None  # the user's mesh, if it replaces the built-in subject
 
     @property
     def size(self) -> float:

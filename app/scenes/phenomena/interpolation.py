@@ -22,14 +22,12 @@ from functools import cache
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.diagram import Curve, Diagram, Spot
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Text, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
-from app.scenes.phenomena.settings import Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading, Spot
 from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("interpolation")

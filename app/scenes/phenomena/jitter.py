@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.cheap import Hardware, cheap
 from app.precision.drift import errors_px
@@ -28,7 +28,6 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.settings import Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_on_grid
 

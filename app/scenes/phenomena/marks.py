@@ -61,19 +61,16 @@ class Dot:
 class Text:
     """A few letters beside a point (2 or 3,).
 
-    - `name`: its plain name in ``view.names``: ``y_p``, ``film``.
-    - `colour`: of its concept; empty for ink.
     - `away_from` (2 or 3,): in the world and in NDC the letters are placed away from this point:
       the middle of a figure with an edge here, for example.
-    - `text`: what is written, as of `app.drawings.label`; by default the name.
     """
 
-    name: str
+    name: str  # its plain name in ``view.names``: ``y_p``, ``film``
     point: Array
-    colour: str = ""
+    colour: str = ""  # of its concept; empty for ink
     about: tuple[str, ...] = ()
     away_from: Array | None = None
-    text: str = ""
+    text: str = ""  # what is written, as of `app.drawings.label`; by default the name
 
     def __post_init__(self) -> None:
         if not self.text:
@@ -226,19 +223,15 @@ class Vertices:
 class Texture:
     """A checkerboard laid over the scene's faces by a parallel projection of its own.
 
-    - `texture_from_world` (2, 4): gives s and t of a world point, 0 to 1 across the board.
-    - `checks`: along each side.
     - `affine`: interpolate s and t linearly on the screen, without the divide that makes them
       right.
-    - `subdivision`: each side of a face is cut into so many parts.
-    - `coordinates`: show s as red and t as green instead of the checks.
     """
 
-    texture_from_world: Array
-    checks: int
+    texture_from_world: Array  # (2, 4): gives s and t of a world point, 0 to 1 across the board
+    checks: int  # along each side
     affine: bool = False
-    subdivision: int = 1
-    coordinates: bool = False
+    subdivision: int = 1  # each side of a face is cut into so many parts
+    coordinates: bool = False  # show s as red and t as green instead of the checks
 
 
 @dataclass(frozen=True)

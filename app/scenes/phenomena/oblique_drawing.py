@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, Parameter
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.parameters import ALPHA, BETA, NEAR
 from app.model.projection import (
     Array,
@@ -26,7 +26,6 @@ from app.model.projection import (
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_grid, joined
 
@@ -52,14 +51,12 @@ def _geometry() -> tuple[Coloured, Coloured]:
 class DrawnEdge(NamedTuple):
     """An edge along n as drawn, measured on the image beside equal edges along u and v.
 
-    - `scale`: its length in units of the edge along u.
-    - `up`: likewise for the edge along v: 1 unless the picture is stretched.
     - `angle_deg`: its direction away from the viewer, from the right, anticlockwise; meaningless at
       scale 0.
     """
 
-    scale: float
-    up: float
+    scale: float  # its length in units of the edge along u
+    up: float  # likewise for the edge along v: 1 unless the picture is stretched
     angle_deg: float
 
 

@@ -11,14 +11,13 @@ from fractions import Fraction
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Aperture, Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 

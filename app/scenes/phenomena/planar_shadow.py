@@ -21,13 +21,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.limits import NOT_ZERO, vector
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import letter_f_on_grid
 

@@ -18,15 +18,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.limits import ABOVE, vector
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.diagram import Curve, Diagram
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
 WORDS = PhenomenonWords("far-plane-popping")

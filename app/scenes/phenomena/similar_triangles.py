@@ -11,7 +11,7 @@ from functools import partial
 
 import numpy as np
 
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
@@ -31,7 +31,6 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
-from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import letter_f_on_grid
 

@@ -19,7 +19,7 @@ from dataclasses import replace
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
@@ -36,7 +36,6 @@ from app.scenes.phenomena.marks import (
     segment,
 )
 from app.scenes.phenomena.picture import grip_of_plane, section
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 

@@ -19,7 +19,7 @@ from functools import partial
 import numpy as np
 
 from app.model.limits import NO_POINT, vector
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
 from app.precision.unprojecting import (
@@ -34,7 +34,6 @@ from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
-from app.scenes.phenomena.settings import Settings, number, point
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
 from app.scenes.shapes import letter_f_edges, letter_f_on_grid
 

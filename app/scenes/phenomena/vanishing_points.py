@@ -13,9 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, Parameter
+from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
-from app.scenes.phenomena.diagram import Curve, Diagram, broken
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
@@ -26,8 +25,7 @@ from app.scenes.phenomena.picture import (
     rectangle,
     section,
 )
-from app.scenes.phenomena.settings import ImpliedSettings, Settings, number
-from app.scenes.phenomena.words import PhenomenonWords, Reading
+from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
 WORDS = PhenomenonWords("vanishing-points")

@@ -12,13 +12,12 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.parameter import Parameter
+from app.model.parameter import ImpliedSettings, Parameter, Settings
 from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
-from app.scenes.phenomena.settings import ImpliedSettings, Settings
 from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_faces, edges_of, flat, ground_grid, joined
 
@@ -28,14 +27,13 @@ _LENS = {
     "pyramid": "perspective", "cone": "perspective", "box": "orthographic", "oblique": "oblique",
 }  # fmt: skip
 
-POINTS = {
+POINTS = {  # the world coordinates of the test points
     "A": (0.0, 3.0, 0.0),
     "B": (3.0, 3.0, 4.0),
     "C": (7.0, 3.0, -4.0),
     "D": (-4.0, 3.0, 0.0),
     "E": (-2.0, 1.2, -4.0),
 }
-"""The world coordinates of the test points."""
 _PLACES = np.array(list(POINTS.values()))
 _LETTERS = _PLACES + np.array([0.0, 0.45, 0.0])
 
