@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
@@ -88,8 +89,9 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     names = sweep.names(out, len(order))
     for name in names or [out]:
         _check(options, name, _ENDINGS if names else _FILMS)
-    if not names and options.crop:
-        raise CliError("--crop: is for single figures; frames of a film have one size.")
+    if not names and (options.crop or options.width):
+        option = "crop" if options.crop else "width"
+        raise CliError(f"--{option}: is for single figures; frames of a film have one size.")
     if options.transparent and _ending(out) in (".gif", ".mp4"):
         lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
         raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
@@ -142,8 +144,12 @@ def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
     if is_step and not options.stages and options.orbit is None:
         with importing():
             from app.lessons.course import panes_of
-        panes = panes_of(document_before(file, options.set, options.step))
+        document = document_before(file, options.set, options.step)
+        is_equation = document.view.slide == ("equation",)
+        panes = ["equation"] if is_equation else panes_of(document)
     options.panes = ",".join(panes)
+    if any(re.match(r"\s*view\.equation\s*=\s*\S", each) for each in options.set):
+        options.panes = "equation"
 
 
 def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> None:
@@ -162,6 +168,8 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and options.hidden:
         raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
+    if options.width and (options.size or options.crop):
+        raise CliError("--width: is cropped, and its height is free; leave out --size and --crop.")
     if "/" in options.panes and "," in options.panes:
         raise CliError(f"--panes = {options.panes!r}: must be a row or a column, not both.")
     check_out("OUT", out)
@@ -204,12 +212,13 @@ def _figure(
         return Figure(
             document, scene, panes, options.size, options.scale, "/" in options.panes and not pane,
             options.text_size, options.palette, options.hidden or "none", options.crop,
-            options.transparent,
+            options.transparent, width=options.width, fit=options.fit,
         )  # fmt: skip
     except Refusal as error:
-        of_size = options.size and str(error).startswith(("width", "height"))
+        asked = "width" if options.width else "size" if options.size else ""
+        of_size = asked and str(error).startswith(("width", "height"))
         text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
-        raise CliError(f"{'--size ' if of_size else ''}{text}") from error
+        raise CliError(f"{f'--{asked} ' if of_size else ''}{text}") from error
 
 
 def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:

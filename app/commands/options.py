@@ -33,6 +33,7 @@ SUMMARIES = {  # the commands and their summaries
 
 THEMES = ("light", "dark")
 HIDDEN = ("none", "dashed", "grey")
+FITS = ("named", "frustum", "scene")
 PALETTES = ("screen", "print", "dark", "contrast")
 CANVASES = ("opengl", "raster")
 PRECISIONS = ("float32", "float64", "exact")
@@ -277,7 +278,8 @@ def _export() -> Parser:
     parser.add(
         "--panes", "world,ndc,image",
         "the panes to draw, side by side, or below each other with / instead of commas "
-        "(default: all, side by side; of a step, those of its slide)",
+        "(default: all, side by side; of a step, those of its slide); or equation, alone: that of "
+        "view.equation, which is the default where --set asks for one",
     )  # fmt: skip
     parser.add(
         "--size", "WIDTHxHEIGHT",
@@ -288,6 +290,19 @@ def _export() -> Parser:
             "--size", f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
             parse_size,
         ),
+    )  # fmt: skip
+    parser.add(
+        "--width", "LENGTH",
+        "instead of --size: how wide it is after it was cropped without a margin, such as 84mm; "
+        "its height is free, and letters keep their size",
+        read=_parsed(
+            "--width", f"a length in {', '.join(PX_PER)}, such as 84mm",
+            lambda text: parse_size(f"{text}x{text}").px[0],
+        ),
+    )  # fmt: skip
+    parser.add_choice(
+        "--fit", FITS, "what the world pane frames: what is named, with the whole frustum too, or "
+        "the objects alone (default: named)", "named",
     )  # fmt: skip
     parser.add_flag("--crop", "leave out what is empty around the figure, but for a margin of 2 mm")
     parser.add(

@@ -30,7 +30,7 @@ FRAMES = 21  # states under the slider, unless another number is asked for
 
 def check(options: Namespace) -> None:
     """Refuse options that are of other figures."""
-    for option in ("crop", "transparent", "loop", "fps"):
+    for option in ("crop", "width", "transparent", "loop", "fps"):
         if getattr(options, option) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 

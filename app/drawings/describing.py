@@ -55,6 +55,7 @@ STAGES = (
     QT_TRANSLATE_NOOP("Description", "image"),
 )
 IMAGE = QT_TRANSLATE_NOOP("Description", "Image: the picture, {0} by {1} pixels.")
+EQUATION = QT_TRANSLATE_NOOP("Description", "Equation: {0}.")
 COMPARED = QT_TRANSLATE_NOOP("Description", "{0} pictures are compared.")
 POINT = QT_TRANSLATE_NOOP("Description", "Point {0} at ({1}) has its picture at the pixel ({2}).")
 DIRECTION = QT_TRANSLATE_NOOP(
@@ -189,6 +190,8 @@ def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> 
     view, projection = document.view, document.projection
     if pane == "world":
         said = translate(WORLDS[seen_from(view, scene)], "Description")
+    elif pane == "equation":
+        said = translate(EQUATION, "Description").format(view.equation)
     elif pane == "ndc":
         said = _stage(view.stage, projection, translate)
     else:

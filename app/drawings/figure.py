@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -33,11 +33,12 @@ from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
 
 if TYPE_CHECKING:
-    from app.drawings.compared_figures import Compared
     from app.drawings.drawing import Drawing
+    from app.drawings.equation_picture import EquationPicture
     from app.drawings.off_screen import Pixels
-    from app.drawings.one_pane import PanePicture
     from app.drawings.vectors import Shape
+
+Drawn = TypeVar("Drawn")
 
 ENDINGS = (".png", ".svg", ".pdf", ".tex")
 HIDDEN = ("none", "dashed", "grey")  # what becomes of lines that faces hide
@@ -49,6 +50,9 @@ USUAL_TEXT = 7.0 * DPI / 72.0 / PANE_PX
 of `PANE_PX`, across a page, that is 7 points, which can be read there and on a slide (13 pixels, as
 in the window, would be 3); other figures look alike."""
 CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
+FITS = ("named", "frustum", "scene")
+"""What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
+_TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
@@ -91,7 +95,7 @@ class Figure:
 
     - `scene`: the document's.
     - `panes`: of "world", "ndc", "image"; from left to right, as wide as `panes_in` says.
-      The image alone is drawn without its frame.
+      The image alone is drawn without its frame. Or the "equation" of the view, alone.
     - `size`: by default `PANE_PX` squares, or the image's own size for the image alone.
     - `scale`: multiplies the size with all lines and letters: the same pixels, finer.
     - `column`: draw the panes below each other.
@@ -99,6 +103,8 @@ class Figure:
     - `palette`: one of `PALETTES`.
     - `hidden`: one of `HIDDEN`, for shapes.
     - `crop`: leave out what is empty around the content, but for a margin of `CROP_PX`.
+    - `width`: of what is seen, in pixels at scale 1; it is cropped to that, and its height is free.
+    - `fit`: one of `FITS`.
     - `transparent`: leave the background transparent.
     - `words`: the words in the drawings; by default English with the view's letters.
     - `translate`: puts the texts of the description into another language.
@@ -117,20 +123,23 @@ class Figure:
     transparent: bool = False
     words: Mapping[str, str] | None = field(default=None, hash=False)
     translate: Translate = in_english
+    width: float | None = None
+    fit: str = "named"
 
     def __post_init__(self) -> None:
-        for name, known in (("palette", PALETTES), ("hidden", HIDDEN)):
+        for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
             value = getattr(self, name)
             if not isinstance(value, str) or value not in known:
                 raise Refusal(name, value, ONE_OF, ", ".join(known))
         if isinstance(self.panes, str) or not self.panes:
             raise Refusal.saying(NO_PANES, repr(self.panes), ", ".join(PANES))
         for pane in self.panes:
-            if pane not in PANES:
+            if pane not in PANES and tuple(self.panes) != ("equation",):
                 raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
         object.__setattr__(self, "panes", tuple(self.panes))
         self._check_size()
-        least, most = (side * 72.0 / DPI for side in (_LEAST_TEXT_PX, _LARGEST_TEXT * self._side))
+        side = LARGEST_PX if self.panes == ("equation",) else self._side
+        least, most = (side * 72.0 / DPI for side in (_LEAST_TEXT_PX, _LARGEST_TEXT * side))
         if self.text_pt is not None and not least <= self.text_pt <= most:  # NaN fails too
             raise Refusal.saying(TEXT, format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}")
 
@@ -141,7 +150,7 @@ class Figure:
         divided = not self.column, self.column
         for templates, side, is_divided in zip(_SIDES, self.full_size[:2], divided, strict=True):
             smallest = SMALLEST_PANE_PX * (len(self.panes) if is_divided else 1)
-            if self.panes == ("image",):
+            if self._has_own_size:
                 smallest = 1
             # Also for NaN; and an integer of 400 digits cannot be multiplied by the scale.
             if side <= sys.float_info.max and smallest <= side * per_px * self.scale <= LARGEST_PX:
@@ -160,9 +169,14 @@ class Figure:
         if self.size is not None:
             return Size(*self.size)
         if self.panes == ("image",):
-            return Size(*self.document.projection.image_size)
-        sides = PANE_PX * len(self.panes), PANE_PX
-        return Size(*sides[::-1] if self.column else sides)
+            wide, high = self.document.projection.image_size
+            return Size(self.width or wide, (self.width or wide) * high / wide)
+        if self.panes == ("equation",):
+            needed = self._equation((self.width or 0.0, 0.0)).needed
+            return Size(self.width or needed[0], needed[1])
+        count = len(self.panes)
+        side = PANE_PX if self.width is None else self.width / (1 if self.column else count)
+        return Size(side, count * side) if self.column else Size(count * side, side)
 
     @property
     def _side(self) -> float:
@@ -182,9 +196,14 @@ class Figure:
     @property
     def em_pt(self) -> float:
         """Height of an em in points."""
-        if self.text_pt is not None:
-            return self.text_pt
+        if self.text_pt is not None or self.panes == ("equation",):
+            return self.text_pt or 7.0
         return max(_LEAST_TEXT_PX, USUAL_TEXT * self._side) * 72.0 / DPI
+
+    @property
+    def has_one_size(self) -> bool:
+        """Whether letters of formulas are as large as words: on paper, and if a size is asked."""
+        return bool(self.text_pt or self.width) or PALETTES[self.palette].on_paper
 
     @cached_property
     def description(self) -> Description:
@@ -211,22 +230,70 @@ class Figure:
         Beside live Qt panes, release Qt's current OpenGL context first (``doneCurrent``). Otherwise
         VTK may use Qt's context for its own.
         """
-        watch = _Watch(progress, len(self.panes))
-        parts = [part.pixels(seen) for part, _ in self._parts(self.scale, watch)]
-        whole = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=int(not self.column))
-        return self._cropped(whole) if self.crop else whole
+        if self.panes == ("equation",):
+            from app.drawings.pdf import rastered
 
-    def _cropped(self, whole: Pixels) -> Pixels:
-        """The part of a picture that is not empty, and a margin of it."""
+            size, shapes = self.shapes()
+            return rastered(shapes, size, self.scale)[..., : 4 if self.transparent else 3]
+        watch = _Watch(progress, len(self.panes))
+        whole = self._as_wide(
+            lambda figure: figure._whole(watch, seen),
+            lambda pixels: float(np.ptp(self._seen(pixels)[0])) / self.scale,
+        )
+        return self._cropped(whole) if self._is_cropped else whole
+
+    @property
+    def _is_cropped(self) -> bool:
+        return self.crop or (self.width is not None and not self._has_own_size)
+
+    @property
+    def _has_own_size(self) -> bool:
+        """Whether it fills its box: an equation, and an image that is compared with none."""
+        return self.panes == ("equation",) or (
+            self.panes == ("image",) and not self.document.view.compare
+        )
+
+    def _whole(self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
+        """Its pixels before it is cropped."""
+        parts = [part.pixels(seen) for part, _ in self._parts(self.scale, watch)]
+        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=int(not self.column))
+
+    def _as_wide(self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]) -> Drawn:
+        """Draw it in a box so large that what is seen in it is as wide as asked for."""
+        figure, drawn = self, draw(self)
+        for _ in range(_TRIES):
+            if self.width is None or self._has_own_size:
+                break
+            larger = self.width / (wide(drawn) or self.width)
+            if abs(1.0 - larger) * self.width <= _NEAR_PX:
+                break
+            across, up = figure.full_size.px
+            figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
+            drawn = draw(figure)
+        return drawn
+
+    def _seen(self, whole: Pixels) -> list[tuple[int, int]]:
+        """Where a picture is not empty: from which column to which, and from which row."""
         empty = np.round(255.0 * np.array(rgb(PALETTES[self.palette].background)))
         ink = whole[..., 3] > 0 if self.transparent else (whole != empty).any(axis=2)
-        margin, sides = round(CROP_PX * self.scale), []
-        for axis in (1, 0):
-            places = np.flatnonzero(ink.any(axis=axis))
-            if not len(places):
-                return whole
-            sides.append(slice(max(0, int(places[0]) - margin), int(places[-1]) + 1 + margin))
-        return np.ascontiguousarray(whole[sides[0], sides[1]])
+        places = [np.flatnonzero(ink.any(axis=axis)) for axis in (0, 1)]
+        if not len(places[0]):
+            return [(0, whole.shape[1]), (0, whole.shape[0])]
+        return [(int(each[0]), int(each[-1]) + 1) for each in places]
+
+    def _cropped(self, whole: Pixels) -> Pixels:
+        """The part of a picture that is not empty, as wide as asked for, or with a margin."""
+        (left, right), (top, low) = self._seen(whole)
+        margin, high, wide = round(CROP_PX * self.scale), *whole.shape[:2]
+        if self.width is None:
+            left, right = max(0, left - margin), min(wide, right + margin)
+            top, low = max(0, top - margin), min(high, low + margin)
+        else:
+            more = round(self.width * self.scale) - (right - left)
+            left, right = left - more // 2, right + more - more // 2
+        beside = [(0, 0), (max(0, -left), max(0, right - wide)), (0, 0)]
+        part = np.pad(whole[top:low], beside, mode="edge")
+        return np.ascontiguousarray(part[:, max(0, left) :][:, : right - left])
 
     def shapes(
         self, progress: Callable[[float], bool] | None = None
@@ -238,15 +305,22 @@ class Figure:
         """
         from app.drawings.vectors import Area, box_of, moved
 
-        watch = _Watch(progress, len(self.panes))
-        shapes = [
-            moved(shape, *place)
-            for part, place in self._parts(1.0, watch)
-            for shape in part.shapes(self.hidden, watch)
-        ]
-        (width, height), background = self.full_size.px, PALETTES[self.palette].background
-        box = box_of(shapes, background) if self.crop else None
-        if box is not None:
+        watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
+        shapes = self._as_wide(
+            lambda figure: [
+                moved(shape, *place)
+                for part, place in figure._parts(1.0, watch)
+                for shape in part.shapes(self.hidden, watch)
+            ],
+            lambda shapes: float(np.ptp((box_of(shapes, background) or (0.0,) * 4)[::2])),
+        )
+        width, height = self.full_size.px
+        box = box_of(shapes, background) if self._is_cropped else None
+        if box is not None and self.width is not None:
+            width, height = self.width, box[3] - box[1]
+            x = (box[0] + box[2] - width) / 2.0
+            shapes = [moved(shape, -x, -box[1]) for shape in shapes]
+        elif box is not None:
             x, y = (max(0.0, side - CROP_PX) for side in box[:2])
             width, height = min(width, box[2] + CROP_PX) - x, min(height, box[3] + CROP_PX) - y
             shapes = [moved(shape, -x, -y) for shape in shapes]
@@ -255,19 +329,22 @@ class Figure:
             shapes.insert(0, Area([page], rgb(background), 1.0))
         return (width, height), shapes
 
-    def _parts(
-        self, scale: float, watch: _Watch
-    ) -> Iterator[tuple[PanePicture | Compared, tuple[int, int]]]:
+    def _parts(self, scale: float, watch: _Watch) -> Iterator[tuple[Any, tuple[int, int]]]:
         """Yield what each pane shows, with its left and top."""
         from app.drawings.compared_figures import compared_in
         from app.drawings.one_pane import PanePicture
 
+        if self.panes == ("equation",):
+            yield self._equation(self.full_size.px), (0, 0)
+            return
         document, view = self.document, self.document.view
         # Beside an image several worlds that are compared would be small.
         aspect = None if view.compare else document.projection.aspect
         images = [aspect if pane == "image" else None for pane in self.panes]
         style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
-        style = replace(style, margin=style.background, font_size=em_px).enlarged(scale)
+        style = replace(
+            style, margin=style.background, font_size=em_px, one_size=self.has_one_size
+        ).enlarged(scale)
         words = DrawingWords(view.letters) if self.words is None else self.words
         illustration = self.scene.illustration(document.projection, document.settings)
         scene = printed(reduced(self.scene, document.quality.detail), style)
@@ -276,10 +353,16 @@ class Figure:
             watch.begin(number)
             picture = PanePicture(
                 pane, document, scene, illustration, (sides[0], sides[1]), style, words,
-                framed=len(self.panes) > 1, transparent=self.transparent,
+                framed=len(self.panes) > 1, transparent=self.transparent, fit=self.fit,
             )  # fmt: skip
             is_compared = pane == view.compares_in and view.compare
             yield compared_in(picture, self.scene) if is_compared else picture, (left, top)
+
+    def _equation(self, size: tuple[float, float]) -> EquationPicture:
+        from app.drawings.equation_picture import EquationPicture
+
+        style = replace(PALETTES[self.palette], font_size=self.em_pt * DPI / 72.0)
+        return EquationPicture(self.document, style, size)
 
     # -- files
 

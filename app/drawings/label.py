@@ -36,7 +36,7 @@ PARTS = 4  # of a pixel, to which a piece is placed
 
 
 def drawn(
-    text: str, em: float, colour: str, halo: str, underlined: bool = False, plain: bool = False
+    text: str, em: float, colour: str, halo: str, underlined: bool = False, **how: bool
 ) -> Pixels:
     """Draw a label with a halo round its letters.
 
@@ -52,7 +52,7 @@ def drawn(
     (h, w, 4) array of uint8
         Red, green, blue and opacity, from the top; the halo's `rim` on every side.
     """
-    label, rim = line_of(text, plain), rim_px(em)
+    label, rim = line_of(text, **how), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
     under = max(2, round(UNDER_EM * em)) if underlined else 0
     width, height = math.ceil(right - left) + 2 * rim, math.ceil(high - low) + 2 * rim + under
@@ -125,9 +125,9 @@ def rim_px(em: float) -> int:
     return math.ceil(HALO_EM * em)
 
 
-def size_px(text: str, em: float, plain: bool = False) -> tuple[int, int]:
+def size_px(text: str, em: float, **how: bool) -> tuple[int, int]:
     """Return the width and the height of a label's letters, without its halo."""
-    left, low, right, high = line_of(text, plain).box
+    left, low, right, high = line_of(text, **how).box
     return math.ceil((right - left) * em), math.ceil((high - low) * em)
 
 
@@ -174,13 +174,14 @@ class SceneLabel:
         plain: bool = False,
     ) -> None:
         self.em = style.font_size
-        self._style, self._anchor, self._plain = style, anchor, plain
+        self._how = {"plain": plain, "one_size": style.one_size}
+        self._style, self._anchor = style, anchor
         self._visible = self._shown = True
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
         self._text, self._tone = text, style.tone(colour)
-        self.size_px = size_px(text, self.em, plain)
+        self.size_px = size_px(text, self.em, **self._how)
         """Width and height of the letters, without the halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
@@ -216,7 +217,7 @@ class SceneLabel:
         """Write another text; the same one costs nothing."""
         if text != self._text:
             self._text = text
-            self.size_px = size_px(text, self.em, self._plain)
+            self.size_px = size_px(text, self.em, **self._how)
             self._show()
 
     def set_colour(self, colour: str) -> None:
@@ -243,8 +244,8 @@ class SceneLabel:
         self._set("_shown", shown)
 
     def set_underlined(self, underlined: bool) -> None:
-        """Underline the label while what it names is highlighted."""
-        self._set("_underlined", underlined)
+        """Underline the label while what it names is highlighted; not on paper."""
+        self._set("_underlined", underlined and not self._style.on_paper)
 
     def _set(self, name: str, value: object) -> None:
         if getattr(self, name) != value:
@@ -260,7 +261,7 @@ class SceneLabel:
         if wanted != self._drawn:
             self._drawn = wanted
             halo = self._style.background
-            pixels = drawn(self._text, self.em, self._tone, halo, self._underlined, self._plain)
+            pixels = drawn(self._text, self.em, self._tone, halo, self._underlined, **self._how)
             height, width = pixels.shape[:2]
             self._size = width, height
             rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)
@@ -283,7 +284,7 @@ class SceneLabel:
 
     @property
     def written(self) -> LabelText:
-        label = line_of(self._text, self._plain)
+        label = line_of(self._text, **self._how)
         left, low, _, _ = label.box
         (x, y, turn), (to_right, to_top) = self._place, self._anchor
         (wide, high), (cos, sin) = self.size_px, (math.cos(turn), math.sin(turn))

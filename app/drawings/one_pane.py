@@ -49,6 +49,7 @@ class PanePicture:
     - `caption`: the name of an image.
     - `middle`: where the caption is, as a part of the image's width.
     - `bare`: whether an image has no pixel axes.
+    - `fit`: what a world frames, as in `Figure`.
     """
 
     pane: str
@@ -63,6 +64,7 @@ class PanePicture:
     caption: str = ""
     middle: float = 0.5
     bare: bool = False
+    fit: str = "named"
 
     def pixels(self, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
         """Draw it; `seen` gets the drawing, and how many of its pixels are one of the picture's."""
@@ -124,6 +126,8 @@ class PanePicture:
             if isinstance(drawing, StageDrawing):
                 drawing.show_stage(view.stage)
             drawing.show_probes(view.probes)  # which are framed, too
+            if isinstance(drawing, WorldDrawing):
+                drawing.fit = self.fit
             drawing.reset_view()
             if pane in view.panes:
                 drawing.show_view(view.panes[pane])

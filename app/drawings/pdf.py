@@ -9,6 +9,7 @@ import numpy as np
 from app.document.lengths import DPI
 from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
 from app.drawings.occlusion import Points
+from app.drawings.off_screen import Pixels
 from app.drawings.style import rgb
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FONT, font_file, is_set_in_words, mathtext, piece_of
@@ -56,6 +57,21 @@ def pdf(
     return buffer.getvalue()
 
 
+def rastered(shapes: Sequence[Shape], size: tuple[float, float], scale: float) -> Pixels:
+    """Return shapes as pixels, (h, w, 4), without VTK."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    width, height = (max(1, round(side * scale)) / (DPI * scale) for side in size)
+    figure: Any = Figure(figsize=(width, height), dpi=DPI * scale, frameon=False)
+    canvas: Any = FigureCanvasAgg(figure)
+    writer = _PdfWriter(figure, size)
+    for shape in shapes:
+        writer.add(shape)
+    canvas.draw()
+    return np.array(canvas.buffer_rgba())
+
+
 class _PdfWriter:
     """Adds shapes to a figure of matplotlib, each above the ones before."""
 
@@ -63,7 +79,7 @@ class _PdfWriter:
         from matplotlib.transforms import Affine2D
 
         self._figure, self._number, self._size = figure, 0, size
-        pt = _PT_PER_PX
+        pt = figure.dpi / DPI
         self._place: Any = Affine2D().scale(pt, -pt).translate(0.0, pt * size[1])
 
     def add(self, shape: Shape) -> None:

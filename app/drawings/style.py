@@ -37,6 +37,7 @@ class Style:
     """Of ordinary lines; thin ones have half of it and thick ones one and a half. At a whole scale
     all are whole pixels: OpenGL would round others differently in each way of drawing."""
     font_size: float = 15.0  # height of an em
+    one_size: bool = False  # of words and letters of formulas
     on_paper: bool = False
     """Whether faces that meet differ in lightness, and far is dashed: nothing by hue alone."""
 

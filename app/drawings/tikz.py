@@ -12,7 +12,6 @@ from itertools import count, groupby
 from PIL import Image
 
 from app.document.lengths import DPI
-from app.drawings.label import HALO_EM, HALO_OPACITY
 from app.drawings.occlusion import Colour, Points
 from app.drawings.style import rgb
 from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
@@ -29,10 +28,11 @@ _HELD = 0xE000  # the first private letter, which stands for a formula
 _MOST_POINTS = 500  # of a path, which TeX holds in its memory
 _COMMANDS = "|".join((
     *GREEK.values(), *FUNCTIONS, "vec", "mathrm", "mathbf", "frac", "sqrt", "cdot", "times", "pm",
-    "infty", "approx", "neq", "leq", "geq", "to",
+    "infty", "approx", "neq", "leq", "geq", "to", "dfrac", "left", "right", "leftarrow", "text",
+    "cot", "varphi", "circ",
 ))  # fmt: skip
 _FORMULA = re.compile(
-    rf"(?:\\(?:{_COMMANDS})(?![a-zA-Z])|[a-zA-Z0-9_ +\-*/=<>()\[\].,:;|{{}}'\u2032]|\^(?!\^))*"
+    rf"(?:\\(?:{_COMMANDS})(?![a-zA-Z])|\\,|[a-zA-Z0-9_ +\-*/=<>()\[\].,:;|{{}}'\u2032]|\^(?!\^))*"
 )
 _CYRILLIC = re.compile("[\u0400-\u052f]")
 _PLAIN = "0123456789+=/()[],."
@@ -155,7 +155,7 @@ class _TikzWriter:
         )
 
     def _text(self, text: TextShape) -> str:
-        """A label with a bright plate behind it: TikZ alone has no halo round letters."""
+        """A label without a halo: TikZ alone has none, and a plate would be seen."""
         written, em = text.written, text.em
         said = _tex((piece, is_tex) for piece, is_tex, _, _ in written.pieces)
         if written.underlined:
@@ -176,9 +176,7 @@ class _TikzWriter:
         scale = size * text.em * _BP_PER_PX * _PT_PER_BP / _FONT_PT
         options = (
             rf"anchor=base,font=\fontsize{{{_FONT_PT:g}}}{{{_FONT_PT:g}}}\selectfont,"
-            f"scale={scale:.4f},inner sep={_n(HALO_EM * text.em / scale)}bp,"
-            f"fill={self._colour(rgb(written.halo))},"
-            f"fill opacity={HALO_OPACITY * written.opacity:.3g},text opacity={written.opacity:.3g}"
+            f"scale={scale:.4f},inner sep=0bp{_faint('text', written.opacity)}"
         )
         return self.styles.setdefault(options, f"t{len(self.styles) + 1}")
 
@@ -217,7 +215,8 @@ def _tex(pieces: Iterable[tuple[str, bool]]) -> str:
 
 
 def _grouped(tex: str) -> str:
-    tex = tex.strip().replace("\u2032", "'")
+    tex = tex.strip().replace("\u2032", "'").replace(r"\dfrac", r"\displaystyle\frac")
+    tex = tex.replace(r"\text", r"\mathrm")  # which need no package
     return tex if len(tex) == 1 else f"{{{tex}}}"
 
 

@@ -135,7 +135,7 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
 def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, float, float] | None:
     """Return left, top, right and bottom of the shapes that are seen; None if there are none."""
     corners = list[tuple[float, float]]()
-    empty = rgb(background)
+    empty = rgb(background) if background else None
     for shape in shapes:
         if isinstance(shape, Area):
             if shape.colour != empty:
@@ -205,9 +205,9 @@ def shapes_of(
     ]
     # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.
     shapes: list[Shape] = [area for pane in panes for area in pane.background()]
-    for pane in panes:
-        shapes += pane.shapes(window)
-    return shapes
+    drawn = [shape for pane in panes for shape in pane.shapes(window)]
+    # Pixels next: the frame of an image lies over their edges.
+    return shapes + sorted(drawn, key=lambda shape: not isinstance(shape, PixelShape))
 
 
 def refuse_too_many(window: Any) -> None:

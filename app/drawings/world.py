@@ -123,6 +123,8 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
+        self.fit = "named"
+        """What the pane frames, as in `Figure`."""
         self._goes_to: Framed | None = None
         """What is framed at the end of the way that the pane is on."""
         self._name()
@@ -242,6 +244,10 @@ class WorldDrawing(Drawing):
     def _framed(self) -> Framed:
         state, at, volume = self.state, self.state.standing, self.state.volume
         inside, middle = self.layers.inside(), state.objects.mean(axis=0)
+        if self.fit == "frustum" and volume.exists:
+            inside["frustum"] = volume.corners
+        elif self.fit == "scene":
+            inside = {"subject": inside["subject"]}
         offsets = np.concatenate(list(inside.values())) - middle
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)

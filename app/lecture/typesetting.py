@@ -208,10 +208,13 @@ def _drawable(piece: str, is_tex: bool) -> tuple[str, bool]:
 
 
 @lru_cache(maxsize=1024)
-def line_of(text: str, plain: bool = False, *, formula: float = 0.0) -> LineLayout:
+def line_of(
+    text: str, plain: bool = False, one_size: bool = False, *, formula: float = 0.0
+) -> LineLayout:
     """Set a text in one line. TeX that cannot be drawn is shown as it is typed.
 
-    In a formula, all letters have the size `formula`. In a label (0.0), words have the size 1.
+    In a formula, all letters have the size `formula`. In a label (0.0), words have the size 1, and
+    letters are larger, but in `one_size`.
     """
     pieces = [(text, False)] if plain else pieces_of(text)
     if formula:
@@ -220,7 +223,7 @@ def line_of(text: str, plain: bool = False, *, formula: float = 0.0) -> LineLayo
         pieces = [t if word else p for p, t, word in zip(pieces, as_tex, is_word, strict=True)]
     pieces = [_drawable(*piece) for piece in pieces]
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
-    larger = 1.0 if plain else formula or (AMONG_WORDS if has_words else ALONE)
+    larger = 1.0 if plain or one_size else formula or (AMONG_WORDS if has_words else ALONE)
     placed, boxes, x = [], [], 0.0
     for piece, is_tex in pieces:
         size = larger if formula or is_tex or len(piece) == 1 else 1.0

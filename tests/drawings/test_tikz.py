@@ -72,8 +72,8 @@ TRIANGLE = [(0.0, 0.0), (100.0, 0.0), (100.0, 50.0)]
             r"\node[anchor=north west,inner sep=0bp] at (24,120)"
             r" {\includegraphics[width=120bp,height=60bp]{g-pixels1.png}};",
         ),
-        (label("eye", -1), r"\node[t1,text=c2,anchor=base west] at (24,72) {eye};"),
-        (label("eye", -1, np.pi / 2), r"\node[t1,text=c2,anchor=base west,rotate=90.00]"
+        (label("eye", -1), r"\node[t1,text=c1,anchor=base west] at (24,72) {eye};"),
+        (label("eye", -1, np.pi / 2), r"\node[t1,text=c1,anchor=base west,rotate=90.00]"
                                       r" at (24,72) {eye};"),
     ],
 )  # fmt: skip

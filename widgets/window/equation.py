@@ -5,7 +5,6 @@ are framed.
 """
 
 from collections.abc import Sequence
-from typing import NamedTuple
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
@@ -13,7 +12,8 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style, tone
 from app.lecture.copying import as_text
-from app.lecture.equation import Equation, Term, equation_of, latex_cell
+from app.lecture.equation import Equation, Term, equation_of
+from app.lecture.equation_form import APART_EM, BRACKET_EM, GAP_EM, MatrixLayout, laid_out, width_em
 from app.lecture.highlight import ENDS, OBJECT_AXES
 from app.lecture.notation import letters_in
 from app.lecture.typesetting import line_of, piece_of
@@ -29,11 +29,9 @@ they are smaller."""
 LEAST_CELL, USUAL_CELL = 0.08, 0.155
 """Heights of a cell, in heights of the screen: in a product, and of a matrix alone."""
 WIDEST_EM = 4.6  # width of the columns of a matrix alone, where there is room
-DIGITS, FEWER_DIGITS = 4, 3  # of the numbers of one matrix, and of a product
 EDGE = 0.05  # free at the left and at the right, in heights of the screen
-_PAD_EM, _BETWEEN_EM, _BRACKET_EM, _CAPTION = 0.45, 0.35, 0.3, 0.85
+_CAPTION = 0.85
 _WORD = 0.55  # size of a word below a part of a matrix
-_APART_EM = 1.5
 
 
 def _changed_by(path: str) -> tuple[str, ...]:
@@ -42,40 +40,6 @@ def _changed_by(path: str) -> tuple[str, ...]:
         return (path,)
     name = path.rpartition(".")[2]
     return PARAMETERS[name].fields if name in PARAMETERS else (name,)
-
-
-def _width(text: str) -> float:
-    return line_of(text, formula=1.0).width
-
-
-def _number(value: float, digits: int) -> str:
-    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
-    return f"{mantissa}·10^{exponent.lstrip('+')}" if exponent else mantissa
-
-
-class _MatrixLayout(NamedTuple):
-    """A matrix of the equation: its cells' texts, and the least widths and heights in em."""
-
-    term: Term
-    cells: tuple[tuple[str, ...], ...]
-    widths: tuple[float, ...]
-    heights: tuple[float, ...]
-
-
-def _laid(term: Term, digits: int) -> _MatrixLayout:
-    """Lay out formulas, or numbers of so many digits if there are any."""
-    matrix = term.matrix
-    cells = tuple(
-        tuple(
-            _number(value, digits) if digits else f"${latex_cell(text, term.letters)}$"
-            for value, text in zip(*row, strict=True)
-        )
-        for row in zip(matrix.values, matrix.formulas, strict=True)
-    )
-    widths = tuple(max(map(_width, column)) + 2.0 * _PAD_EM for column in zip(*cells, strict=True))
-    boxes = [[line_of(cell, formula=1.0).box for cell in row] for row in cells]
-    heights = tuple(max(high - low for _, low, _, high in row) + 0.4 for row in boxes)
-    return _MatrixLayout(term, cells, widths, heights)
 
 
 class EquationSlide(QWidget):
@@ -91,7 +55,7 @@ class EquationSlide(QWidget):
         self._text, self._controls = "", frozenset[str]()
         self._equation: Equation | None = None
         self._problem = ""
-        self._laid: tuple[_MatrixLayout, ...] = ()
+        self._laid: tuple[MatrixLayout, ...] = ()
         self._style = LIGHT
         self._hues = dict[str, str]()
         """Of letters that have the colour of what the picture names by them."""
@@ -136,8 +100,7 @@ class EquationSlide(QWidget):
             self._equation, self._laid, self._problem = None, (), sentence(error)
         else:
             self._equation, self._problem = equation, ""
-            digits = (FEWER_DIGITS if equation.factors else DIGITS) if equation.is_in_numbers else 0
-            self._laid = tuple(_laid(term, digits) for term in equation.terms)
+            self._laid = tuple(laid_out(equation))
             texts = [
                 as_text(term.matrix, term.letters, formulas=not equation.is_in_numbers)
                 for term in equation.terms
@@ -170,25 +133,20 @@ class EquationSlide(QWidget):
     @property
     def _least_width(self) -> float:
         """The width of the equation in em, with the narrowest columns."""
-        matrices = sum(sum(each.widths) + 2.0 * _BRACKET_EM for each in self._laid)
-        return matrices + self._beside
+        return sum(each.width for each in self._laid) + self._beside
 
     @property
     def _beside(self) -> float:
         """The width in em of everything but the matrices."""
         if not self._is_product:
-            return _width(self._lead) + 2.0 * _BETWEEN_EM
-        equals = _width("=") + 2.0 * _BETWEEN_EM if self._has_result else 0.0
+            return width_em(self._laid[0].lead) + 2.0 * GAP_EM
+        equals = width_em("=") + 2.0 * GAP_EM if self._has_result else 0.0
         return self._gap_em * len(self._laid) + equals
 
     @property
     def _gap_em(self) -> float:
         """The gap between two matrices."""
-        return _BETWEEN_EM if self._has_result or not self._is_product else _APART_EM
-
-    @property
-    def _lead(self) -> str:
-        return f"${self._laid[0].term.name} =$"
+        return GAP_EM if self._has_result or not self._is_product else APART_EM
 
     # -- painting
 
@@ -223,11 +181,11 @@ class EquationSlide(QWidget):
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)
         if not self._is_product:
-            x = self._draw(painter, self._lead, em, x, middle, ink) + 2.0 * _BETWEEN_EM * em
+            x = self._draw(painter, self._laid[0].lead, em, x, middle, ink) + 2.0 * GAP_EM * em
         for place, each in enumerate(self._laid):
             if self._has_result and place == len(self._laid) - 1:
-                x += _BETWEEN_EM * em
-                x = self._draw(painter, "=", em, x, middle, ink) + _BETWEEN_EM * em
+                x += GAP_EM * em
+                x = self._draw(painter, "=", em, x, middle, ink) + GAP_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
             if stretch:  # alike where there is room
                 alike = sum(widths) / 4.0
@@ -237,12 +195,12 @@ class EquationSlide(QWidget):
             x = self._paint_matrix(painter, each, em, QPointF(x, top), widths, heights)
             if self._is_product and each.term.name:
                 name = f"${each.term.name}$"
-                at = (left + x - _CAPTION * em * _width(name)) / 2.0
+                at = (left + x - _CAPTION * em * width_em(name)) / 2.0
                 y = top + sum(heights) + 0.55 * caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
             x += self._gap_em * em
             if not self._is_product and each.term.matrix.name == "view_from_world":
-                y, three = top + sum(heights), left + _BRACKET_EM * em
+                y, three = top + sum(heights), left + BRACKET_EM * em
                 words = self.tr("turns"), self.tr("moves")
                 spans = (three, sum(widths[:3])), (three + sum(widths[:3]), widths[3])
                 for (start, wide), word in zip(spans, words, strict=True):
@@ -259,14 +217,14 @@ class EquationSlide(QWidget):
     def _paint_matrix(
         self,
         painter: QPainter,
-        laid: _MatrixLayout,
+        laid: MatrixLayout,
         em: float,
         place: QPointF,
         widths: Sequence[float],
         heights: Sequence[float],
     ) -> float:
         """Paint a matrix at its top left; return its right edge."""
-        bracket, foot = _BRACKET_EM * em, 0.22 * em
+        bracket, foot = BRACKET_EM * em, 0.22 * em
         right, bottom = place.x() + sum(widths) + 2.0 * bracket, place.y() + sum(heights)
         painter.setPen(QPen(QColor(self._style.ink), max(1.5, 0.045 * em)))
         whole = QRectF(place, QPointF(right, bottom))
@@ -344,4 +302,4 @@ class EquationSlide(QWidget):
     ) -> float:
         """Draw on the axis of a line of formula at a height; return the right end."""
         fill_line(painter, text, em, (x, middle + 0.25 * em), ink, self._inks)
-        return x + em * _width(text)
+        return x + em * width_em(text)

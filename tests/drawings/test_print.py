@@ -1,0 +1,135 @@
+"""Figures as an editor measures them: the size of each letter, and the width that a page scales."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from app.document.document import Document
+from app.document.lengths import DPI, Size
+from app.document.settings import compared, set_values
+from app.drawings.figure import Figure
+from app.drawings.vectors import LineShape, PixelShape, box_of
+from app.lessons.course import scene_of
+from app.model.refusal import Refusal
+from app.scenes.scene import load
+from tests.drawings.test_vectors import streams_of
+
+ASKED_PT = 8.0
+CHAPTER = (
+    ("letter-f", "world,image", ()), ("letter-f", "ndc", ("view.stage=2",)),
+    ("similar-triangles", "world", ()), ("depth-buffer", "world,image", ()),
+    ("clipping", "world,ndc", ("lens.kind=oblique",)), ("vanishing-points", "image", ()),
+    ("focus", "world/image", ()), ("letter-f", "world", ("view.fixed=side",)),
+)  # fmt: skip
+"""The eight figures of a chapter."""
+
+
+def figure(scene: str, panes: str, values: tuple[str, ...], **options: object) -> Figure:
+    document = set_values(Document(scene, load(scene).start), values)
+    column = "/" in panes
+    size = Size(84.0, 84.0, "mm") if column else Size(174.0, 60.0, "mm")
+    options = {"size": size, "text_pt": ASKED_PT, "palette": "print"} | options
+    return Figure(document, scene_of(document), re.split("[,/]", panes), column=column, **options)  # type: ignore[arg-type]
+
+
+def letters_pt(path: Path) -> Iterator[float]:
+    """The sizes of the letters in a file, without those that are subscripts, in points."""
+    content = path.read_bytes()
+    if path.suffix == ".pdf":
+        drawn = b"".join(streams_of(content))
+        yield from map(float, re.findall(rb"/F\d+ ([\d.]+) Tf", drawn))
+    elif path.suffix == ".tex":  # 72.27 points of TeX are 72
+        for size, scale in re.findall(rb"fontsize\{([\d.]+)\}.*?scale=([\d.]+)", content):
+            yield float(size) * float(scale) * 72.0 / 72.27
+    else:
+        for px in re.findall(rb'font-size="([\d.]+)"', content):
+            yield float(px) * 72.0 / DPI
+
+
+@pytest.mark.parametrize("ending", ["pdf", "tex", "svg"])
+@pytest.mark.parametrize(("scene", "panes", "values"), CHAPTER)
+def test_every_letter_has_the_size_that_is_asked_for(
+    scene: str, panes: str, values: tuple[str, ...], ending: str, tmp_path: Path
+) -> None:
+    path = tmp_path / f"figure.{ending}"
+    figure(scene, panes, values).save(path)
+    sizes = np.array([*letters_pt(path)])
+    low = np.abs(sizes / ASKED_PT - 0.7) < 0.01  # a subscript
+    assert len(sizes[~low]) and np.abs(sizes[~low] - ASKED_PT).max() < 0.1
+
+
+@pytest.mark.parametrize("width_mm", [84.0, 120.0])
+@pytest.mark.parametrize(("scene", "panes", "values"), [*CHAPTER[:2], CHAPTER[4], CHAPTER[7]])
+def test_a_figure_is_as_wide_as_asked_after_it_was_cropped(
+    scene: str, panes: str, values: tuple[str, ...], width_mm: float
+) -> None:
+    """The page to a thousandth, and what is seen on it within 0.1 mm."""
+    shown = figure(scene, panes, values, size=None, width=width_mm / 25.4 * DPI)
+    (width, height), shapes = shown.shapes()
+    assert width / DPI * 25.4 == pytest.approx(width_mm, abs=1e-3)
+    left, top, right, low = box_of(shapes, "#ffffff") or (0.0,) * 4
+    assert (right - left) / DPI * 25.4 == pytest.approx(width_mm, abs=0.1)
+    assert (top, low) == pytest.approx((0.0, height), abs=1e-6)
+    if width_mm == 84.0:
+        assert shown.pixels().shape[:2] == pytest.approx((height, width), abs=3.0)
+
+
+EQUATIONS = (
+    ("own", "frustum"), ("003", "view"), ("001", "M_z M_pp M_persp"), ("002", "P numbers"),
+    ("own", "object, view"),
+)  # fmt: skip
+
+
+@pytest.mark.parametrize(("letters", "text"), EQUATIONS)
+def test_an_equation_is_a_figure_that_a_column_can_hold(
+    letters: str, text: str, tmp_path: Path
+) -> None:
+    shown = figure(
+        "letter-f", "equation", (f"view.equation={text}", f"view.letters={letters}"), size=None,
+        width=84.0 / 25.4 * DPI,
+    )  # fmt: skip
+    (width, height), shapes = shown.shapes()
+    left, top, right, low = box_of(shapes, "#ffffff") or (0.0,) * 4
+    assert 0.0 <= left < right <= width and -1.0 <= top < low <= height + 1.0
+    assert shown.pixels().shape == (round(height), round(width), 3)
+    natural = replace(shown, width=None).shapes()[0]
+    assert natural[0] > 3.0 * (ASKED_PT / 72.0 * DPI) and natural[1] <= height + 1e-6
+    for ending in ("pdf", "tex", "svg"):
+        shown.save(tmp_path / f"e.{ending}")
+    tex = (tmp_path / "e.tex").read_text()
+    assert "textbackslash" not in tex and "dfrac" not in tex
+    sizes = np.array([*letters_pt(tmp_path / "e.pdf")])
+    assert np.abs(sizes[:, None] - [ASKED_PT, 0.7 * ASKED_PT]).min(axis=1).max() < 0.1
+
+
+def test_an_equation_that_its_column_cannot_hold_is_refused() -> None:
+    with pytest.raises(Refusal, match=r"^width = 30 mm: a line of this equation needs \d+"):
+        figure("letter-f", "equation", ("view.equation=frustum",), size=None, width=354.0)
+    with pytest.raises(Refusal, match="must name 1 to 4 matrices"):
+        figure("letter-f", "equation", ())
+
+
+def test_a_world_frames_what_is_asked_for() -> None:
+    values = ("view.names=eye,target",)
+    corners = []
+    for fit in ("named", "frustum", "scene"):
+        shown = figure("letter-f", "world", values, size=Size(60.0, 60.0, "mm"), fit=fit)
+        cameras = []
+        shown.pixels(seen=lambda drawing, _finer, to=cameras: to.append(drawing.pose))
+        corners.append(cameras[0])
+    assert len({repr(each) for each in corners}) == 3
+
+
+def test_the_frame_of_an_image_lies_over_its_pixels() -> None:
+    document = compared(Document("interpolation", load("interpolation").start), "interpolation")
+    _, shapes = Figure(document, scene_of(document), ["image"], (992, 500)).shapes()
+    kinds = [type(shape) for shape in shapes]
+    last = max(place for place, kind in enumerate(kinds) if kind is PixelShape)
+    frames = [place for place, each in enumerate(shapes) if isinstance(each, LineShape)]
+    assert kinds.count(PixelShape) == 2 and max(frames) > last
