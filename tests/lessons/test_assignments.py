@@ -46,7 +46,7 @@ def in_words(document: Document) -> Document:
 def test_a_state_changed_by_hand_gives_itself_back_to_the_last_bit() -> None:
     rng = random.Random(1)
     silent = 0
-    for number in range(4 * len(BUILT_IN)):
+    for number in range(2 * len(BUILT_IN)):
         scene = BUILT_IN[number % len(BUILT_IN)]
         document = Document(scene, scene_of(Document(scene)).start, view=a_view(rng))
         for _ in range(rng.randrange(6)):

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from app.model.projection import Orthographic, Projection
+from app.model.projection import Array, Orthographic, Projection
 from app.precision.drift import (
     AXIS,
     BLOCK,
@@ -143,6 +143,36 @@ def test_the_bound_of_the_axes_is_not_below_their_error(numbers: str, way: str) 
         off, bound = drifted(numbers, way, rounds)
         if np.isfinite(off).all():
             assert 0.0 < np.linalg.norm(off) <= bound, rounds
+
+
+@pytest.mark.parametrize("numbers", NUMBERS)
+def test_the_bound_of_sines_allows_four_units_of_each_and_hardly_more(
+    monkeypatch: pytest.MonkeyPatch, numbers: str
+) -> None:
+    """On any machine: the largest error of the worst sines is over half of what is left for it."""
+    unit, sines = float(np.finfo(numbers).eps) / 2.0, (np.cos, np.sin)
+    largest = 0.0
+    for signs in ((1, 1), (1, -1), (-1, 1), (-1, -1)):
+        for name, exact, sign in zip(("cos", "sin"), sines, signs, strict=True):
+
+            def off_by_four(angles: Array, exact: Any = exact, sign: int = sign) -> Array:
+                given = np.asarray(exact(angles.astype(np.float64)) + 4 * sign * unit)
+                return given.astype(angles.dtype)
+
+            monkeypatch.setattr(np, name, off_by_four)
+        for rounds in (1, 9, 29, 113, 161):
+            off, bound = drifted(numbers, "sines", rounds)
+            error = float(np.linalg.norm(off))
+            assert error <= bound
+            angle = Fraction(
+                float(np.dtype(numbers).type(360 * rounds) * np.dtype(numbers).type(np.pi / 180.0))
+            )
+            with mp.workdps(60):
+                missed = float(
+                    abs(mp.mpf(angle.numerator) / angle.denominator - 2 * mp.pi * rounds)
+                )
+            largest = max(largest, (error - 1.4143 * missed) / (bound - 1.4143 * missed))
+    assert largest > 0.49
 
 
 def test_pixels_are_those_of_the_drifted_axes_in_80_digits() -> None:
