@@ -31,7 +31,7 @@ def run(arguments: Sequence[str]) -> int:
     if not os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         raise CliError("bundle: this program has no folder of its code to make one of.")
     folder = Path(out).absolute() / "frustum-lab"
-    if folder.exists():
+    if os.path.exists(folder):
         raise CliError(f"{folder}: is there already; remove it, or choose another folder.")
     if options.wheels:
         _collect(folder, options.platform or WHEEL_PLATFORMS, options.python)

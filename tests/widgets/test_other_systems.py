@@ -13,7 +13,7 @@ from PySide6.QtGui import QFontDatabase, QFontInfo, QKeySequence, QWindowStateCh
 from widgets.parts import plain, typeset
 from widgets.parts.layouts import push_button
 from widgets.program import application, opengl
-from widgets.window.actions import _ways_to_press
+from widgets.window.actions import ways_to_press
 
 SOFTWARE = opengl.OpenGL("3.3 Mesa 20.0", "llvmpipe", software=True)
 CARD = opengl.OpenGL("4.6", "a graphics card", software=False)
@@ -43,8 +43,8 @@ def test_windows_without_a_driver_draws_where_it_can(
 
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(opengl, "probe", probe)
-    monkeypatch.setattr(application, "_draws_off_screen", lambda: draws)
-    assert application._probe(application.Options(canvas=asked))[1] == canvas
+    monkeypatch.setattr(application, "draws_off_screen", lambda: draws)
+    assert application.find_graphics(application.Options(canvas=asked))[1] == canvas
 
 
 def test_without_any_opengl_one_sentence_says_it(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -52,9 +52,9 @@ def test_without_any_opengl_one_sentence_says_it(monkeypatch: pytest.MonkeyPatch
         raise opengl.DisplayError("No OpenGL could be started.")
 
     monkeypatch.setattr(opengl, "probe", probe)
-    monkeypatch.setattr(application, "_draws_off_screen", lambda: False)
+    monkeypatch.setattr(application, "draws_off_screen", lambda: False)
     with pytest.raises(opengl.DisplayError, match="No OpenGL"):
-        application._probe(application.Options())
+        application.find_graphics(application.Options())
 
 
 def test_on_macos_a_button_has_the_shortcut_that_its_tip_promises(
@@ -89,9 +89,9 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
 
 def test_on_macos_each_function_key_has_a_second_way(monkeypatch: pytest.MonkeyPatch) -> None:
     keys = ["F4", "F5", "Shift+F5", "F6", "F7", "Ctrl+F", "B"]
-    assert [_ways_to_press(key) for key in keys] == [[QKeySequence(key)] for key in keys]
+    assert [ways_to_press(key) for key in keys] == [[QKeySequence(key)] for key in keys]
     monkeypatch.setattr(sys, "platform", "darwin")
-    ways = [[way.toString() for way in _ways_to_press(key)] for key in keys]
+    ways = [[way.toString() for way in ways_to_press(key)] for key in keys]
     assert ways[:3] == [["F4", "Meta+4"], ["F5", "Meta+5"], ["Shift+F5", "Meta+Shift+5"]]
     assert ways[5:] == [["Ctrl+F"], ["B"]]
 
@@ -121,7 +121,7 @@ def test_words_on_paper_have_the_font_that_comes_with_matplotlib(
     monkeypatch.setattr(
         QFontDatabase, "addApplicationFont", lambda path: brought.append(path) or add(path)
     )
-    typeset._bring_font.cache_clear()
+    typeset.bring_font.cache_clear()
     assert QFontInfo(typeset.words_font()).family() == "DejaVu Sans"
     typeset.words_font()
     assert len(brought) == 1 and re.search(r"matplotlib.*DejaVuSans\.ttf$", brought[0])

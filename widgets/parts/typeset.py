@@ -58,13 +58,13 @@ _IS_FORMULA = re.compile(  # not the powers of ten of a number
 
 
 @cache
-def _bring_font() -> None:
+def bring_font() -> None:
     QFontDatabase.addApplicationFont(font_file("DejaVuSans"))
 
 
 def words_font() -> QFont:
     """The font of words on paper and in charts; only Linux has it without matplotlib's file."""
-    _bring_font()
+    bring_font()
     return QFont("DejaVu Sans")
 
 

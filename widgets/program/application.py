@@ -180,7 +180,7 @@ def run_window(
     cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
-    graphics, canvas = _probe(options)
+    graphics, canvas = find_graphics(options)
     file_log = start_log()
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
@@ -249,22 +249,22 @@ def run_window(
     return 1 if any(failed) else 0
 
 
-def _probe(options: Options) -> tuple[opengl.OpenGL, str]:
+def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:
     """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it, and the canvas."""
     try:
         graphics = opengl.probe()
     except opengl.DisplayError:
-        if options.canvas == "opengl" or not _draws_off_screen():
+        if options.canvas == "opengl" or not draws_off_screen():
             raise
         return opengl.NO_OPENGL, "raster"
     canvas = options.canvas or opengl.canvas(graphics)
     # Windows without a driver: Qt brings an OpenGL in software, and VTK gets the system's 1.1.
-    if canvas == "raster" and sys.platform == "win32" and not _draws_off_screen():
+    if canvas == "raster" and sys.platform == "win32" and not draws_off_screen():
         canvas = "opengl"
     return graphics, canvas
 
 
-def _draws_off_screen() -> bool:
+def draws_off_screen() -> bool:
     from app.drawings.off_screen import check_off_screen
 
     try:

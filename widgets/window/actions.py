@@ -211,7 +211,7 @@ class Actions(QObject):
         if act is not None:
             action.triggered.connect(lambda _checked=False: act())
         if shortcut is not None:
-            action.setShortcuts(_ways_to_press(shortcut))
+            action.setShortcuts(ways_to_press(shortcut))
         plain = (tip or text).replace("&", "").rstrip("…")
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         set_tip(action, f"{plain} ({keys})" if keys else plain)
@@ -406,7 +406,7 @@ class Actions(QObject):
         show_icon(self.play, "pause" if playing else "play")
 
 
-def _ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
+def ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
     """Return a shortcut and, on macOS, whose keyboards keep F4 for the system, ⌃4 for it."""
     made = [QKeySequence(shortcut)]
     if sys.platform == "darwin" and (key := re.search(r"\bF(\d)$", made[0].toString())):
