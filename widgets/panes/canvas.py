@@ -356,7 +356,7 @@ class Hand(QObject):
     moved = Signal()  # the canvas' own camera was moved
     clicked = Signal(QPointF)  # pressed and released in one place: the middle of that pixel
     drag_started = Signal(QPointF)
-    """The place where the left button was pressed; the mouse has left it."""
+    """The middle of the pixel where the left button was pressed; the mouse has left it."""
     dragged = Signal(QPointF, bool)  # the movement from there, and whether Shift is held
     drag_ended = Signal()
     hovered = Signal(QPointF)  # the mouse is here without a button: the middle of that pixel
@@ -516,7 +516,7 @@ class Hand(QObject):
             if moved < QApplication.startDragDistance():
                 return True
             self._dragged_from, self._pressed = self._pressed, None
-            self.drag_started.emit(self._dragged_from * ratio)
+            self.drag_started.emit(self._middle(self._dragged_from))
         if self._dragged_from is not None:
             self.dragged.emit((event.position() - self._dragged_from) * ratio, is_shifted)
         if self._last is None or not self._orbits:
