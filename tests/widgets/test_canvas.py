@@ -81,7 +81,7 @@ def test_both_show_the_pixels_that_a_figure_averages(make_window: MakeWindow, qt
     windows = [make_window(document_of("letter-f"), canvas=canvas) for canvas in CANVAS]
     for window in windows:
         window.resize(960, 640)  # quickly drawn
-    for scene in BUILT_IN[::8]:
+    for scene in BUILT_IN[::16]:
         for each in windows:
             each.store.open(document_of(scene))
             each.quality.use({"smoothing": "none"})
