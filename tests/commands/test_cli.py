@@ -30,7 +30,7 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
-from app.drawings.figure import ENDINGS, HIDDEN
+from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.lecture.letters import LETTERS
 from app.model.limits import SMALLEST_WINDOW
@@ -1029,7 +1029,7 @@ def test_the_help_names_what_exists() -> None:
     assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
-    assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
+    assert (tuple(PALETTES), HIDDEN, FITS) == (options.PALETTES, options.HIDDEN, options.FITS)
     assert tuple(f".{name}" for name in options.FIGURE_FORMATS) == ENDINGS
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
