@@ -26,7 +26,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from app import bootstrap
+from app import bootstrap, python_packages
 from tests import claims
 from tests.__main__ import at_home
 
@@ -84,7 +84,7 @@ def application() -> Any:
     if QApplication.instance() is None:
         prepare()
         made = QApplication([])
-        with bootstrap.for_good():
+        with python_packages.for_good():
             import widgets.window.main_window  # noqa: F401
         return made
     return QApplication.instance()

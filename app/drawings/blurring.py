@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -51,7 +52,7 @@ _OPENING, _EYES = (FIRST, MOST, 0.03), (1, 8, 0.0)  # at least, at most, seconds
 
 
 def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
-    """Put the pictures (height, width, 4) of two eyes into one of the same size.
+    """Put the pictures (height, width, 4) of two eyes, or their middle halves, into one.
 
     Red-cyan pictures are the luma of Rec. 709: red glass shows the left one and cyan the right one.
     """
@@ -60,9 +61,7 @@ def _together(left: Pixels, right: Pixels, eyes: Eyes) -> Pixels:
         red, cyan = ((54 * r + 183 * g + 19 * b >> 8).astype(np.uint8) for r, g, b, _ in parts)
         return np.stack([red, cyan, cyan, left[..., 3]], axis=-1)
     one, other = (left, right) if eyes.shares[0] < 0.0 else (right, left)
-    width, half, quarter = (left.shape[1] // part for part in (1, 2, 4))
-    middles = one[:, quarter : quarter + half], other[:, half - quarter : width - quarter]
-    return np.concatenate(middles, axis=1)
+    return np.concatenate([one, other], axis=1)
 
 
 class Blurring:
@@ -142,8 +141,8 @@ class Blurring:
         if isinstance(through, Eyes):
             point = Aperture(0.0, 1.0)
             left, right = (
-                self._drawn(point.seen_from(eye, 0.0, 0.0, (shift[0], shift[1])))
-                for eye in (through.left, through.right)
+                self._drawn(point.seen_from(eye, 0.0, 0.0, (shift[0], shift[1])), share)
+                for eye, share in zip((through.left, through.right), through.shares, strict=True)
             )
             pixels = _together(left, right, through)
         else:
@@ -155,15 +154,24 @@ class Blurring:
             self._sum += pixels
         self._count += 1
 
-    def _drawn(self, seen: Projection) -> Pixels:
-        window = self._ready()
+    def _drawn(self, seen: Projection, share: float = 0.0) -> Pixels:
+        """Draw a picture; of one that moves by a share of its width, the middle half."""
+        width, height = self._size
+        count = drawn = width
+        if share:  # both are drawn in one size, and one of an odd width has a column less
+            half, count = width // 2, width - width // 2
+            first, drawn = (width // 4, half) if share < 0.0 else (half - width // 4, count)
+            low, high, *_ = seen.window
+            left, right = (low + (high - low) * k / width for k in (first, first + count))
+            seen = replace(seen, lens=seen.lens.replaced(left=left, right=right))
+        window = self._ready((count, height))
         self._model.show_picture(seen.with_depth("opengl"))
         window.Render()
-        return pixels_of(window)
+        return pixels_of(window)[:, :drawn]
 
-    def _ready(self) -> Any:
+    def _ready(self, size: tuple[int, int]) -> Any:
         if self._screen is None:
-            self._screen = take_screen(*self._size)
+            self._screen = take_screen(*size)
             renderer = self._screen.renderer
             PropGroup.make_ready(renderer)
             renderer.SetActiveCamera(identity_camera())
@@ -172,8 +180,8 @@ class Blurring:
         renderer, window = self._screen.renderer, self._screen.render_window
         renderer.SetBackground(*((0.0,) * 3 if self._transparent else rgb(self._style.background)))
         renderer.SetBackgroundAlpha(0.0 if self._transparent else 1.0)
-        if window.GetSize() != self._size:
-            window.SetSize(*self._size)
+        if window.GetSize() != size:
+            window.SetSize(*size)
         return window
 
     def _show(self) -> None:

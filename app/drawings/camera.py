@@ -29,7 +29,7 @@ from app.drawings.frame import (
 from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
-from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, Segment, Targets
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE
 from app.drawings.style import Style
 from app.drawings.world_state import WorldState
 from app.lecture.camera_frame import STEPS
@@ -261,17 +261,6 @@ class CameraDrawing(Layer):
 
     def ink(self, ground: Ground) -> None:
         ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
-
-    def targets(self) -> Targets:
-        (arrows, offsets), state = self.arrows, self._state
-        eye = state.standing.eye + state.origin
-        spots = state.sight.seen(np.vstack([eye, eye + offsets])).tolist()
-        start, *tips = [(x, y, 0.0) for x, y in spots]
-        segments: list[Segment] = [
-            (frozenset(("target" if name == "look" else name,)), start, tip)
-            for name, tip in zip(arrows, tips, strict=True)
-        ]
-        return Targets((), segments)
 
     def reach(self) -> Array:
         return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS

@@ -24,6 +24,7 @@ from app.drawings.label import LabelActor
 from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.one_pane import PanePicture
 from app.drawings.side_by_side import places_of
+from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.lecture.typesetting import pieces_of
@@ -207,10 +208,14 @@ def _ink(pixels: Pixels) -> NDArray[np.bool_]:
 
 
 def _inside(drawing: Drawing) -> Array:
-    """Where the world pane shows what has to be inside it, (n, 2) from its top left."""
-    if not isinstance(drawing, WorldDrawing):
+    """Where the pane shows what has to be inside it, (n, 2) from its top left."""
+    if isinstance(drawing, StageDrawing) and (around := drawing.around) is not None:
+        state = drawing.state
+        spots: Array = np.array(state.seen(around + state.morph.origin_at(state.position)))[:, :2]
+    elif isinstance(drawing, WorldDrawing):
+        spots = drawing.own.pane.spots(np.concatenate(list(drawing.layers.inside().values())))
+    else:
         return np.empty((0, 2))
-    spots = drawing.own.pane.spots(np.concatenate(list(drawing.layers.inside().values())))
     spots = spots[np.isfinite(spots).all(axis=1)]
     return np.array([0.0, drawing.state.size_px[1]]) + spots * (1.0, -1.0)
 

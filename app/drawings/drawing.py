@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from app.lecture.highlight import Highlight
-from app.model.projection import Array, Camera, Projection
+from app.lecture.highlight import NOTHING, Highlight
+from app.model.projection import Array, Camera, Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.handles import Handle, Spot
 from app.picking.picking import Probe
@@ -135,11 +135,9 @@ class Drawing:
         """Show what is named now, and place its labels."""
 
     def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """Return the things at a pixel, counted from the pane's top left: first, what it takes."""
+        """Return what the pointer takes at a pixel, counted from the pane's top left."""
         taken = self.handles.at((x_px, y_px))
-        if taken is not None:
-            return taken.about
-        return self.layers.at(x_px, y_px)
+        return NOTHING if taken is None else taken.about
 
     @property
     def precision(self) -> Precision:
@@ -233,6 +231,9 @@ class Drawing:
 
     def show_object_axes(self, wanted: bool) -> None:
         """Show the object's axes even where they coincide with the world's."""
+
+    def show_walk(self, eyes: Sequence[Vector]) -> None:
+        """Show the way of the eye while the camera walks, through these places; none for none."""
 
     # -- the image
 

@@ -27,11 +27,11 @@ from app.drawings.labels import Board, room
 from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import Emphasis, Targets, pointed_at
+from app.drawings.pointing import Emphasis
 from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import textured
 from app.drawings.style import TITLE_EM
-from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.highlight import Highlight
 from app.model.projection import Array, Projection
 from app.picking.picking import Probe
 from app.picking.sight import Sight
@@ -248,14 +248,6 @@ class Layer:
     def ink(self, ground: Ground) -> None:
         """Count as ink what is drawn."""
 
-    def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """What a label that `Emphasis` does not know is about."""
-        return NOTHING
-
-    def targets(self) -> Targets:
-        """What can be pointed at."""
-        return Targets()
-
     def reach(self) -> Array:
         """The points that the pane's own camera has to reach, (n, 3)."""
         return NO_POINTS
@@ -313,16 +305,6 @@ class Layers:
     def _ink(self, ground: Ground) -> None:
         for layer in self._layers:
             layer.ink(ground)
-
-    def at(self, x_px: float, y_px: float) -> Highlight:
-        """Return the things at a pixel, counted from the pane's top left."""
-        labelled = self._state.emphasis.label_at(x_px, y_px)
-        for layer in self._layers:
-            labelled = labelled or layer.label_at(x_px, y_px)
-        if labelled:
-            return labelled
-        targets = [layer.targets() for layer in self._layers]
-        return pointed_at((x_px, y_px), self._state.em, targets)
 
     def reach(self) -> Array:
         return np.concatenate([layer.reach() for layer in self._layers])

@@ -164,14 +164,6 @@ class MarksDrawing(Layer):
         self._underline_texts()
         return True
 
-    def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """Return the subjects of the label at a pixel from the pane's top left."""
-        height_px = self._canvas.window.GetSize()[1]
-        for key, about in self._texts:
-            if about and self._board.label(key).covers(x_px, height_px - y_px):
-                return frozenset(about)
-        return NOTHING
-
     def _underline_texts(self) -> None:
         for key, about in self._texts:
             lit = bool(self._highlighted.intersection(about))

@@ -10,11 +10,10 @@ from app.drawings.actors import Space, face_actor, lifted, line_actor
 from app.drawings.drawing import Rectangle
 from app.drawings.labels import room
 from app.drawings.layer import Layer, PaneState, Placing
-from app.drawings.pointing import Segment, Spot, Targets
+from app.drawings.pane_view import Spot
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, corner_at
-from app.model.parameters import NEAR
 from app.model.projection import Array
 from app.picking.sight import Sight
 from app.precision.quality import AUTOMATIC, Quality
@@ -245,16 +244,3 @@ class PictureFrame(Layer):
         move(self._x_label, right + thin, top + head + gap)
         move(self._height_label, left + head + gap, bottom + thin + gap)
         move(self._y_label, left - head - gap, bottom + thin + gap)
-
-    def targets(self) -> Targets:
-        left, top, width, height = self._state.rectangle
-        right, bottom = float(left + width), float(top + height)
-        corners: list[Spot] = [
-            (left, bottom, 0.0), (right, bottom, 0.0), (right, top, 0.0), (left, top, 0.0),
-        ]  # fmt: skip
-        # Near's corner alone: two things would light up for one corner.
-        points = [(corner_at(NEAR.name, SIDES[i - 1], SIDES[i]), corners[i]) for i in range(4)]
-        segments: list[Segment] = [
-            (frozenset((side,)), corners[i], corners[(i + 1) % 4]) for i, side in enumerate(SIDES)
-        ]
-        return Targets(points, segments)

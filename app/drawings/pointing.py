@@ -1,18 +1,16 @@
-"""Pointing in a pane: what is under a pixel, and how it is highlighted.
+"""How a pane highlights what is pointed at.
 
 Everything for the highlight is created with its drawing. A highlight changes line widths, point
 sizes and visibilities, never the number of actors, and costs a slider step nothing.
 """
 
-import math
 from collections.abc import Callable, Iterable, Sequence
-from itertools import chain, pairwise
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import CUBE_EDGES, Space, face_actor, line_actor, point_actor
+from app.drawings.actors import Space, face_actor, line_actor, point_actor
 from app.drawings.label import SceneLabel
 from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.prop_group import PropGroup
@@ -32,11 +30,6 @@ _WIDER, _LARGER = 2.4, 1.7
 _CORNER = 4.5  # widths of a line
 _TINT = 0.22
 _DASHES, _DASH = 16, 0.6  # of an edge of the far plane; share of a dash and its gap
-_POINT_EM, _LINE_EM = 0.65, 0.45  # so near is on it
-
-Spot: TypeAlias = tuple[float, float, float]
-"""Pixels from the pane's left and top, and an order that is linear there: smaller in front."""
-Segment: TypeAlias = tuple[Highlight, Spot, Spot]
 
 
 class Emphasis:
@@ -44,7 +37,6 @@ class Emphasis:
         self._canvas = canvas
         self._marks: list[_Highlightable] = []
         self._calls: list[tuple[Highlight, Callable[[bool], object]]] = []
-        self._labels: list[tuple[str, SceneLabel]] = []
         self._shown = self._names = NOTHING
 
     def _call_for(self, names: Iterable[str], tell: Callable[[bool], object]) -> None:
@@ -78,9 +70,8 @@ class Emphasis:
         self._call_for(names, actor.SetVisibility)
 
     def label(self, label: SceneLabel, name: str) -> None:
-        """Underline this label; it can be pointed at, too."""
+        """Underline this label."""
         self._call_for((name,), label.set_underlined)
-        self._labels.append((name, label))
 
     def volume(self, space: Space, corners: Array) -> list[Any]:
         """Create a view volume's faces, outlines and corners that only a highlight shows.
@@ -114,14 +105,6 @@ class Emphasis:
         for names, tell in self._calls:
             tell(bool(names & shown))
         return True
-
-    def label_at(self, x_px: float, y_px: float) -> Highlight:
-        """Return what the label at a pixel, counted from the pane's top left, is about."""
-        height_px = self._canvas.window.GetSize()[1]
-        for name, label in self._labels:
-            if label.covers(x_px, height_px - y_px):
-                return frozenset((name,))
-        return NOTHING
 
 
 class _Highlightable:
@@ -162,53 +145,3 @@ def outline(face: Sequence[int], corners: Array, style: Style, dashed: bool) -> 
         points = (begins[:, None] + at[:, None] * (ends - begins)[:, None]).reshape(-1, 3)
         lines = [(i, i + 1) for i in range(0, len(points), 2)]
     return line_actor(points, lines, colour, 1.5 * style.line_width)
-
-
-def volume_edges(spots: Sequence[Spot]) -> list[Segment]:
-    """Return a view volume's twelve edges from its eight corners, with the planes of each."""
-    edges = []
-    for line in CUBE_EDGES:
-        for start, end in pairwise(line):
-            planes = {NEAR.name if end < 4 else FAR.name}
-            if start < 4 <= end:
-                planes = {name for name in SIDES if start in FACES[name]}
-            edges.append((frozenset(planes), spots[start], spots[end]))
-    return edges
-
-
-class Targets(NamedTuple):
-    """What can be pointed at; NaN is ignored. Of faces, only those light up that can be taken."""
-
-    points: Sequence[tuple[Highlight, Spot]] = ()
-    segments: Sequence[Segment] = ()
-
-
-def pointed_at(place: tuple[float, float], em: float, targets: Sequence[Targets]) -> Highlight:
-    """Return what is at a pixel: the nearest point, else the nearest line.
-
-    `place` counts from the pane's top left; `em`, the height of the labels' font in pixels, scales
-    the hand's precision. Of equally near things the first counts.
-    """
-    best, pointed = _POINT_EM * em, NOTHING
-    for names, spot in chain.from_iterable(each.points for each in targets):
-        away = math.dist(spot[:2], place)
-        if away < best:  # never for NaN
-            best, pointed = away, names
-    if pointed:
-        return pointed
-    best = _LINE_EM * em
-    for names, start, end in chain.from_iterable(each.segments for each in targets):
-        away = _from_segment(place, start, end)
-        if away < best:
-            best, pointed = away, names
-    return pointed
-
-
-def _from_segment(place: tuple[float, float], start: Spot, end: Spot) -> float:
-    along_x, along_y = end[0] - start[0], end[1] - start[1]
-    square = along_x * along_x + along_y * along_y
-    part = 0.0
-    if square > 0.0:
-        to_x, to_y = place[0] - start[0], place[1] - start[1]
-        part = min(1.0, max(0.0, (to_x * along_x + to_y * along_y) / square))
-    return math.dist(place, (start[0] + part * along_x, start[1] + part * along_y))

@@ -191,15 +191,24 @@ class StageDrawing(Drawing):
         self.reset_clipping_range()
 
     def _look(self) -> None:
-        """Place the camera; x, y and z of the world stand still in the pane if they are named."""
-        state = self.state
-        stands = all(map(self.names.wants, "xyz")) and state.position <= VIEW
-        framed, origin = self._framed, state.morph.origin_at
-        if stands:
-            around = np.concatenate([framed(k / 2) - origin(k / 2) for k in range(3)])
-            self.own.reset(state.position, state.projection, lambda k: around + origin(k), origin)
+        """Place the camera."""
+        around, state = self.around, self.state
+        if around is None:
+            self.own.reset(state.position, state.projection, self._framed)
         else:
-            self.own.reset(state.position, state.projection, framed)
+            origin = state.morph.origin_at
+            self.own.reset(state.position, state.projection, lambda k: around + origin(k), origin)
+
+    @property
+    def around(self) -> Array | None:
+        """What has its room all the way to the view, (n, 3): from the world's origin.
+
+        None unless x, y and z are named: then the origin stands still in the pane.
+        """
+        if self.state.position > VIEW or not all(map(self.names.wants, "xyz")):
+            return None
+        framed, origin = self._framed, self.state.morph.origin_at
+        return np.concatenate([framed(k / 2) - origin(k / 2) for k in range(3)])
 
     def _framed(self, stop: float) -> Array:
         """What has to be in view at a position up to the view's stop, (n, 3): display space.

@@ -35,15 +35,12 @@ from app.drawings.pointing import (
     FACES,
     FAR_FACE,
     NEAR_FACE,
-    Segment,
-    Targets,
     outline,
-    volume_edges,
 )
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb
-from app.lecture.highlight import AXES, CORNERS, ENDS, SIDES
+from app.lecture.highlight import AXES, ENDS, SIDES
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -424,31 +421,12 @@ class StageBox(Layer):
         axes = self._state.seen(self.axes[:, ::2].reshape(-1, 3))
         ground.ink_lines(np.array(axes)[:, :2].reshape(-1, 2, 2))
 
-    def targets(self) -> Targets:
-        """Of two equally near lines the first counts: an axis is drawn over the edge it is on."""
-        pane = self._state.own.pane_from_display
-        corners = _spots(CUBE, pane @ self._state.display_from_box)
-        points = [(frozenset((name,)), at) for name, at in zip(CORNERS, corners, strict=True)]
-        segments: list[Segment] = []
-        for name, ends in zip(AXES, self.axes[:3, 1:], strict=True):
-            start, tip = _spots(ends, pane)
-            segments.append((frozenset((name,)), start, tip))
-        return Targets(points, segments + volume_edges(corners))
-
     def _corners_seen(self) -> Array:
         """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self._shown(CUBE)
         seen = self._state.seen(np.where(np.isfinite(corners), corners, np.nan))
         return np.asarray(np.array(seen)[:, :2])
-
-
-def _spots(points: Array, pane: Array) -> list[Spot]:
-    """Pixels and depth of points (n, 3) in the pane; NaN for points at infinity or beyond."""
-    homogeneous = points @ pane[:, :3].T + pane[:, 3]
-    w = homogeneous[:, 3:]
-    spots = homogeneous[:, :3] / np.where(w > 0.0, w, np.nan)
-    return list(map(tuple, spots.tolist()))
 
 
 def _signed(z: float) -> str:

@@ -1,9 +1,9 @@
 """The world pane: the scene, the camera in it, and the camera's frustum.
 
 Its layers are `SceneInWorld`, `CameraDrawing`, `WorldAxes`, `FrustumDrawing`, `NearPicture`,
-`Dimensions`, `MarksDrawing`, `WorldProbes` and `WorldHandles`; `own_view` is the camera from which
-the pane looks. No part computes a projection: the frustum is the NDC cube's own edges and faces
-under ``world_from_clip``, and a slider step sets matrices alone.
+`Dimensions`, `MarksDrawing`, `EyeWalk`, `WorldProbes` and `WorldHandles`; `own_view` is the camera
+from which the pane looks. No part computes a projection: the frustum is the NDC cube's own edges
+and faces under ``world_from_clip``, and a slider step sets matrices alone.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -15,6 +15,7 @@ from app.drawings.actors import SceneActors, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
 from app.drawings.drawing import Drawing, light_of_labels
+from app.drawings.eye_walk import EyeWalk
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import WorldHandles
@@ -29,7 +30,7 @@ from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, ENDS, WINDOW
-from app.model.projection import Array, Camera, Projection
+from app.model.projection import Array, Camera, Projection, Vector
 from app.picking.handles import Handle
 from app.scenes.phenomena.illustration import Illustration, Shot
 from app.scenes.scene import Scene
@@ -111,9 +112,10 @@ class WorldDrawing(Drawing):
         self.frustum = FrustumDrawing(state)
         self.axes = WorldAxes(state, self._scene.actors)
         self._lengths, self._marks = Dimensions(state), MarksDrawing(state)
+        self._walk = EyeWalk(state)
         layers: list[Layer] = [
             WorldProbes(state), self._scene, self.camera, self.axes, self.frustum,
-            self.picture, self._lengths, self._marks,
+            self.picture, self._lengths, self._marks, self._walk,
         ]  # fmt: skip
         if live:
             self.handles = WorldHandles(state, self.axes, self.camera)
@@ -147,6 +149,13 @@ class WorldDrawing(Drawing):
             self.axes.is_wanted = wanted
             self.axes.show_names()
             self._follow_pane(afresh=True)
+
+    def show_walk(self, eyes: Sequence[Vector]) -> None:
+        begins = len(eyes) > 0 and not self._walk.inside()
+        self._walk.show_walk(eyes)
+        if begins and not self.own.was_moved:
+            self.own.place(self._framed())
+        self.reset_clipping_range()
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.state.hidden = hidden

@@ -1,6 +1,5 @@
 """What a pasted matrix may mean: by rows or by columns, in the convention of another program."""
 
-import contextlib
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import NamedTuple
@@ -48,12 +47,6 @@ def pasted(
     There are several meanings only if each is a camera or a lens. If none is, the matrix is free.
     Raises a `Refusal` for a cell that the matrix cannot have, and for 9 or 12 numbers of no camera.
     """
-    if [row[0] for row in rows] == [*range(len(rows))] and len(rows[0]) == 4:
-        # pandas numbers the rows of named columns. No camera has a column 0, 1, 2.
-        with contextlib.suppress(Refusal):
-            unnumbered = pasted(projection, name, [row[1:] for row in rows], write)
-            if unnumbered[0].projection.has_camera:
-                return unnumbered
     if name == "view_from_world":
         return _views(projection, rows, write)
     if len(rows) == 3 and len(rows[0]) == 3:

@@ -41,7 +41,7 @@ def read_matrix(
         if len(text) > LONGEST:
             raise _refused(LONG, LONGEST)
         lines = _lines(_without_dashes(text))
-        if sum(map(len, lines)) not in sizes:
+        if sum(map(len, lines)) not in sizes or _has_named_columns(text, lines):
             lines = _without_index(lines)
         count, with_commas = sum(map(len, lines)), _with_decimal_commas(text)
         if with_commas is not None:
@@ -111,6 +111,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
+_NAMES = re.compile(r"[^\W\d]\w*").fullmatch
 _ITEM = re.compile(r"- (- )?(\S+)")
 _QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")
 _NUMBER_TYPE = re.compile(r"float|double|half|single|real|scalar|mpf|int|f(?:16|32|64)$", re.I)
@@ -150,6 +151,12 @@ def _without_dashes(text: str) -> str:
     if len(items) < min(SIZES) or not all(items):
         return text
     return " ".join("\n" * len(item[1] or "") + item[2] for item in items if item)
+
+
+def _has_named_columns(text: str, lines: list[list[float]]) -> bool:
+    """Whether the first line has a name for all but one of the numbers below it, as in pandas."""
+    names = text.strip().partition("\n")[0].split()
+    return bool(lines and names) and len(names) == len(lines[0]) - 1 and all(map(_NAMES, names))
 
 
 def _without_index(lines: list[list[float]]) -> list[list[float]]:

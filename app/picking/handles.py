@@ -39,7 +39,7 @@ from app.model.parameters import (
 )  # fmt: skip
 from app.model.projection import LENSES, ONE_OF, Array, ObjectTransform, Projection, Vector
 from app.model.refusal import Refusal
-from app.picking.sight import Sight
+from app.picking.sight import Sight, heading
 
 Change: TypeAlias = dict[str, "float | Vector"]
 """New values for fields of the camera, the lens or the object."""
@@ -251,9 +251,9 @@ def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
 
 
 def slid_grip(
-    start: Vector, along: Vector, before: float, grabbed: Array, sight: Sight, pixel: Spot
+    start: Vector, along: Sequence[float], before: float, grabbed: Array, sight: Sight, pixel: Spot
 ) -> float | None:
-    """The new number of a grip on the rail ``start + t along``; None if it is seen end-on at 0."""
+    """The new number of a grip on a rail of `heading`; None if it is seen end-on at 0."""
     rail = np.array(start), np.array(along)
     value, per_px = _slid(*rail, before, grabbed, sight, pixel)
     return _tidy(value, before, per_px) if math.isfinite(value) else None
@@ -434,7 +434,8 @@ def _slid(
 ) -> tuple[float, float]:
     """`Sight.slide`; on a rail that is seen end-on, up on the screen is outwards."""
     across = min(sight.per_px(grabbed, axis) for axis in np.eye(3))
-    if sight.per_px(grabbed, along) * float(np.linalg.norm(along)) < _END_ON * across or not before:
+    way = heading(along, grabbed)
+    if sight.per_px(grabbed, way) * float(np.linalg.norm(way)) < _END_ON * across or not before:
         return sight.slide(start, along, pixel)
     up_px = float(sight.seen([grabbed])[0, 1]) - pixel[1]
     value = before * _UPWARDS ** min(up_px, 1e4)

@@ -14,6 +14,12 @@ from numpy.typing import ArrayLike
 from app.model.projection import Array, Projection, Vector
 
 
+def heading(along: ArrayLike, point: Array) -> Array:
+    """The way (3,) of a point on a rail ``(start + t along) / (1 + t w)``; w is a fourth part."""
+    way, w = np.split(np.asarray(along), [3])
+    return np.asarray(way - w.sum() * point)
+
+
 class Sight(NamedTuple):
     """How a pane looks at the world.
 
@@ -108,10 +114,11 @@ class Sight(NamedTuple):
         return t, w * w / length
 
     def _line(self, start: Array, along: Array) -> tuple[Array, Array, tuple[float, float]]:
-        """The image of a line ``start + t along``.
+        """The image of a line ``start + t along``; with a fourth part, that part of t divides it.
 
         Both as homogeneous pixels (3,), and the pixel's derivative by t, times w squared.
         """
         rows = self.rows[[0, 1, 3]]
-        one, two = rows[:, :3] @ (start - self.eye) + rows[:, 3], rows[:, :3] @ along
+        one, two = rows[:, :3] @ (start - self.eye) + rows[:, 3], rows[:, :3] @ along[:3]
+        two = two + along[3:].sum() * (rows[:, 3] - rows[:, :3] @ self.eye)
         return one, two, (two[0] * one[2] - one[0] * two[2], two[1] * one[2] - one[1] * two[2])

@@ -107,20 +107,20 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
 
 
 def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -> None:
-    """Every vertex of the letter F from 200 random cameras, and more for lenses that see few."""
+    """Every vertex of the letter F from 100 random cameras, and more for lenses that see few."""
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, DRAWING_TOLERANCE_PX)
     checked = dict.fromkeys(LENSES, 0)
     for number, projection in enumerate(random_projections(1600, seed=20, size=SIZE)):
         trace = projection.trace(points)
         sees_few = (~trace.outside.any(axis=1)).sum() < 8
-        if number >= 200 and (checked[projection.lens.kind] > 200 or sees_few):
+        if number >= 100 and (checked[projection.lens.kind] > 100 or sees_few):
             continue
         drawing.show_projection(projection)
         found, worst = check_lit(screen.pixels(), trace)
         checked[projection.lens.kind] += found
         assert worst <= 0.26, projection
-    assert min(checked.values()) > 200, checked
+    assert min(checked.values()) > 100, checked
 
 
 @pytest.mark.parametrize("name", [each for each in BUILT_IN if "image" not in load(each).pale])
@@ -233,13 +233,14 @@ def test_ndc_clips_the_scene_at_the_cube(off_screen: MakeScreen) -> None:
     big = 40.0 * np.array([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], dtype=float)
     tilted = big[:, [0, 2, 1]] + [0.0, -0.5, 0.0]
     scene = scene_of(np.vstack([big, tilted]), [(0, 1, 2, 3), (4, 5, 6, 7)], [red, red])
-    for depth in DEPTH_RANGES:
-        for lens in (
-            Perspective(50, 1, 10),
-            Frustum(-0.1, 0.8, -0.5, 0.3, 1, 10),
-            Orthographic(-2, 2, -2, 2, 1, 10),
-            Oblique(-2, 2, -2, 2, 1, 10),
-        ):
+    lenses = (
+        Perspective(50, 1, 10),
+        Frustum(-0.1, 0.8, -0.5, 0.3, 1, 10),
+        Orthographic(-2, 2, -2, 2, 1, 10),
+        Oblique(-2, 2, -2, 2, 1, 10),
+    )
+    for number, depth in enumerate(DEPTH_RANGES):
+        for lens in lenses[number % 2 :: 2]:
             screen = off_screen(400, 400)
             drawing = StageDrawing(screen, scene, WORDS, LIGHT)
             drawing.show_names(None)

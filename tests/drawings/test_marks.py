@@ -608,8 +608,6 @@ def test_what_is_about_what_is_highlighted_stands_out(shown: Callable[..., Shown
         changed, (same, wide, plain) = highlight("y_p")
         assert changed and wide > 2.0 * green and (same, plain) == (red, blue)
         assert highlight() == (True, [red, green, blue])
-    x, y = middle(drawn(seen.screen.pixels(), to_bytes(BLUE))).tolist()
-    assert seen.drawing.highlight_at(x, y) == {"y"}
 
 
 @pytest.mark.parametrize("size", [(586, 610), (440, 420), (480, 290)])

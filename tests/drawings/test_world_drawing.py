@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -628,8 +629,16 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
     assert 0 < changes[False] <= 0.7 * changes[True]
 
 
-@pytest.mark.parametrize("size_px", [(300, 400), (370, 420), (600, 700)])
-@pytest.mark.parametrize("name", ["letter-f", "posts", *PHENOMENA])
+@pytest.mark.parametrize(
+    ("size_px", "name"),
+    [
+        *zip(
+            cycle([(300, 400), (370, 420), (600, 700)]),
+            ["letter-f", "posts", *PHENOMENA],
+            strict=False,
+        )
+    ],
+)
 def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
     make_view: MakeView, name: str, size_px: tuple[int, int]
 ) -> None:

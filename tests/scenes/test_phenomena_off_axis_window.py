@@ -9,7 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.projection import Projection
+from app.model.projection import Camera, Perspective, Projection
+from app.picking.handles import slid_grip
+from app.picking.sight import Sight
 from app.scenes.phenomena.off_axis_window import (
     PHENOMENON,
     halves,
@@ -129,6 +131,16 @@ def test_the_window_stays_while_the_eye_moves() -> None:
         px = seen.image_size[0] / (width * camera.distance / seen.lens.near)
         assert np.allclose(drawn, shift * (1.0 - ratio) * px, atol=1e-7)
         assert np.allclose(moved(after, 0.5 + shift, 0.5).window, seen.window, atol=1e-12)
+
+
+def test_the_eye_is_dragged_across_its_window() -> None:
+    """In the picture of a camera behind it that looks along the axis: 2 units to the right."""
+    (grip,), behind = shown(shift=1.5).grips, Camera((1.5, 2.4, 18.0), (1.5, 2.4, 0.0))
+    seen = Sight.of(replace(PHENOMENON.start, camera=behind, lens=Perspective(90.0, 1.0, 40.0)))
+    width, height = PHENOMENON.start.image_size
+    goal = (width + height * 2.0 / 10.0) / 2.0, height / 2.0
+    assert grip.along is not None and grip.point.tolist() == [1.5, 2.4, 8.0]
+    assert slid_grip(grip.base, grip.along, 1.5, grip.point, seen, goal) == pytest.approx(3.5)
 
 
 def test_off_the_axis_by_hand() -> None:

@@ -10,6 +10,8 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, Orbit, Perspective, Projection
+from app.picking.handles import slid_grip
+from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.vanishing_points import PHENOMENON, horizon, line_in_rectangle, vanishing
 from app.scenes.shapes import box_corners
@@ -252,3 +254,18 @@ def test_the_diagram_shows_vanishing_points_beside_the_frame() -> None:
     assert below > 720  # not in the picture
     assert diagram.bottom > below and diagram.top < 0 and diagram.left < 0
     assert {curve.label for curve in diagram.curves} >= {"V_x", "V_y", "V_z", "horizon"}
+
+
+def test_p_is_dragged_along_its_edge_to_infinity_and_beyond() -> None:
+    """To the places where its picture is for other t, which other tests prove."""
+    (grip,), sight, reached = shown(t=0.6).grips, Sight.of(PHENOMENON.start), []
+    assert grip.along is not None
+    for t in (0.1, 0.3, 0.6, 0.9, 1.0, 1.05):
+        dots = [dot for dot in shown(t=t).image.dots if dot.name == "P"]
+        for dot in dots:
+            goal = dot.point[0], dot.point[1]
+            moved = slid_grip(grip.base, grip.along, 0.6, grip.point, sight, goal)
+            assert moved == pytest.approx(t, abs=1e-3)
+            reached.append(t)
+    assert len(reached) >= 5 and 1.0 in reached
+    assert np.isnan(shown(t=1.0).grips[0].point).all()

@@ -14,7 +14,12 @@ import pytest
 from app.measure.vertex_depth import PIECES, measure
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
-from app.scenes.fewer_triangles import LEAST_TRIANGLES, can_be_reduced, reduced
+from app.scenes.fewer_triangles import (
+    LEAST_TRIANGLES,
+    can_be_reduced,
+    reduced,
+    shares_for_dragging,
+)
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.vertex_depth import MOST_PIECES, PHENOMENON, borders, largest_factor
 from app.scenes.scene import load
@@ -99,6 +104,7 @@ def test_its_many_strips_are_never_reduced() -> None:
     scene = load("vertex-depth")
     assert scene.triangles >= LEAST_TRIANGLES
     assert not can_be_reduced(scene) and reduced(scene, 0.1) is scene
+    assert shares_for_dragging(scene) == ()
 
 
 def test_where_there_is_no_floor_it_says_why() -> None:

@@ -22,10 +22,12 @@ from app.model.refusal import Refusal
 from app.scenes.scene import load
 from tests.support.controls import choose
 from tests.support.shown import show
+from tests.support.window import pixels, settle
 from widgets.controls.animation import PERIOD_S, STEP_S, AnimationBar, Motion, camera_at
 from widgets.controls.controls import Controls
 from widgets.parts.clock import LONGEST_FRAME_S, Clock
 from widgets.parts.number_rows import NumberRow
+from widgets.window.main_window import MainWindow
 
 # 5 to the +z side of the target and 3 above it.
 START = Camera((0.0, 5.0, 5.0), (0.0, 2.0, 0.0))
@@ -232,6 +234,31 @@ def test_playing_on_goes_on(bar: AnimationBar, record: Record) -> None:
     bar.advance(0.7)
     straight = camera_at(START, 7.7, motion(bar))
     assert record.cameras[-1].eye == pytest.approx(straight.eye, abs=1e-6)
+
+
+def test_the_way_of_the_eye_is_in_the_world_pane_while_it_walks(window: MainWindow) -> None:
+    """For the letter F a circle round the target, all of it inside the pane."""
+    walk, pane = window.controls.animation, window.panes["world"]
+    assert pane.drawing is not None
+    camera = window.store.document.projection.camera
+    walk.play()
+    settle()
+    eyes = np.array(pane.requested["walk"])
+    x, _, z = np.subtract(camera.eye, camera.target).tolist()
+    quarters = (eyes - camera.target)[[0, 30, 60, 90, 120]]
+    assert np.allclose(quarters[:, ::2], [(x, z), (z, -x), (-x, -z), (-z, x), (x, z)])
+    assert np.allclose(eyes[:, 1], camera.eye[1])
+    walk.advance(3.0)
+    settle()
+    spots, walking = np.round(pane.drawing.sight.seen(eyes)).astype(int), pixels(window)
+    height, width, _ = walking.shape
+    assert ((spots > 2) & (spots < (width - 2, height - 2))).all() and not pane.drawing.cut()
+    walk.pause()
+    settle()
+    assert pane.requested["walk"] == ()
+    apart = (walking != pixels(window)).any(axis=2)
+    drawn = [apart[y - 2 : y + 3, x - 2 : x + 3].any() for x, y in spots.tolist()]
+    assert np.mean(drawn) > 0.7, "the line goes when the walk ends; the F hides a part of it"
 
 
 def test_another_speed_does_not_jump(bar: AnimationBar, record: Record) -> None:

@@ -1127,25 +1127,6 @@ def test_twelve_numbers_nine_numbers_and_a_calibrated_camera(
     assert edited.args[0].intrinsics[:2] == pytest.approx((800.0, 800.0))
 
 
-def test_the_numbers_of_rows_that_pandas_prints_are_no_column(
-    panel: MatrixPanel, qtbot: QtBot
-) -> None:
-    with qtbot.waitSignal(panel.edited) as edited:
-        paste(
-            panel,
-            "view_from_world",
-            "     x    y    z\n0  0.8  0.0 -0.6\n1  0.0  1.0  0.0\n2  0.6  0.0  0.8",
-        )
-        meanings_of(panel, "view_from_world")[0].trigger()
-    assert edited.args[0].camera.frame[0] == pytest.approx([0.8, 0.0, -0.6])
-    with qtbot.waitSignal(panel.edited) as edited:
-        paste(panel, "clip_from_view", "  a   b   c\n0 800 0 640\n1 0 800 360\n2 0 0 1")
-    assert edited.args[0].intrinsics[:2] == pytest.approx((800.0, 800.0))
-    with qtbot.waitSignal(panel.edited) as edited:  # no camera: the first column is a column
-        paste(panel, "view_from_world", "0 3 0 0\n1 0 4 0\n2 0 0 1")
-    assert edited.args[0].lens.view_from_world[2][0] == 2.0
-
-
 @pytest.mark.parametrize("form", ["text", "numpy", "latex"])
 @pytest.mark.parametrize("vectors", ["columns", "rows"])
 @pytest.mark.parametrize("letters", LETTERS)

@@ -270,16 +270,6 @@ def test_the_heads_of_the_axes_are_as_long_in_half_a_cube(
     assert 0.05 * pixels_per_unit < long < 0.12 * pixels_per_unit
 
 
-def test_an_axis_is_pointed_at_at_every_stop(shown: Callable[..., Shown]) -> None:
-    screen = shown((500, 500))
-    drawing = screen.drawing
-    for stop in range(VIEW, IMAGE + 1):
-        screen.pixels(float(stop))
-        pane, (_, end, tip) = drawing.own.pane_from_display, drawing.box.axes[0]
-        x, y = (pane[:2] @ (*(0.6 * tip + 0.4 * end), 1.0)).tolist()
-        assert drawing.highlight_at(x, y) == {"u"}, stop
-
-
 def test_a_step_of_the_strip_touches_no_actor(shown: Callable[..., Shown]) -> None:
     screen = shown()
     actors = screen.plotter.renderer.GetActors()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -11,14 +12,16 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
-from app.lecture.highlight import WINDOW
+from app.document.document import Document
+from app.lecture.highlight import NOTHING, WINDOW, Highlight
 from app.scenes.scene import BUILT_IN
-from tests.support.window import LEFT, MakeWindow, move_mouse, settle, show_scene
+from tests.support.window import LEFT, Highlighted, MakeWindow, move_mouse, settle, show_scene
 from widgets.window.main_window import MainWindow
 
 POINT_PX, EDGE_PX = 12.0, 9.0
 """So near to a point or an edge, another place is not free."""
 PLACES = 10
+GRID_PX, TRIES = 14, 2
 SIDES = {"left": (0, 3), "right": (1, 2), "bottom": (0, 1), "top": (3, 2)}
 SAMPLE: tuple[str, ...] = (
     "letter-f",
@@ -27,6 +30,7 @@ SAMPLE: tuple[str, ...] = (
     "view-volumes",
     "affine-depth",
 )
+MORE = "vanishing-points", "planar-shadow", "two-eyes"
 
 
 class Thing(NamedTuple):
@@ -177,25 +181,46 @@ def is_covered(window: MainWindow, thing: Thing, place: tuple[float, float]) -> 
     return bool(near.any())
 
 
-def drag_from(window: MainWindow, place: tuple[float, float], way: tuple[int, int]) -> bool:
-    """Drag with the mouse; return whether the document has changed, and put it back."""
-    canvas, before = window.panes["world"].canvas, window.store.document
+def drag_from(
+    window: MainWindow, place: tuple[float, float], way: tuple[int, int], pane: str = "world"
+) -> bool:
+    """Drag with the mouse; return whether the model has changed, and put it back.
+
+    In the image, a move of the whole camera does not count.
+    """
+    canvas, before = window.panes[pane].canvas, window.store.document
+
+    def model(document: Document) -> object:
+        projection = document.projection
+        if pane == "image":
+            projection = replace(projection, camera=before.projection.camera)
+        return projection, document.settings
+
     at = QPoint(*map(math.floor, place))
     move_mouse(canvas, at, Qt.MouseButton.NoButton)
     QTest.mousePress(canvas, LEFT, pos=at)
     moved = False
     for part in (0.5, 1.0):
         move_mouse(canvas, at + QPoint(round(part * way[0]), round(part * way[1])), LEFT)
-        moved |= (window.store.document.projection, window.store.document.settings) != (
-            before.projection, before.settings,
-        )  # fmt: skip
+        moved |= model(window.store.document) != model(before)
     QTest.mouseRelease(canvas, LEFT, pos=at + QPoint(*way))
     settle()
     if window.store.document != before:
         window.store.undo()
-    window.panes["world"].reset_view()  # a drag may have framed it anew
+    window.panes[pane].reset_view()  # a drag may have framed it anew
     settle()
     return moved
+
+
+def groups(window: MainWindow, pane: str) -> dict[Highlight, list[tuple[int, int]]]:
+    """Places of a pane, on a grid, by what lights up under the pointer there."""
+    canvas, places = window.panes[pane].canvas, dict[Highlight, list[tuple[int, int]]]()
+    for x in range(7, canvas.width() - 7, GRID_PX):
+        for y in range(50, canvas.height() - 7, GRID_PX):
+            drawing = window.panes[pane].drawing
+            assert drawing is not None
+            places.setdefault(drawing.highlight_at(x + 0.5, y + 0.5), []).append((x, y))
+    return places
 
 
 def shares(window: MainWindow) -> dict[str, tuple[int, int, list[Any]]]:
@@ -231,6 +256,29 @@ def test_each_free_place_drags_what_it_is_on(make_window: MakeWindow, name: str)
     counts = shares(window)
     assert name not in SAMPLE or sum(tried for tried, _, _ in counts.values()) >= 5 * PLACES
     assert not {thing: count for thing, count in counts.items() if count[0] != count[1]}
+
+
+@pytest.mark.parametrize("name", BUILT_IN if "ALL_SCENES" in os.environ else (*SAMPLE, *MORE))
+def test_what_lights_up_is_dragged_and_nothing_else(make_window: MakeWindow, name: str) -> None:
+    window = show_scene(make_window(), name)
+    random, highlighted, wrong = np.random.default_rng(4), Highlighted(window), []
+    for kind, pane in window.panes.items():
+        window.slots.make_large(kind)
+        settle()
+        pane.reset_view()
+        ordered = sorted(groups(window, kind).items(), key=lambda group: not group[0])
+        for lit, places in ordered:  # a drag on nothing may turn a flat view
+            for i in random.permutation(len(places))[: TRIES if lit else 3 * TRIES]:
+                x, y = places[i]
+                move_mouse(pane.canvas, QPoint(x, y), Qt.MouseButton.NoButton)
+                about = pane.drawing.highlight_at(x + 0.5, y + 0.5)
+                is_lit = highlighted.now == about != NOTHING
+                has_own = pane.canvas.cursor().shape() != pane.cursor().shape()
+                ways = ((28, 9), (-9, 28)) if about else ((28, 9),)
+                moved = any(drag_from(window, (x, y), way, kind) for way in ways)
+                if {is_lit, has_own, moved} != {bool(about)}:
+                    wrong.append((kind, set(about), (x, y), is_lit, has_own, moved))
+    assert not wrong
 
 
 @pytest.mark.parametrize("by", ["face", "edge", "label"])

@@ -34,6 +34,8 @@ PERIOD_S = 2.0 * STEPS_UP * STEP_S  # time for one cycle up and down, smoothly o
 FASTEST_DEG_S = 3600
 """Ten turns a second: above a sixth of a turn per frame, the direction is no longer visible."""
 
+_PLACES = 120  # of the eye, in one turn
+
 
 @dataclass(frozen=True)
 class Motion:
@@ -125,6 +127,7 @@ class AnimationBar(QWidget, Playing):
     """
 
     edited = Signal(object)  # the next `Camera`, once per frame
+    walked = Signal(tuple)  # the eye's places for the next turn while it walks; none when it stops
 
     def __init__(self) -> None:
         super().__init__()
@@ -224,6 +227,7 @@ class AnimationBar(QWidget, Playing):
         self._go_on_from(camera, aim_y)
         if camera.eye[1] != old_y:
             self._motion = self._motion.at(camera.eye[1], rising=rising)
+        self.walked.emit(self._turn())
 
     # -- playing
 
@@ -269,6 +273,17 @@ class AnimationBar(QWidget, Playing):
     @property
     def _now(self) -> Motion:
         return replace(self._motion, clock_s=self._motion.clock_s + self._elapsed_s)
+
+    def _turn(self) -> tuple[Vector, ...]:
+        """Return places of the eye for one turn from now on, the same number for each."""
+        if not self.playing or self._start is None or not self._motion.speed_deg_s:
+            return ()
+        turn_s = 360.0 / abs(self._motion.speed_deg_s)
+        times = (self._elapsed_s + turn_s * k / _PLACES for k in range(_PLACES + 1))
+        try:
+            return tuple(camera_at(self._start, at, self._motion).eye for at in times)
+        except Refusal:
+            return ()
 
     def _go_on_from(self, camera: Camera, aim_y: float) -> None:
         """Begin a new walk here; `aim_y` keeps the target's y while the camera looks level."""
@@ -327,6 +342,7 @@ class AnimationBar(QWidget, Playing):
         self.button.setText(word)
         for row in (self.lowest, self.highest):
             row.setVisible(self.height_mode.value() != "fixed")
+        self.walked.emit(self._turn())
 
     def _show_error(self, text: str) -> None:
         stopped = self.tr("Stopped.")

@@ -4,14 +4,14 @@
 
     redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
 
-- `GlCanvas` contains pyvistaqt's interactor: VTK draws into a QOpenGLWidget.
+- `GlCanvas` contains an `Interactor`: VTK draws into a QOpenGLWidget.
 - `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
   the pixels. With OpenGL in software that takes half the time: Qt composes no textures, and
   repaints a slider beside it without the canvases. It needs no OpenGL in Qt.
 
-Both are empty until they are opened, which imports VTK. Nothing else renders: pyvista's `render`
-draws at once *and* again in the paint event. VTK's interactor styles are not used: they render,
-rewrite the clipping range at every drag, and bind plain keys to changes of the scene.
+Both are empty until they are opened, which imports VTK. Nothing else renders. VTK's interactor
+styles are not used: they render, rewrite the clipping range at every drag, and bind plain keys to
+changes of the scene.
 """
 
 from __future__ import annotations
@@ -378,7 +378,7 @@ class Hand(QObject):
     moved = Signal()  # the canvas' own camera was moved
     clicked = Signal(QPointF)  # pressed and released in one place: the middle of that pixel
     drag_started = Signal(QPointF)
-    """The place where the left button was pressed; the mouse has left it."""
+    """The middle of the pixel where the left button was pressed; the mouse has left it."""
     dragged = Signal(QPointF, bool)  # the movement from there, and whether Shift is held
     drag_ended = Signal()
     hovered = Signal(QPointF)  # the mouse is here without a button: the middle of that pixel
@@ -538,7 +538,7 @@ class Hand(QObject):
             if moved < QApplication.startDragDistance():
                 return True
             self._dragged_from, self._pressed = self._pressed, None
-            self.drag_started.emit(self._dragged_from * ratio)
+            self.drag_started.emit(self._middle(self._dragged_from))
         if self._dragged_from is not None:
             self.dragged.emit((event.position() - self._dragged_from) * ratio, is_shifted)
         if self._last is None or not self._orbits:
@@ -573,7 +573,6 @@ class Hand(QObject):
 
     @property
     def camera(self) -> Any:
-        """The canvas' own; pyvista's `camera` would move it first."""
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:

@@ -39,7 +39,7 @@ from app.picking.handles import (
     slid_grip,
     way,
 )
-from app.picking.sight import Sight
+from app.picking.sight import Sight, heading
 from app.scenes.phenomena.marks import Grip
 from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
@@ -159,7 +159,7 @@ class Manipulation(Gestures, QObject):
         grip, drawing = self._grips.get(taken.handle.setting), pane.drawing
         along = way(self._projection, taken.handle, taken.point)
         if taken.handle.name == "grip":
-            along = None if grip is None or grip.along is None else np.array(grip.along)
+            along = None if grip is None or grip.along is None else heading(grip.along, grip.point)
         if along is None or drawing is None:
             pane.canvas.setCursor(Qt.CursorShape.SizeAllCursor)
         else:
@@ -193,12 +193,14 @@ class Manipulation(Gestures, QObject):
 
     def _show_line(self, pane: Pane, text: str) -> None:
         """Show a line beside the thing that is dragged, or in the middle of the picture."""
-        canvas, drawing = pane.canvas, pane.drawing
-        at: Spot | None = None
+        canvas, drawing, drag = pane.canvas, pane.drawing, self._drag
+        at = math.nan, math.nan
         if self._pointed is not None and drawing is not None:
-            at = dict(drawing.handles.shown).get(self._pointed)
+            at = dict(drawing.handles.shown).get(self._pointed, at)
+        if drag is not None and drag.taken is not None and not math.isfinite(sum(at)):
+            at = drag.taken.spot[0] + drag.reached.x(), drag.taken.spot[1] + drag.reached.y()
         around = canvas.rect().center()
-        if at is not None and math.isfinite(sum(at)):
+        if math.isfinite(sum(at)):
             around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
         self.line.setParent(canvas)
         self.line.setText(text)
@@ -423,7 +425,8 @@ def _value(grip: Grip) -> Vector | float:
     """The setting that a grip stands for."""
     away = grip.point - grip.base
     if grip.along is not None:
-        return float(away @ grip.along / np.dot(grip.along, grip.along))
+        way = heading(grip.along, grip.point)
+        return float(away @ way / (way @ way))
     return vector(away)
 
 

@@ -44,6 +44,7 @@ AS_BUILT: dict[str, Any] = {
     "step": None,
     "fixed": "",
     "object_axes": False,
+    "walk": (),
     "handles": frozenset(),
     "grips": None,
     "highlight": NOTHING,
@@ -56,6 +57,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "step": lambda drawing, step: drawing.show_step(step),
     "fixed": lambda drawing, view: drawing.show_fixed(view),
     "object_axes": lambda drawing, wanted: drawing.show_object_axes(wanted),
+    "walk": lambda drawing, eyes: drawing.show_walk(eyes),
     "handles": lambda drawing, names: drawing.handles.call(names),
     "grips": lambda drawing, paths: drawing.handles.rest(paths),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
@@ -227,6 +229,7 @@ class Pane(QFrame):
         None for the scene's own. ``"probes"``: those that are marked. ``"stage"``: a position on
         the stage strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
+        ``"walk"``: places of the eye, through which its way is drawn.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
         ``"grips"``: the values whose grips are shown at rest, or None for the scene's controls.
         """

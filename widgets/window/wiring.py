@@ -39,6 +39,7 @@ def _wire_components(window: Any) -> None:
         (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.animation.gesture_started, partial(menus.show_playing, True)),
         (controls.animation.gesture_finished, partial(menus.show_playing, False)),
+        (controls.animation.walked, partial(world.request, "walk")),
         (card.use_mesh.clicked, window.files.mesh_dialog),
         (card.remove_mesh.clicked, lambda: window.files.use_mesh("")),
         (window.counting.counted, card.show_count),

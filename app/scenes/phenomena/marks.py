@@ -165,14 +165,15 @@ class Grip:
     """A handle for a setting: a point, a direction, or a number on a rail.
 
     The setting's value is ``point - base``; of a direction, `base` is where it starts. A number is
-    t in ``point = base + t along``. What has this `name` takes hold of it, too, and so do the edges
-    of the polygon `face`, and all of a polygon that is a plane: more than two points.
+    t in ``point = base + t along``, or with a fourth part w in `along`, over ``1 + t w``. What has
+    this `name` takes hold of it, too, and so do the edges of the polygon `face`, and all of a
+    polygon that is a plane: more than two points.
     """
 
     setting: str
     point: Array
     base: Vector = (0.0, 0.0, 0.0)
-    along: Vector | None = None
+    along: tuple[float, ...] | None = None
     name: str = ""
     colour: str = "accent"
     face: Array = field(default_factory=lambda: np.empty((0, 3)))

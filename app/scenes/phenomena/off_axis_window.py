@@ -11,12 +11,13 @@ from fractions import Fraction
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Aperture, Mark, Marks, Polyline, Text, plate, segment
+from app.scenes.phenomena.marks import Aperture, Grip, Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
@@ -121,7 +122,14 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         ndc=_ndc_marks(projection, screens),
         image=_image_marks(projection, screens),
         warning=warning or WORDS.of_parallel(projection),
+        grips=(_grip(projection.camera, number(settings, "shift")),),
     )
+
+
+def _grip(camera: Camera, shift: float) -> Grip:
+    """The eye, which moves sideways before its window."""
+    across, eye = camera.frame[0], np.array(camera.eye)
+    return Grip("shift", eye, vector(eye - shift * across), vector(across), "eye", "eye")
 
 
 def _join_readings(

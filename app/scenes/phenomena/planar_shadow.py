@@ -191,11 +191,11 @@ def _grip(light: Array, subject: Subject) -> Grip:
 
 
 def _grip_of_ground(world: Marks) -> Grip:
-    """The plane by its front edge: a drag on all of it would be a turn of the view as a rule."""
-    edge = world.faces[0].points[2:]
-    x, y, z = edge.mean(axis=0).tolist()
+    """The plane, with the grip in the middle of its front edge."""
+    plane = world.faces[0].points
+    x, y, z = plane[2:].mean(axis=0).tolist()
     up = (0.0, 1.0, 0.0)
-    return Grip("height", np.array([x, y, z]), (x, 0.0, z), up, "ground", "muted", edge)
+    return Grip("height", np.array([x, y, z]), (x, 0.0, z), up, "ground", "muted", plane)
 
 
 def _world_marks(settings: Settings, subject: Subject, light: Array, marked: list[Array]) -> Marks:

@@ -13,10 +13,11 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
-from app.scenes.phenomena.marks import Mark, Marks, Polyline, Text, named, plate, segment
+from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
     SIDES,
     box_edges,
@@ -219,8 +220,15 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
         world=_world_marks(projection, points, subject, start, there),
         image=_image_marks(projection, points, trace.clip, from_corner[1], there),
         diagrams=(_diagram(projection, points, trace),),
+        grips=(_grip(start, toward, there.world),),
         warning=WORDS.of_parallel(projection),
     )
+
+
+def _grip(start: Array, toward: Array, there: Array | None) -> Grip:
+    """P on its way; at infinity it cannot be taken, but a drag goes through it."""
+    place = np.full(3, np.nan) if there is None else there
+    return Grip("t", place, vector(start), (*(toward - start).tolist(), -1.0), "P")
 
 
 def _readings(
