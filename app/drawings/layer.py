@@ -288,9 +288,9 @@ class Layers:
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False) -> bool:
-        """Place the labels; return whether one has changed its place."""
+        """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
-        if not state.places_labels:
+        if not (state.places_labels and state.canvas.is_laid_out):
             return False
         ground = self.ground()
         for layer in self._layers:

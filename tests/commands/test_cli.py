@@ -30,7 +30,7 @@ from app.document.document import Document
 from app.document.files import read, write
 from app.document.settings import set_values
 from app.document.view import View
-from app.drawings.figure import ENDINGS, HIDDEN
+from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.lecture.letters import LETTERS
 from app.model.limits import SMALLEST_WINDOW
@@ -1029,7 +1029,7 @@ def test_the_help_names_what_exists() -> None:
     assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
     assert options.PRECISIONS == PRECISIONS
     assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
-    assert (tuple(PALETTES), HIDDEN) == (options.PALETTES, options.HIDDEN)
+    assert (tuple(PALETTES), HIDDEN, FITS) == (options.PALETTES, options.HIDDEN, options.FITS)
     assert tuple(f".{name}" for name in options.FIGURE_FORMATS) == ENDINGS
     assert tuple(measuring.TRADES) == options.TRADES
     assert tuple(SWEEPS) == options.SWEEPS
@@ -1313,7 +1313,7 @@ def test_doctor_finds_everything_on_a_machine_that_runs_the_tests() -> None:
     done = run("doctor")
     assert done.returncode == 0, done.stdout
     assert done.stdout.endswith("\n\nEverything needed is here.\n")
-    for name in ("Python", "numpy", "vtk", "pyvista", "pyvistaqt", "PySide6-Essentials", "Qt",
+    for name in ("Python", "numpy", "vtk", "PySide6-Essentials", "Qt",
                  "System libraries", "Settings folder", "Log folder", "Display", "Screen", "OpenGL",
                  "Panes", "Export", "MP4"):  # fmt: skip
         assert re.search(rf"^{name} +\S", done.stdout, re.MULTILINE), name

@@ -42,7 +42,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app import __version__, bootstrap
+from app import __version__, python_packages
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -178,7 +178,7 @@ def run_window(
     cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
-    graphics = _probe(options)
+    graphics, canvas = find_graphics(options)
     file_log = start_log()
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
@@ -195,7 +195,7 @@ def run_window(
             settings.override("theme", options.theme or "light")
         translate(application, settings.language)
 
-        with bootstrap.for_good():
+        with python_packages.for_good():
             from widgets.window.main_window import MainWindow
 
         try:
@@ -203,7 +203,7 @@ def run_window(
                 document,
                 settings=settings,
                 software_rendering=graphics.software,
-                canvas=options.canvas or opengl.canvas(graphics),
+                canvas=canvas,
                 saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
@@ -247,25 +247,34 @@ def run_window(
     return 1 if any(failed) else 0
 
 
-def _probe(options: Options) -> opengl.OpenGL:
-    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it."""
+def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:
+    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it, and the canvas."""
     try:
-        return opengl.probe()
-    except opengl.DisplayError as error:
-        if options.canvas == "opengl":
+        graphics = opengl.probe()
+    except opengl.DisplayError:
+        if options.canvas == "opengl" or not draws_off_screen():
             raise
-        from app.drawings.off_screen import check_off_screen
+        return opengl.NO_OPENGL, "raster"
+    canvas = options.canvas or opengl.canvas(graphics)
+    # Windows without a driver: Qt brings an OpenGL in software, and VTK gets the system's 1.1.
+    if canvas == "raster" and sys.platform == "win32" and not draws_off_screen():
+        canvas = "opengl"
+    return graphics, canvas
 
-        try:
-            check_off_screen()
-        except RuntimeError:
-            raise error from None
-        return opengl.NO_OPENGL
+
+def draws_off_screen() -> bool:
+    from app.drawings.off_screen import check_off_screen
+
+    try:
+        check_off_screen()
+    except RuntimeError:
+        return False
+    return True
 
 
 def _open_panes(window: Any) -> None:
     """Import VTK, now that the window is visible, and fill its panes."""
-    with bootstrap.for_good():
+    with python_packages.for_good():
         from app.drawings import image, kept_labels, stage, world  # noqa: F401
     kept_labels.load_shipped()
     kept_labels.load(labels_path())
