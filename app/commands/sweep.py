@@ -33,8 +33,7 @@ from app.model.projection import Camera
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
 
-MOTIONS = ("sweep", "orbit", "stages", "transition")
-"""The options that make a picture move; one at a time."""
+MOTIONS = ("sweep", "orbit", "stages", "transition")  # options that move a picture, one at a time
 FRAMES = {"sweep": 48, "orbit": 48, "stages": 120, "transition": 24}
 FPS = 12.0  # frames, and frames a second, unless others are asked for
 _RESTING = 0.5  # of the time, at the stops of the stages
